@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "sim/base/files.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+
+#include "sim/base/error.h"
+
+namespace bulletnav::sim {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Owns a POSIX file descriptor.
+class Descriptor {
+ public:
+  explicit Descriptor(int fd) : fd_(fd) {}
+  ~Descriptor() {
+    if (fd_ >= 0) ::close(fd_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  Descriptor(Descriptor&&) = delete;
+  Descriptor& operator=(Descriptor&&) = delete;
+  int get() const { return fd_; }
+
+ private:
+  int fd_;
+};
+
+std::string Reason() { return std::strerror(errno); }
+
+fs::path TemporaryName(const fs::path& file) {
+  static std::atomic<unsigned> counter{0};
+  return file.string() + ".tmp" + std::to_string(::getpid()) + "-" + std::to_string(counter++);
+}
+
+void SyncFile(const fs::path& file) {
+  const Descriptor fd(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+  if (fd.get() < 0 || ::fsync(fd.get()) != 0) {
+    throw FileError(file, "", "cannot be written: " + Reason());
+  }
+}
+
+void WriteAll(const fs::path& file, std::span<const std::uint8_t> bytes) {
+  const Descriptor fd(::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644));
+  if (fd.get() < 0) throw FileError(file, "", "cannot be created: " + Reason());
+  while (!bytes.empty()) {
+    const ssize_t n = ::write(fd.get(), bytes.data(), bytes.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) {
+      throw FileError(file, "", "cannot be written: " + Reason() + "; free some space and retry");
+    }
+    bytes = bytes.subspan(static_cast<std::size_t>(n));
+  }
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> ReadFile(const fs::path& file) {
+  const Descriptor fd(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+  if (fd.get() < 0) {
+    throw FileError(file, "", "cannot be read: " + Reason() + "; check the path");
+  }
+  struct stat status = {};
+  if (::fstat(fd.get(), &status) != 0) {
+    throw FileError(file, "", "cannot be read: " + Reason());
+  }
+  if (S_ISDIR(status.st_mode)) throw FileError(file, "", "is a directory; name a file in it");
+  if (!S_ISREG(status.st_mode)) throw FileError(file, "", "is not a regular file");
+  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(status.st_size));
+  std::size_t done = 0;
+  while (done < bytes.size()) {
+    const ssize_t n = ::read(fd.get(), bytes.data() + done, bytes.size() - done);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) throw FileError(file, "", "cannot be read: " + Reason());
+    if (n == 0) break;
+    done += static_cast<std::size_t>(n);
+  }
+  bytes.resize(done);
+  return bytes;
+}
+
+std::string ReadTextFile(const fs::path& file) {
+  const std::vector<std::uint8_t> bytes = ReadFile(file);
+  return {bytes.begin(), bytes.end()};
+}
+
+void WriteFileAtomically(const fs::path& file, const std::function<void(const fs::path&)>& write) {
+  if (fs::is_directory(file)) throw FileError(file, "", "is a directory; name a file in it");
+  if (file.has_parent_path()) MakeFolder(file.parent_path());
+  const fs::path temporary = TemporaryName(file);
+  try {
+    write(temporary);
+    SyncFile(temporary);
+    fs::rename(temporary, file);
+  } catch (const fs::filesystem_error& e) {
+    std::error_code ignored;
+    fs::remove(temporary, ignored);
+    throw FileError(file, "", "cannot be written: " + e.code().message());
+  } catch (...) {
+    std::error_code ignored;
+    fs::remove(temporary, ignored);
+    throw;
+  }
+}
+
+void WriteFileAtomically(const fs::path& file, std::span<const std::uint8_t> bytes) {
+  WriteFileAtomically(file, [&](const fs::path& temporary) { WriteAll(temporary, bytes); });
+}
+
+void WriteFileAtomically(const fs::path& file, std::string_view text) {
+  const auto* data = reinterpret_cast<const std::uint8_t*>(text.data());
+  WriteFileAtomically(file, std::span(data, text.size()));
+}
+
+void MakeFolder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error || !fs::is_directory(folder)) {
+    const std::string why = error ? error.message() : "a file of that name exists";
+    throw FileError(folder, "", "folder cannot be made: " + why + "; choose another place");
+  }
+}
+
+std::uint64_t Hash64(std::span<const std::uint8_t> bytes) {
+  std::uint64_t hash = 0xcbf29ce484222325ULL;
+  for (const std::uint8_t byte : bytes) hash = (hash ^ byte) * 0x100000001b3ULL;
+  return hash;
+}
+
+std::uint64_t Hash64(std::string_view text) {
+  const auto* data = reinterpret_cast<const std::uint8_t*>(text.data());
+  return Hash64(std::span(data, text.size()));
+}
+
+}  // namespace bulletnav::sim

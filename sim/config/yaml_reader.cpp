@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "sim/config/yaml_reader.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <set>
+
+#include "sim/base/files.h"
+
+namespace bulletnav::sim {
+namespace {
+
+constexpr std::size_t kMaxConfigBytes = 16u << 20;
+
+std::string Place(const YAML::Mark& mark) {
+  if (mark.is_null()) return "";
+  return std::to_string(mark.line + 1) + ":" + std::to_string(mark.column + 1);
+}
+
+/// Levenshtein distance.
+std::size_t EditDistance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
+    }
+  }
+  return row[b.size()];
+}
+
+}  // namespace
+
+std::string NearestWord(std::string_view word, const std::vector<std::string>& known) {
+  std::string best;
+  std::size_t best_distance = std::max<std::size_t>(2, word.size() / 2) + 1;
+  for (const std::string& candidate : known) {
+    const std::size_t distance = EditDistance(word, candidate);
+    if (distance < best_distance) {
+      best_distance = distance;
+      best = candidate;
+    }
+  }
+  return best;
+}
+
+YamlNode::YamlNode(YAML::Node node, std::filesystem::path file)
+    : node_(std::move(node)), file_(std::move(file)) {}
+
+void YamlNode::Fail(const std::string& what) const {
+  throw FileError(file_, Place(node_.Mark()), what);
+}
+
+std::string YamlNode::ToString() const {
+  if (!node_.IsScalar()) Fail("expected a single value here");
+  return node_.Scalar();
+}
+
+bool YamlNode::ToBool() const {
+  const std::string text = ToString();
+  if (text == "true") return true;
+  if (text == "false") return false;
+  Fail("'" + text + "' is neither true nor false");
+}
+
+std::int64_t YamlNode::ToInt(std::int64_t low, std::int64_t high) const {
+  const std::string text = ToString();
+  std::int64_t value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || stop != end) Fail("'" + text + "' is not a whole number");
+  if (value < low || value > high) {
+    Fail(text + " is outside " + std::to_string(low) + " to " + std::to_string(high));
+  }
+  return value;
+}
+
+double YamlNode::ToDouble() const {
+  const std::string text = ToString();
+  double value = 0.0;
+  const char* end = text.data() + text.size();
+  const char* begin = text.starts_with('+') ? text.data() + 1 : text.data();
+  const auto [stop, error] = std::from_chars(begin, end, value);
+  if (error != std::errc() || stop != end || !std::isfinite(value)) {
+    Fail("'" + text + "' is not a finite number");
+  }
+  return value;
+}
+
+void YamlNode::ExpectSequence(std::optional<std::size_t> size) const {
+  if (!node_.IsSequence()) Fail("expected a list here");
+  if (size && node_.size() != *size) {
+    Fail("expected a list of " + std::to_string(*size) + ", got " + std::to_string(node_.size()));
+  }
+}
+
+void YamlNode::ExpectMap() const {
+  if (!node_.IsMap()) Fail("expected a block of 'key: value' lines here");
+}
+
+YamlReader::YamlReader(const YamlNode& map) : map_(map) {
+  map_.ExpectMap();
+  std::set<std::string> seen;
+  for (const auto& item : map_.yaml()) {
+    const YamlNode key = map_.Child(item.first);
+    if (!seen.insert(key.ToString()).second) {
+      key.Fail("key '" + key.ToString() + "' is given twice");
+    }
+  }
+}
+
+std::optional<YamlNode> YamlReader::Take(std::string_view key) {
+  known_.emplace_back(key);
+  for (const auto& item : map_.yaml()) {
+    if (item.first.Scalar() == key) return map_.Child(item.second);
+  }
+  return std::nullopt;
+}
+
+void YamlReader::Finish() const {
+  for (const auto& item : map_.yaml()) {
+    const std::string key = item.first.Scalar();
+    if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
+    const std::string nearest = NearestWord(key, known_);
+    map_.Child(item.first)
+        .Fail("unknown key '" + key + "'" +
+              (nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
+  }
+}
+
+YamlNode ParseYaml(const std::string& text, const std::filesystem::path& name) {
+  try {
+    return {YAML::Load(text), name};
+  } catch (const YAML::Exception& e) {
+    throw FileError(name, Place(e.mark), "not valid YAML: " + e.msg);
+  }
+}
+
+std::string ReadYamlFile(const std::filesystem::path& file) {
+  std::string text = ReadTextFile(file);
+  if (text.size() > kMaxConfigBytes) throw FileError(file, "", "is too large for a config file");
+  return text;
+}
+
+}  // namespace bulletnav::sim

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <yaml-cpp/yaml.h>
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "sim/base/error.h"
+
+namespace bulletnav::sim {
+
+/// Names of an enum's values in YAML. Specialise next to the enum:
+///   template <> struct EnumNames<Mode> {
+///     static constexpr std::array kNames = {std::pair{"fast", Mode::kFast}, ...};
+///   };
+template <class E>
+struct EnumNames;
+
+/// A node together with the file it came from, so that every complaint can say where.
+class YamlNode {
+ public:
+  YamlNode(YAML::Node node, std::filesystem::path file);
+
+  const YAML::Node& yaml() const { return node_; }
+  YamlNode Child(const YAML::Node& node) const { return {node, file_}; }
+  /// Throws FileError at this node's file:line:column.
+  [[noreturn]] void Fail(const std::string& what) const;
+
+  bool ToBool() const;
+  std::int64_t ToInt(std::int64_t low, std::int64_t high) const;
+  double ToDouble() const;
+  std::string ToString() const;
+  void ExpectSequence(std::optional<std::size_t> size) const;
+  void ExpectMap() const;
+
+ private:
+  YAML::Node node_;
+  std::filesystem::path file_;
+};
+
+/// Fills a struct from a YAML map. The struct lists its keys once:
+///   struct Foo { double width_m = 1; template <class V> void Visit(V& v) { v("width_m", width_m); } };
+/// Unknown, duplicate, missing-required and wrong-type keys are errors at the key's line; an unknown
+/// key is answered with the nearest known one. Values not named keep their in-class default.
+class YamlReader {
+ public:
+  explicit YamlReader(const YamlNode& map);
+
+  template <class T>
+  void operator()(std::string_view key, T& value) {
+    if (const std::optional<YamlNode> node = Take(key)) Read(*node, value);
+  }
+  template <class T>
+  void Required(std::string_view key, T& value) {
+    const std::optional<YamlNode> node = Take(key);
+    if (!node) map_.Fail("key '" + std::string(key) + "' is missing");
+    Read(*node, value);
+  }
+  /// Throws at the first key that nobody asked for.
+  void Finish() const;
+
+  template <class T>
+  static void Read(const YamlNode& node, T& value);
+
+ private:
+  std::optional<YamlNode> Take(std::string_view key);
+
+  YamlNode map_;
+  std::vector<std::string> known_;
+};
+
+namespace internal {
+
+template <class T>
+inline constexpr bool kIsVector = false;
+template <class T>
+inline constexpr bool kIsVector<std::vector<T>> = true;
+template <class T>
+inline constexpr bool kIsArray = false;
+template <class T, std::size_t n>
+inline constexpr bool kIsArray<std::array<T, n>> = true;
+template <class T>
+inline constexpr bool kIsMap = false;
+template <class T>
+inline constexpr bool kIsMap<std::map<std::string, T>> = true;
+template <class T>
+inline constexpr bool kIsOptional = false;
+template <class T>
+inline constexpr bool kIsOptional<std::optional<T>> = true;
+
+template <class E>
+void ReadEnum(const YamlNode& node, E& value) {
+  const std::string text = node.ToString();
+  std::string known;
+  for (const auto& [name, enumerator] : EnumNames<E>::kNames) {
+    if (text == name) {
+      value = enumerator;
+      return;
+    }
+    known += (known.empty() ? "" : ", ") + std::string(name);
+  }
+  node.Fail("'" + text + "' is not one of: " + known);
+}
+
+template <class T>
+void ReadInteger(const YamlNode& node, T& value) {
+  using Limits = std::numeric_limits<T>;
+  constexpr auto kHigh = sizeof(T) < 8 ? static_cast<std::int64_t>(Limits::max())
+                                       : std::numeric_limits<std::int64_t>::max();
+  value = static_cast<T>(node.ToInt(static_cast<std::int64_t>(Limits::min()), kHigh));
+}
+
+template <class T>
+void ReadScalar(const YamlNode& node, T& value) {
+  if constexpr (std::is_same_v<T, bool>) {
+    value = node.ToBool();
+  } else if constexpr (std::is_enum_v<T>) {
+    ReadEnum(node, value);
+  } else if constexpr (std::is_integral_v<T>) {
+    ReadInteger(node, value);
+  } else if constexpr (std::is_floating_point_v<T>) {
+    value = static_cast<T>(node.ToDouble());
+  } else {
+    value = node.ToString();
+  }
+}
+
+}  // namespace internal
+
+template <class T>
+void YamlReader::Read(const YamlNode& node, T& value) {
+  if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T> || std::is_same_v<T, std::string>) {
+    internal::ReadScalar(node, value);
+  } else if constexpr (internal::kIsOptional<T>) {
+    Read(node, value.emplace());
+  } else if constexpr (internal::kIsVector<T>) {
+    node.ExpectSequence(std::nullopt);
+    value.clear();
+    for (const YAML::Node& item : node.yaml()) Read(node.Child(item), value.emplace_back());
+  } else if constexpr (internal::kIsArray<T>) {
+    node.ExpectSequence(value.size());
+    for (std::size_t i = 0; i < value.size(); ++i) Read(node.Child(node.yaml()[i]), value[i]);
+  } else if constexpr (internal::kIsMap<T>) {
+    node.ExpectMap();
+    value.clear();
+    for (const auto& item : node.yaml()) {
+      const std::string key = node.Child(item.first).ToString();
+      const auto [place, is_new] = value.try_emplace(key);
+      if (!is_new) node.Child(item.first).Fail("key '" + key + "' is given twice");
+      Read(node.Child(item.second), place->second);
+    }
+  } else {
+    YamlReader reader(node);
+    value.Visit(reader);
+    reader.Finish();
+    if constexpr (requires { value.Validate(); }) {
+      try {
+        value.Validate();
+      } catch (const FileError&) {
+        throw;
+      } catch (const Error& e) {
+        node.Fail(e.what());
+      }
+    }
+  }
+}
+
+/// The YAML of `text`; `name` stands for it in errors. Throws FileError on bad syntax.
+YamlNode ParseYaml(const std::string& text, const std::filesystem::path& name);
+
+template <class T>
+T LoadYamlText(const std::string& text, const std::filesystem::path& name) {
+  T value;
+  YamlReader::Read(ParseYaml(text, name), value);
+  return value;
+}
+
+/// Reads `file` into a T. Throws FileError.
+template <class T>
+T LoadYaml(const std::filesystem::path& file);
+
+/// The member of `known` with the fewest edits from `word`; empty if none is near.
+std::string NearestWord(std::string_view word, const std::vector<std::string>& known);
+
+std::string ReadYamlFile(const std::filesystem::path& file);
+
+template <class T>
+T LoadYaml(const std::filesystem::path& file) {
+  return LoadYamlText<T>(ReadYamlFile(file), file);
+}
+
+}  // namespace bulletnav::sim

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Kernels::shade. A vector of pixels at a time; neighbours mostly see the same triangle, so its record is
+// read once for all lanes that do, and only the texels are gathered lane by lane.
+#include "sim/render/embree/kernels.h"
+#include "sim/render/embree/simd.h"
+
+namespace bulletnav::sim {
+namespace {
+
+constexpr float kUnseen = 1e-6f;  // 1 / t beyond any scene
+
+/// Interpolated attributes of a vector of pixels.
+struct Fragment {
+  FW u = {};
+  FW v = {};
+  FW color[3] = {};
+  FW texels = {};  // texels of level 0 that a pixel covers
+  IW first = {};   // TextureInfo
+  IW log2_side = {};
+};
+
+inline float Channel(std::uint32_t packed, int c) {
+  return static_cast<float>((packed >> (8 * c)) & 255u);
+}
+
+inline FW Clamp(FW v, FW low, FW high) { return Min(Max(v, low), high); }
+
+/// Blends the attributes of one triangle into the lanes of `mask`.
+inline void Interpolate(const TriangleShading& t, const TextureInfo& info, const FW (&point)[3],
+                        FW footprint, float height, IW mask, Fragment* out) {
+  const FW zero = {};
+  const FW one = Splat<FW>(1.0f);
+  const FW b1 = Clamp(
+      point[0] * t.g1[0] + point[1] * t.g1[1] + point[2] * t.g1[2] + t.h1, zero, one);
+  const FW b2 = Clamp(
+      point[0] * t.g2[0] + point[1] * t.g2[1] + point[2] * t.g2[2] + t.h2, zero, one - b1);
+  out->u = mask ? t.uv0[0] + b1 * t.duv1[0] + b2 * t.duv2[0] : out->u;
+  out->v = mask ? t.uv0[1] + b1 * t.duv1[1] + b2 * t.duv2[1] : out->v;
+  for (int c = 0; c < 3; ++c) {
+    const float c0 = Channel(t.color[0], c);
+    const FW value =
+        c0 + b1 * (Channel(t.color[1], c) - c0) + b2 * (Channel(t.color[2], c) - c0);
+    out->color[c] = mask ? value : out->color[c];
+  }
+  out->texels = mask ? footprint * (t.texel_density / height) : out->texels;
+  out->first = mask ? Splat<IW>(info.first) : out->first;
+  out->log2_side = mask ? Splat<IW>(info.log2_side) : out->log2_side;
+}
+
+inline IW Floor(FW v) {
+  const IW truncated = ToInt(v);
+  return truncated + (ToFloat(truncated) > v);  // a true comparison is -1
+}
+
+/// Red and blue, or green and alpha, of a weighted texel, in 16 bits each.
+inline HalfW Weighted(UW texel, int shift, UW weight) {
+  const UW pair = (texel >> shift) & 0x00ff00ffu;
+  return reinterpret_cast<HalfW>(pair) * reinterpret_cast<HalfW>(weight | weight << 16);
+}
+
+/// Bilinear samples of the nearest pyramid level; `red_blue` holds R and B, `green` G.
+struct Samples {
+  UW red_blue;
+  UW green;
+};
+
+inline Samples SampleTextures(const KernelScene& scene, const Fragment& f) {
+  const IW exponent = (reinterpret_cast<IW>(f.texels * 2.0f) >> 23) - 127;
+  const IW level = Min(Max(exponent >> 1, IW{}), f.log2_side);
+  const IW log2_side = f.log2_side - level;
+  const IW side = Splat<IW>(1) << log2_side;
+  const IW largest = Splat<IW>(1) << f.log2_side;
+  const IW start = f.first + (4 * (largest * largest - side * side)) / 3;
+  const FW side_f = ToFloat(side);
+  const FW x = f.u * side_f - 0.5f;
+  const FW y = f.v * side_f - 0.5f;
+  const IW x_floor = Floor(x);
+  const IW y_floor = Floor(y);
+  const UW wx = reinterpret_cast<UW>(ToInt((x - ToFloat(x_floor)) * 256.0f));
+  const UW wy = reinterpret_cast<UW>(ToInt((y - ToFloat(y_floor)) * 256.0f));
+  const IW wrap = side - 1;
+  const IW x0 = x_floor & wrap;
+  const IW x1 = (x_floor + 1) & wrap;
+  const IW row0 = start + ((y_floor & wrap) << log2_side);
+  const IW row1 = start + (((y_floor + 1) & wrap) << log2_side);
+  const UW t00 = Gather(scene.texels, row0 + x0);
+  const UW t10 = Gather(scene.texels, row0 + x1);
+  const UW t01 = Gather(scene.texels, row1 + x0);
+  const UW t11 = Gather(scene.texels, row1 + x1);
+  const UW w11 = (wx * wy) >> 8;
+  const UW w10 = wx - w11;
+  const UW w01 = wy - w11;
+  const UW w00 = 256u - wx - w01;
+  HalfW sums[2];
+  for (int i = 0; i < 2; ++i) {
+    const int shift = 8 * i;
+    sums[i] = Weighted(t00, shift, w00) + Weighted(t10, shift, w10) + Weighted(t01, shift, w01) +
+              Weighted(t11, shift, w11);
+  }
+  return {reinterpret_cast<UW>(sums[0] >> 8), reinterpret_cast<UW>(sums[1] >> 8) & 0xffu};
+}
+
+class Shader {
+ public:
+  Shader(const KernelScene& scene, const KernelGrid& grid, const KernelFrame& frame,
+         const KernelScratch& scratch)
+      : scene_(scene), grid_(grid), frame_(frame), scratch_(scratch) {}
+
+  void Run(std::uint8_t* color, float* depth) const {
+    for (int r = 0; r < grid_.rows; ++r) {
+      for (int c = 0; c < grid_.cols; c += kWidth) {
+        const int lanes = grid_.cols - c < kWidth ? grid_.cols - c : kWidth;
+        const FW inverse_t = Load<FW>(scratch_.inverse_t + r * grid_.stride + c);
+        const FW t = 1.0f / Max(inverse_t, Splat<FW>(kUnseen));
+        const std::int64_t pixel = static_cast<std::int64_t>(r) * grid_.cols + c;
+        if (depth != nullptr) WriteDepth(r, c, t, inverse_t, lanes, depth + pixel);
+        if (color != nullptr) WriteColor(r, c, t, lanes, color + 3 * pixel);
+      }
+    }
+  }
+
+ private:
+  void WriteDepth(int row, int column, FW t, FW inverse_t, int lanes, float* out) const {
+    const FW length = Sqrt(Load<FW>(frame_.xz_squared + column) + grid_.y_squared[row]);
+    const FW range = Min(t * length, Splat<FW>(grid_.max_depth));
+    const FW seen = inverse_t > kUnseen ? range : FW{};
+    if (lanes == kWidth) {
+      Store(out, seen);
+    } else {
+      for (int i = 0; i < lanes; ++i) out[i] = seen[i];
+    }
+  }
+
+  void WriteColor(int row, int column, FW t, int lanes, std::uint8_t* out) const {
+    const IW ids = Load<IW>(scratch_.id + row * grid_.stride + column);
+    const FW point[3] = {frame_.origin[0] + t * Load<FW>(frame_.x + column),
+                          frame_.origin[1] + t * grid_.y[row],
+                          frame_.origin[2] + t * Load<FW>(frame_.z + column)};
+    const FW footprint = t * t * t * grid_.area[row];
+    Fragment fragment;
+    std::uint32_t left = Bits(ids >= 0) & ((2u << (lanes - 1)) - 1u);
+    while (left != 0) {
+      const std::int32_t id = ids[__builtin_ctz(left)];
+      const IW mask = ids == id;
+      left &= ~Bits(mask);
+      const TriangleShading& triangle = scene_.shading[id];
+      const float offset = triangle.plane - (triangle.normal[0] * frame_.origin[0] +
+                                             triangle.normal[1] * frame_.origin[1] +
+                                             triangle.normal[2] * frame_.origin[2]);
+      const float height = offset < 0.0f ? -offset : offset;
+      Interpolate(triangle, scene_.textures[triangle.texture], point, footprint,
+                  height > kNearestPlane ? height : kNearestPlane, mask, &fragment);
+    }
+    const Samples samples = SampleTextures(scene_, fragment);
+    const UW red = Product(samples.red_blue & 0xffffu, fragment.color[0]);
+    const UW green = Product(samples.green, fragment.color[1]);
+    const UW blue = Product(samples.red_blue >> 16, fragment.color[2]);
+    WriteRgb(red | green << 8 | blue << 16, lanes, out);
+  }
+
+  static UW Product(UW texel, FW color) {
+    const FW product = ToFloat(reinterpret_cast<IW>(texel)) * color * (1.0f / 255.0f) + 0.5f;
+    return reinterpret_cast<UW>(ToInt(product));
+  }
+
+  static void WriteRgb(UW rgb, int lanes, std::uint8_t* out) {
+    using Bytes16 = std::uint8_t __attribute__((vector_size(16)));
+    constexpr Bytes16 kDropAlpha = {0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 3, 7, 11, 15};
+    if (lanes == kWidth) {
+      Bytes16 quads[kWidth / 4];
+      std::memcpy(quads, &rgb, sizeof(rgb));
+      for (int i = 0; i < kWidth / 4; ++i) {
+        const Bytes16 packed = __builtin_shuffle(quads[i], kDropAlpha);
+        std::memcpy(out + 12 * i, &packed, 12);
+      }
+      return;
+    }
+    for (int i = 0; i < lanes; ++i) {
+      for (int c = 0; c < 3; ++c) out[3 * i + c] = static_cast<std::uint8_t>(rgb[i] >> (8 * c));
+    }
+  }
+
+  static constexpr float kNearestPlane = 1e-6f;
+
+  const KernelScene& scene_;
+  const KernelGrid& grid_;
+  const KernelFrame& frame_;
+  const KernelScratch& scratch_;
+};
+
+}  // namespace
+}  // namespace bulletnav::sim

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "sim/render/triangle_shading.h"
+#include "sim/scene/mesh.h"
+
+namespace bulletnav::sim {
+
+/// All textures as square powers of two with their half-size levels, in one array of RGBA texels.
+struct TexturePyramids {
+  std::vector<std::uint32_t> texels;
+  std::vector<TextureInfo> infos;  // [0] is a single white texel, for triangles without a texture
+};
+
+/// A SceneMesh as renderers want it: triangles that share nothing, shading made ready.
+struct RenderMesh {
+  explicit RenderMesh(const SceneMesh& mesh);
+
+  std::vector<std::array<Eigen::Vector3f, 3>> corners;
+  std::vector<TriangleShading> shading;
+  TexturePyramids textures;
+};
+
+}  // namespace bulletnav::sim

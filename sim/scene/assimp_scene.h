@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "sim/scene/import.h"
+
+namespace bulletnav::sim {
+
+/// The file as assimp reads it, in the file's own axes and units, not cleaned: indices are in range,
+/// coordinates may be anything. Fills the report's materials, textures and skipped lines.
+/// Throws FileError.
+SceneMesh ReadWithAssimp(const std::filesystem::path& file, ImportReport* report);
+
+}  // namespace bulletnav::sim

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/scene/mesh.h"
+
+namespace bulletnav::sim {
+
+enum class UpAxis { kY, kZ };
+
+struct ImportOptions {
+  /// Which axis of the file points up; found from the mesh's floors if not given.
+  std::optional<UpAxis> up;
+  /// Metres per unit of the file.
+  double scale = 1.0;
+  /// Adds a floor at the lowest point of the mesh, for scenes that have none.
+  bool ground_plane = false;
+};
+
+/// What an import found and what it had to leave out.
+struct ImportReport {
+  std::size_t triangles = 0;
+  std::size_t materials = 0;
+  std::size_t textures_found = 0;
+  std::vector<std::string> textures_missing;  // "name: reason"
+  Eigen::Vector3f extent_m = Eigen::Vector3f::Zero();
+  UpAxis up_axis = UpAxis::kY;
+  std::vector<std::string> skipped;  // one line a kind of thing, with its count
+};
+
+struct ImportedScene {
+  SceneMesh mesh;
+  ImportReport report;
+};
+
+/// Loads an indoor mesh: glb, gltf (embedded and external textures, vertex colours), obj + mtl, ply
+/// (vertex colours), dae; turned y-up and cleaned (see CleanMesh). A texture that is missing or
+/// broken is drawn grey and named in the report.
+/// Throws FileError, with place and remedy, for what is not a scene: missing, empty, damaged or
+/// truncated files, indices out of range, no triangles, sizes that no building has.
+ImportedScene ImportScene(const std::filesystem::path& file, const ImportOptions& options = {});
+
+}  // namespace bulletnav::sim

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim/image/image.h"
+
+namespace bulletnav::sim {
+
+/// Multiplier of a colour in display (sRGB-encoded) values; 255 leaves it as it is.
+using Rgb8 = std::array<std::uint8_t, 3>;
+inline constexpr Rgb8 kWhite = {255, 255, 255};
+
+struct Texture {
+  std::string name;
+  Image image;  // RGBA; wraps around in both directions
+};
+
+/// Seen colour = base_color * texture (if any) * vertex colour, in display values; no light is added.
+struct Material {
+  std::string name;
+  Rgb8 base_color = kWhite;
+  int texture = -1;  // index into SceneMesh::textures, -1 for none
+};
+
+/// One indoor mesh in the world frame: metres, y up. Everything the other parts are made from:
+/// physics, navmesh and renderers each take what they need and keep no reference.
+/// Arrays of vertices have equal length; every index is in range (Validate checks).
+struct SceneMesh {
+  std::vector<Eigen::Vector3f> positions;
+  std::vector<Eigen::Vector2f> uvs;  // v down: (0, 0) is the picture's top left corner
+  std::vector<Rgb8> colors;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<std::uint32_t> triangle_materials;  // one a triangle
+  std::vector<Material> materials;
+  std::vector<Texture> textures;
+
+  /// Box around the vertices that triangles use; empty if there is no triangle.
+  Eigen::AlignedBox3f Bounds() const;
+
+  /// Ends the program if the arrays do not fit together.
+  void Validate() const;
+};
+
+}  // namespace bulletnav::sim

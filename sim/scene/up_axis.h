@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "sim/scene/import.h"
+
+namespace bulletnav::sim {
+
+/// Which way up a mesh is, judged by its floors and ceilings: the axis along which the area of the
+/// faces perpendicular to it is gathered in few thin layers. `usual` (the format's convention) wins
+/// unless the other axis is clearly better.
+UpAxis DetectUpAxis(const SceneMesh& mesh, UpAxis usual);
+
+/// Turns a z-up mesh y-up: (x, y, z) -> (x, z, -y).
+void TurnZUpToYUp(SceneMesh* mesh);
+
+}  // namespace bulletnav::sim
