@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <Eigen/Core>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "sim/config/yaml_reader.h"
+#include "sim/math/rng.h"
+#include "sim/scene/mesh.h"
+
+namespace bulletnav::sim {
+
+/// Recast's settings. Defaults: habitat-sim's, for the standard body.
+struct NavmeshSpec {
+  float cell_size = 0.05f;
+  float cell_height = 0.2f;
+  float agent_height = 1.5f;
+  float agent_radius = 0.1f;
+  float max_climb = 0.2f;
+  float max_slope_deg = 45.0f;
+  float region_min_size = 20.0f;    // cells, squared for the area
+  float region_merge_size = 20.0f;
+  float edge_max_length = 12.0f;
+  float edge_max_error = 1.3f;
+  int verts_per_poly = 6;
+  float detail_sample_distance = 6.0f;
+  float detail_sample_max_error = 1.0f;
+
+  template <class V>
+  void Visit(V& v) {
+    v("cell_size", cell_size);
+    v("cell_height", cell_height);
+    v("agent_height", agent_height);
+    v("agent_radius", agent_radius);
+    v("max_climb", max_climb);
+    v("max_slope_deg", max_slope_deg);
+    v("region_min_size", region_min_size);
+    v("region_merge_size", region_merge_size);
+    v("edge_max_length", edge_max_length);
+    v("edge_max_error", edge_max_error);
+    v("verts_per_poly", verts_per_poly);
+    v("detail_sample_distance", detail_sample_distance);
+    v("detail_sample_max_error", detail_sample_max_error);
+  }
+  void Validate() const;
+};
+
+/// A connected part of the walkable floor.
+struct Island {
+  float area = 0.0f;    // m2
+  float radius = 0.0f;  // of its corners around their mean, as Habitat's island radius
+};
+
+/// A walk along the floor.
+struct Path {
+  double length = 0.0;
+  std::vector<Eigen::Vector3f> points;  // start, corners, end
+};
+
+/// Where the body can stand and how far it is from there to there: ground truth for episodes and
+/// metrics, never for agents or for motion. Immutable; threads share it and each make a query.
+/// Source: Recast/Detour.
+class Navmesh {
+ public:
+  /// Throws Error, with the remedy, if the mesh is too large for Recast.
+  Navmesh(const SceneMesh& mesh, const NavmeshSpec& spec);
+  /// From bytes that `serialized` gave. Throws Error if they are damaged.
+  explicit Navmesh(std::span<const std::uint8_t> serialized);
+  ~Navmesh();
+  Navmesh(const Navmesh&) = delete;
+  Navmesh& operator=(const Navmesh&) = delete;
+  Navmesh(Navmesh&&) = delete;
+  Navmesh& operator=(Navmesh&&) = delete;
+
+  std::span<const std::uint8_t> serialized() const;
+
+  /// Largest first; empty if there is no floor to walk on.
+  const std::vector<Island>& islands() const;
+  /// Walkable m2 of all islands.
+  float area() const;
+  /// Triangles of the walkable surface, corner after corner, and each triangle's island; for drawing.
+  const std::vector<Eigen::Vector3f>& triangle_corners() const;
+  const std::vector<int>& triangle_islands() const;
+
+ private:
+  friend class NavmeshQuery;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// One thread's access to a navmesh, which must outlive it.
+class NavmeshQuery {
+ public:
+  explicit NavmeshQuery(const Navmesh& navmesh);
+  ~NavmeshQuery();
+  NavmeshQuery(const NavmeshQuery&) = delete;
+  NavmeshQuery& operator=(const NavmeshQuery&) = delete;
+  NavmeshQuery(NavmeshQuery&&) noexcept;
+  NavmeshQuery& operator=(NavmeshQuery&&) = delete;
+
+  /// Nearest point of the walkable floor, within 2 m sideways and 4 m up or down like Habitat's snap.
+  std::optional<Eigen::Vector3f> Snap(const Eigen::Vector3f& point) const;
+  /// Island of the floor under a point; absent if there is none.
+  std::optional<int> IslandOf(const Eigen::Vector3f& point) const;
+  /// Shortest path between the floors under two points; absent between islands. Cost: 20-120 us.
+  std::optional<Path> FindPath(const Eigen::Vector3f& from, const Eigen::Vector3f& to) const;
+  /// Its length; infinite where there is none.
+  double GeodesicDistance(const Eigen::Vector3f& from, const Eigen::Vector3f& to) const;
+  /// A point drawn evenly from the area of one island, or of all of them if `island` is -1.
+  /// Expects: some walkable floor (checked).
+  Eigen::Vector3f RandomPoint(Rng* rng, int island = -1) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace bulletnav::sim
