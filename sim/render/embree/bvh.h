@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/render/embree/bvh_layout.h"
+#include "sim/render/kernels/bvh_layout.h"
 
 namespace bulletnav::sim {
 

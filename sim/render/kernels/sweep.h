@@ -7,8 +7,8 @@
 // homogeneous edge functions: corner vectors a, b, c from the camera, a pixel's ray d lies inside if
 // d.(b x c), d.(c x a) and d.(a x b) have one sign, and 1/t = d.n / a.n. No clipping is needed, and
 // two triangles that share an edge leave no gap, since the edge's function is the same but for sign.
-#include "sim/render/embree/kernels.h"
-#include "sim/render/embree/simd.h"
+#include "sim/render/kernels/kernels.h"
+#include "sim/render/kernels/simd.h"
 
 namespace bulletnav::sim {
 namespace {
@@ -100,8 +100,8 @@ inline std::uint32_t TileColumns(const KernelGrid& grid, int first, int last) {
 class Sweep {
  public:
   Sweep(const KernelScene& scene, const KernelGrid& grid, const KernelFrame& frame,
-        const KernelScratch& scratch)
-      : scene_(scene), grid_(grid), frame_(frame), scratch_(scratch) {}
+        const KernelScratch& scratch, const KernelHits& hits)
+      : scene_(scene), grid_(grid), frame_(frame), scratch_(scratch), hits_(hits) {}
 
   void Run() {
     Clear();
@@ -117,10 +117,10 @@ class Sweep {
   void Clear() {
     const int tile_columns = 1 << grid_.tile_column_shift;
     for (int r = 0; r < grid_.rows; ++r) {
-      float* row = scratch_.inverse_t + r * grid_.stride;
+      float* row = hits_.inverse_t + r * grid_.stride;
       for (int c = 0; c < grid_.stride; c += kWidth) {
         Store(row + c, FW{});
-        Store(scratch_.id + r * grid_.stride + c, Splat<IW>(-1));
+        Store(hits_.id + r * grid_.stride + c, Splat<IW>(-1));
       }
       // Pixels beyond the last column count as drawn at the camera: nothing is nearer.
       for (int c = grid_.cols; c < grid_.stride; ++c) row[c] = 1.0f / kTiny;
@@ -193,7 +193,7 @@ class Sweep {
     const int end_col = first_col + width < grid_.stride ? first_col + width : grid_.stride;
     FW farthest = Splat<FW>(1.0f / kTiny);
     for (int r = first_row; r < end_row; ++r) {
-      const float* row = scratch_.inverse_t + r * grid_.stride;
+      const float* row = hits_.inverse_t + r * grid_.stride;
       for (int c = first_col; c < end_col; c += kWidth) farthest = Min(farthest, Load<FW>(row + c));
     }
     scratch_.tile_farthest[tile_row * kTileColumns + tile_column] = SmallestLane(farthest);
@@ -390,8 +390,8 @@ class Sweep {
     const IW id = Splat<IW>(triangle.id);
     for (int r = first; r <= last; ++r) {
       const float y = grid_.y[r];
-      float* inverse_t = scratch_.inverse_t + r * grid_.stride + column;
-      std::int32_t* ids = scratch_.id + r * grid_.stride + column;
+      float* inverse_t = hits_.inverse_t + r * grid_.stride + column;
+      std::int32_t* ids = hits_.id + r * grid_.stride + column;
       const FW inside = Min(Min(base[0] + triangle.plane[1] * y, base[1] + triangle.plane[4] * y),
                              base[2] + triangle.plane[7] * y);
       const FW hit = inside >= 0.0f ? base[3] + triangle.plane[10] * y : FW{};
@@ -436,6 +436,7 @@ class Sweep {
   const KernelGrid& grid_;
   const KernelFrame& frame_;
   const KernelScratch& scratch_;
+  const KernelHits& hits_;
   std::int32_t entries_ = 0;
 };
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
+#include <span>
 
-#include "sim/render/embree/bvh_layout.h"
+#include "sim/render/kernels/bvh_layout.h"
 #include "sim/render/triangle_shading.h"
 
-/// The inner loops of the CPU renderer, compiled once for each instruction set and chosen when the
+/// The inner loops that run on the CPU, compiled once for each instruction set and chosen when the
 /// program starts. Plain structs of pointers: these files must not pull in code from std that the
 /// linker could then use elsewhere on a processor without that instruction set.
 /// All variants compute the same bits: no fused multiply-add, no approximate reciprocals in results.
@@ -19,8 +20,9 @@ inline constexpr float kBucketsPerMetre = 8.0f;
 
 /// The scene, as in RenderMesh and Bvh.
 struct KernelScene {
-  const BvhNode* nodes;
+  const BvhNode* nodes;    // for find_visible
   const BvhLeaf* leaves;
+  const float* corners;    // for resolve: [triangles, 3, 3]
   const TriangleShading* shading;
   const std::uint32_t* texels;
   const TextureInfo* textures;
@@ -68,14 +70,26 @@ struct QueueEntry {
   std::int32_t next;           // in the same bucket, -1 ends
 };
 
-/// Working memory of one renderer.
+/// What each pixel sees.
+struct KernelHits {
+  float* inverse_t;  // [rows, stride] 1 / t of the nearest hit so far, 0 = none
+  std::int32_t* id;  // [rows, stride] its triangle
+};
+
+/// Working memory of find_visible.
 struct KernelScratch {
-  float* inverse_t;      // [rows, stride] 1 / t of the nearest hit so far, 0 = none
-  std::int32_t* id;      // [rows, stride] its triangle
   float* tile_farthest;  // [kTileRows, kTileColumns] least inverse_t in a tile
   std::uint32_t* dirty;  // [kTileRows] tiles whose farthest pixel may have come nearer
   QueueEntry* entries;   // room for every node and leaf
   std::int32_t* buckets; // [kBuckets] first entry, -1 = none
+};
+
+/// A rasteriser's picture of triangle numbers + 1, 0 where there is none.
+struct KernelIdPicture {
+  const std::uint32_t* ids;
+  int width;
+  const std::int32_t* place;  // [rows, stride] 4 * the lower left of the four ids around a pixel's ray
+                              // + which of them is nearest (1: right, 2: above)
 };
 
 struct Kernels {
@@ -83,11 +97,17 @@ struct Kernels {
   /// Finds the nearest triangle of every pixel: a sweep through the hierarchy from near to far that
   /// leaves out what is hidden behind what is already drawn or falls between the pixels' centres.
   void (*find_visible)(const KernelScene&, const KernelGrid&, const KernelFrame&,
-                       const KernelScratch&);
-  /// Colours [rows, cols, 3] and depths [rows, cols] of what find_visible found; either may be null.
-  void (*shade)(const KernelScene&, const KernelGrid&, const KernelFrame&, const KernelScratch&,
+                       const KernelScratch&, const KernelHits&);
+  /// Does the same from a rasteriser's picture: meets each pixel's ray with the triangles around it.
+  void (*resolve)(const KernelScene&, const KernelGrid&, const KernelFrame&, const KernelIdPicture&,
+                  const KernelHits&);
+  /// Colours [rows, cols, 3] and depths [rows, cols] of the hits; either may be null.
+  void (*shade)(const KernelScene&, const KernelGrid&, const KernelFrame&, const KernelHits&,
                 std::uint8_t* color, float* depth);
 };
+
+/// The kernels this processor can run, the fastest first; at least one.
+std::span<const Kernels* const> SupportedKernels();
 
 extern const Kernels kKernelsGeneric;
 #ifdef __x86_64__

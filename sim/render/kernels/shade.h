@@ -2,8 +2,8 @@
 #pragma once
 // Kernels::shade. A vector of pixels at a time; neighbours mostly see the same triangle, so its record is
 // read once for all lanes that do, and only the texels are gathered lane by lane.
-#include "sim/render/embree/kernels.h"
-#include "sim/render/embree/simd.h"
+#include "sim/render/kernels/kernels.h"
+#include "sim/render/kernels/simd.h"
 
 namespace bulletnav::sim {
 namespace {
@@ -104,14 +104,14 @@ inline Samples SampleTextures(const KernelScene& scene, const Fragment& f) {
 class Shader {
  public:
   Shader(const KernelScene& scene, const KernelGrid& grid, const KernelFrame& frame,
-         const KernelScratch& scratch)
-      : scene_(scene), grid_(grid), frame_(frame), scratch_(scratch) {}
+         const KernelHits& hits)
+      : scene_(scene), grid_(grid), frame_(frame), hits_(hits) {}
 
   void Run(std::uint8_t* color, float* depth) const {
     for (int r = 0; r < grid_.rows; ++r) {
       for (int c = 0; c < grid_.cols; c += kWidth) {
         const int lanes = grid_.cols - c < kWidth ? grid_.cols - c : kWidth;
-        const FW inverse_t = Load<FW>(scratch_.inverse_t + r * grid_.stride + c);
+        const FW inverse_t = Load<FW>(hits_.inverse_t + r * grid_.stride + c);
         const FW t = 1.0f / Max(inverse_t, Splat<FW>(kUnseen));
         const std::int64_t pixel = static_cast<std::int64_t>(r) * grid_.cols + c;
         if (depth != nullptr) WriteDepth(r, c, t, inverse_t, lanes, depth + pixel);
@@ -133,7 +133,7 @@ class Shader {
   }
 
   void WriteColor(int row, int column, FW t, int lanes, std::uint8_t* out) const {
-    const IW ids = Load<IW>(scratch_.id + row * grid_.stride + column);
+    const IW ids = Load<IW>(hits_.id + row * grid_.stride + column);
     const FW point[3] = {frame_.origin[0] + t * Load<FW>(frame_.x + column),
                           frame_.origin[1] + t * grid_.y[row],
                           frame_.origin[2] + t * Load<FW>(frame_.z + column)};
@@ -186,7 +186,7 @@ class Shader {
   const KernelScene& scene_;
   const KernelGrid& grid_;
   const KernelFrame& frame_;
-  const KernelScratch& scratch_;
+  const KernelHits& hits_;
 };
 
 }  // namespace

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <epoxy/egl.h>
+
+#include <memory>
+#include <string>
+
+namespace bulletnav::sim {
+
+/// What kind of device may draw.
+enum class GlDevice { kHardware, kAny };
+
+/// A headless OpenGL 4.5 context: no display server, no surface. Contexts made with Share see the
+/// same buffers and textures. A context is current in one thread at a time.
+/// Throws RenderError, naming the remedy, if no device of the wanted kind has OpenGL 4.5.
+class EglContext {
+ public:
+  explicit EglContext(GlDevice device);
+  ~EglContext();
+  EglContext(const EglContext&) = delete;
+  EglContext& operator=(const EglContext&) = delete;
+  EglContext(EglContext&&) = delete;
+  EglContext& operator=(EglContext&&) = delete;
+
+  std::unique_ptr<EglContext> Share() const;
+
+  /// Makes this the calling thread's context. Throws RenderError if the device is lost.
+  void MakeCurrent() const;
+  /// Leaves the calling thread without a context.
+  void Release() const;
+
+  /// GL_RENDERER.
+  const std::string& renderer() const { return renderer_; }
+  /// Whether that is a graphics processor and not a driver in software.
+  bool is_hardware() const;
+
+ private:
+  EglContext(EGLDisplay display, const EglContext& shared_with);
+  bool Open(EGLDisplay display, EGLContext shared_with);
+  void Close();
+
+  EGLDisplay display_ = EGL_NO_DISPLAY;
+  EGLContext context_ = EGL_NO_CONTEXT;
+  std::string renderer_;
+};
+
+/// Whether this machine has a graphics processor that EGL can use. Quick where it has none.
+bool HasHardwareGpu();
+
+}  // namespace bulletnav::sim

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "sim/render/egl/egl_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "sim/base/error.h"
+#include "sim/render/egl/id_pass.h"
+#include "sim/render/egl/scene_buffers.h"
+#include "sim/render/egl/shader_resolve.h"
+#include "sim/render/egl/views.h"
+#include "sim/render/kernels/sampling.h"
+
+namespace bulletnav::sim {
+namespace {
+
+constexpr int kDeviceBatch = 64;
+constexpr int kMaxTarget = 16384;
+
+/// The views are sampled finer than the panorama, so that the ids around a ray hold what it meets;
+/// finer where triangles are finer. Measured in docs/rendering.md.
+double Oversampling(const SceneBuffers& scene, const PanoramaSpec& spec) {
+  const double triangles = static_cast<double>(scene.mesh.corners.size());
+  const double wanted =
+      scene.shade_on_device ? 3.0 : std::clamp(std::sqrt(triangles / 20'000.0), 1.5, 3.0);
+  return std::min(wanted, 0.8 * kMaxTarget / spec.cols);
+}
+
+void CheckTarget(const ViewLayout& layout) {
+  if (layout.width > kMaxTarget || layout.height > kMaxTarget) {
+    throw RenderError("the panorama is too large for this OpenGL driver");
+  }
+}
+
+/// Both passes on the device, many cameras at once.
+class DeviceRenderer final : public PanoramaRenderer {
+ public:
+  DeviceRenderer(const SceneBuffers& scene, const PanoramaSpec& spec)
+      : spec_(spec), layout_(spec, Oversampling(scene, spec)), context_(scene.context.Share()) {
+    CheckTarget(layout_);
+    batch_ = std::clamp(kMaxTarget / layout_.height, 1, kDeviceBatch);
+    ids_ = std::make_unique<IdPass>(scene, layout_, batch_);
+    resolve_ = std::make_unique<ShaderResolve>(scene, layout_, spec, batch_);
+    context_->Release();
+  }
+  ~DeviceRenderer() override { context_->MakeCurrent(); }
+  DeviceRenderer(const DeviceRenderer&) = delete;
+  DeviceRenderer& operator=(const DeviceRenderer&) = delete;
+  DeviceRenderer(DeviceRenderer&&) = delete;
+  DeviceRenderer& operator=(DeviceRenderer&&) = delete;
+
+  const PanoramaSpec& spec() const override { return spec_; }
+  int preferred_batch() const override { return batch_; }
+
+  void Render(std::span<const CameraPose> cameras, std::span<std::uint8_t> color,
+              std::span<float> depth) override {
+    const PanoramaSlices checked(spec_, cameras.size(), color, depth);
+    context_->MakeCurrent();
+    const std::size_t pixels = spec_.pixels();
+    const auto batch = static_cast<std::size_t>(batch_);
+    for (std::size_t first = 0; first < cameras.size(); first += batch) {
+      const std::size_t n = std::min(batch, cameras.size() - first);
+      ids_->Draw(cameras.subspan(first, n), /*leave_out_hidden=*/false);
+      resolve_->Run(cameras.subspan(first, n), ids_->ids(),
+                    color.empty() ? color : color.subspan(3 * pixels * first, 3 * pixels * n),
+                    depth.empty() ? depth : depth.subspan(pixels * first, pixels * n));
+    }
+  }
+
+ private:
+  PanoramaSpec spec_;
+  ViewLayout layout_;
+  std::unique_ptr<EglContext> context_;
+  int batch_ = 1;
+  std::unique_ptr<IdPass> ids_;
+  std::unique_ptr<ShaderResolve> resolve_;
+};
+
+/// The id pass by the driver, the rest with the CPU's kernels.
+class CpuResolveRenderer final : public PanoramaRenderer {
+ public:
+  CpuResolveRenderer(const SceneBuffers& scene, const PanoramaSpec& spec)
+      : sampling_(spec), layout_(spec, Oversampling(scene, spec)), context_(scene.context.Share()) {
+    CheckTarget(layout_);
+    ids_ = std::make_unique<IdPass>(scene, layout_, 1);
+    places_ = PlacesOfRays(layout_, sampling_.rays(), sampling_.grid().stride);
+    scene_ = {nullptr,
+              nullptr,
+              scene.mesh.corners.front().front().data(),
+              scene.mesh.shading.data(),
+              scene.mesh.textures.texels.data(),
+              scene.mesh.textures.infos.data()};
+    context_->Release();
+  }
+  ~CpuResolveRenderer() override { context_->MakeCurrent(); }
+  CpuResolveRenderer(const CpuResolveRenderer&) = delete;
+  CpuResolveRenderer& operator=(const CpuResolveRenderer&) = delete;
+  CpuResolveRenderer(CpuResolveRenderer&&) = delete;
+  CpuResolveRenderer& operator=(CpuResolveRenderer&&) = delete;
+
+  const PanoramaSpec& spec() const override { return sampling_.spec(); }
+  int preferred_batch() const override { return 1; }
+
+  void Render(std::span<const CameraPose> cameras, std::span<std::uint8_t> color,
+              std::span<float> depth) override {
+    const PanoramaSlices slices(spec(), cameras.size(), color, depth);
+    context_->MakeCurrent();
+    for (std::size_t i = 0; i < cameras.size(); ++i) {
+      ids_->Draw(cameras.subspan(i, 1), /*leave_out_hidden=*/true);
+      ids_->ReadIds(&id_picture_);
+      const KernelFrame frame = sampling_.Frame(cameras[i]);
+      const KernelIdPicture picture = {id_picture_.data(), layout_.width, places_.data()};
+      kernels_.resolve(scene_, sampling_.grid(), frame, picture, sampling_.hits());
+      kernels_.shade(scene_, sampling_.grid(), frame, sampling_.hits(), slices.color(i),
+                     slices.depth(i));
+    }
+  }
+
+ private:
+  const Kernels& kernels_ = *SupportedKernels()[0];
+  Sampling sampling_;
+  ViewLayout layout_;
+  std::unique_ptr<EglContext> context_;
+  std::unique_ptr<IdPass> ids_;
+  KernelScene scene_{};
+  std::vector<std::int32_t> places_;
+  std::vector<std::uint32_t> id_picture_;
+};
+
+class EglScene final : public RenderScene {
+ public:
+  EglScene(const SceneMesh& mesh, GlDevice device, ResolveOn resolve)
+      : buffers_(mesh, device, resolve) {}
+
+  Backend backend() const override { return Backend::kEgl; }
+  std::string description() const override { return "EGL, " + buffers_.context.renderer(); }
+  std::unique_ptr<PanoramaRenderer> MakeRenderer(const PanoramaSpec& spec) const override {
+    if (buffers_.shade_on_device) return std::make_unique<DeviceRenderer>(buffers_, spec);
+    return std::make_unique<CpuResolveRenderer>(buffers_, spec);
+  }
+
+ private:
+  SceneBuffers buffers_;
+};
+
+}  // namespace
+
+std::unique_ptr<const RenderScene> MakeEglScene(const SceneMesh& mesh, GlDevice device,
+                                                ResolveOn resolve) {
+  return std::make_unique<EglScene>(mesh, device, resolve);
+}
+
+}  // namespace bulletnav::sim

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sim/render/egl/scene_buffers.h"
+#include "sim/render/egl/views.h"
+
+namespace bulletnav::sim {
+
+/// Draws triangle numbers + 1 into the flat views around some cameras: a picture of
+/// [batch * layout.height, layout.width] ids, 0 where there is nothing. Its context must be current.
+class IdPass {
+ public:
+  IdPass(const SceneBuffers& scene, const ViewLayout& layout, int batch);
+
+  /// `leave_out_hidden`: draws near things first, looks at the depths, and leaves out chunks behind
+  /// them; pays where triangles cost more than readbacks, that is on software drivers.
+  void Draw(std::span<const CameraPose> cameras, bool leave_out_hidden);
+
+  GLuint ids() const { return ids_.get(); }
+  /// Copies the ids of the first camera.
+  void ReadIds(std::vector<std::uint32_t>* ids) const;
+
+ private:
+  void Clear();
+  void SetView(const CameraPose& camera, const FlatView& view, int index);
+  void DrawChunks(const std::vector<int>& chunks);
+  void DrawNearToFar(const CameraPose& camera);
+  DepthTiles ReadDepth();
+
+  const SceneBuffers& scene_;
+  const ViewLayout& layout_;
+  int batch_;
+  GlProgram program_;
+  GlTexture ids_;
+  GlTexture depth_;
+  GlFramebuffer framebuffer_;
+  GlVertexArray vertices_;
+  std::vector<float> depth_picture_;
+  std::vector<int> firsts_;
+  std::vector<int> counts_;
+};
+
+}  // namespace bulletnav::sim

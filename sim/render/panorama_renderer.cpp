@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#include "sim/render/panorama_renderer.h"
+
+#include "sim/render/egl/egl_scene.h"
+#include "sim/render/embree/embree_scene.h"
+
+namespace bulletnav::sim {
+
+std::unique_ptr<const RenderScene> MakeRenderScene(const SceneMesh& mesh, Backend backend) {
+  switch (backend) {
+    case Backend::kEgl:
+      return MakeEglScene(mesh);
+    case Backend::kEmbree:
+      break;
+    case Backend::kAuto:
+      if (HasHardwareGpu()) return MakeEglScene(mesh, GlDevice::kHardware);
+      break;
+  }
+  return MakeEmbreeScene(mesh);
+}
+
+}  // namespace bulletnav::sim
