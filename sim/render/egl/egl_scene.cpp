@@ -15,7 +15,8 @@
 namespace bulletnav::sim {
 namespace {
 
-constexpr int kDeviceBatch = 64;
+constexpr int kHardwareBatch = 32;
+constexpr int kSoftwareBatch = 2;
 constexpr int kMaxTarget = 16384;
 
 /// The views are sampled finer than the panorama, so that the ids around a ray hold what it meets;
@@ -39,7 +40,7 @@ class DeviceRenderer final : public PanoramaRenderer {
   DeviceRenderer(const SceneBuffers& scene, const PanoramaSpec& spec)
       : spec_(spec), layout_(spec, Oversampling(scene, spec)), context_(scene.context.Share()) {
     CheckTarget(layout_);
-    batch_ = std::clamp(kMaxTarget / layout_.height, 1, kDeviceBatch);
+    batch_ = scene.context.is_hardware() ? kHardwareBatch : kSoftwareBatch;
     ids_ = std::make_unique<IdPass>(scene, layout_, batch_);
     resolve_ = std::make_unique<ShaderResolve>(scene, layout_, spec, batch_);
     context_->Release();

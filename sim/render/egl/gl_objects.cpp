@@ -56,11 +56,15 @@ GlBuffer NewBuffer(std::span<const std::byte> content) {
 
 GlBuffer NewReadBuffer(std::size_t bytes) { return Store(bytes, nullptr, GL_MAP_READ_BIT); }
 
-GlTexture NewTarget(GLenum format, int width, int height) {
+GlTexture NewTarget(GLenum format, int width, int height, int layers) {
   GLuint name = 0;
-  glCreateTextures(GL_TEXTURE_2D, 1, &name);
+  glCreateTextures(layers > 0 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D, 1, &name);
   GlTexture texture(name);
-  glTextureStorage2D(name, 1, format, width, height);
+  if (layers > 0) {
+    glTextureStorage3D(name, 1, format, width, height, layers);
+  } else {
+    glTextureStorage2D(name, 1, format, width, height);
+  }
   glTextureParameteri(name, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   return texture;

@@ -62,8 +62,8 @@ using GlProgram = GlName<DeleteProgram>;
 /// An immutable buffer with this content, or empty and readable by the CPU.
 GlBuffer NewBuffer(std::span<const std::byte> content);
 GlBuffer NewReadBuffer(std::size_t bytes);
-/// A texture without pyramid levels that can be rendered to.
-GlTexture NewTarget(GLenum format, int width, int height);
+/// A texture without pyramid levels that can be rendered to; of several layers if `layers` > 0.
+GlTexture NewTarget(GLenum format, int width, int height, int layers = 0);
 /// Compile and link; a failure is our bug and ends the program with the driver's log.
 GlProgram NewRasterProgram(std::string_view vertex, std::string_view fragment);
 GlProgram NewComputeProgram(std::string_view compute);

@@ -17,16 +17,17 @@ constexpr std::array kRounds = {1.5f, 4.0f, std::numeric_limits<float>::infinity
 }  // namespace
 
 IdPass::IdPass(const SceneBuffers& scene, const ViewLayout& layout, int batch)
-    : scene_(scene), layout_(layout), batch_(batch) {
+    : scene_(scene), layout_(layout) {
   program_ = NewRasterProgram(kIdVertexShader, kIdFragmentShader);
-  const int height = layout.height * batch;
-  ids_ = NewTarget(GL_R32UI, layout.width, height);
-  depth_ = NewTarget(GL_DEPTH_COMPONENT32F, layout.width, height);
+  ids_ = NewTarget(GL_R32UI, layout.width, layout.height, batch);
+  depth_ = NewTarget(GL_DEPTH_COMPONENT32F, layout.width, layout.height);
   GLuint name = 0;
-  glCreateFramebuffers(1, &name);
-  framebuffer_ = GlFramebuffer(name);
-  glNamedFramebufferTexture(name, GL_COLOR_ATTACHMENT0, ids_.get(), 0);
-  glNamedFramebufferTexture(name, GL_DEPTH_ATTACHMENT, depth_.get(), 0);
+  for (int layer = 0; layer < batch; ++layer) {
+    glCreateFramebuffers(1, &name);
+    framebuffers_.emplace_back(name);
+    glNamedFramebufferTextureLayer(name, GL_COLOR_ATTACHMENT0, ids_.get(), 0, layer);
+    glNamedFramebufferTexture(name, GL_DEPTH_ATTACHMENT, depth_.get(), 0);
+  }
   glCreateVertexArrays(1, &name);
   vertices_ = GlVertexArray(name);
   glVertexArrayVertexBuffer(name, 0, scene.corners.get(), 0, 3 * sizeof(float));
@@ -35,11 +36,10 @@ IdPass::IdPass(const SceneBuffers& scene, const ViewLayout& layout, int batch)
   glEnableVertexArrayAttrib(name, 0);
 }
 
-void IdPass::Clear() {
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
+void IdPass::Begin(std::size_t layer) {
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffers_[layer].get());
   const std::array<GLuint, 4> none = {};
   const float far = 0.0f;
-  glViewport(0, 0, layout_.width, layout_.height * batch_);
   glClearBufferuiv(GL_COLOR, 0, none.data());
   glClearBufferfv(GL_DEPTH, 0, &far);
   glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
@@ -51,15 +51,15 @@ void IdPass::Clear() {
 }
 
 void IdPass::Draw(std::span<const CameraPose> cameras, bool leave_out_hidden) {
-  Clear();
-  if (leave_out_hidden) {
-    DrawNearToFar(cameras.front());
-    return;
-  }
   std::vector<int> visible;
   for (std::size_t i = 0; i < cameras.size(); ++i) {
+    Begin(i);
+    if (leave_out_hidden) {
+      DrawNearToFar(cameras[i]);
+      continue;
+    }
     for (const FlatView& view : layout_.views) {
-      SetView(cameras[i], view, static_cast<int>(i));
+      SetView(cameras[i], view);
       visible.clear();
       const auto in_view = ChunksInView(scene_.chunks, cameras[i], view);
       for (const ChunkInView& item : in_view) visible.push_back(item.chunk);
@@ -88,19 +88,19 @@ void IdPass::DrawNearToFar(const CameraPose& camera) {
         const Chunk& chunk = scene_.chunks[static_cast<std::size_t>(index)];
         if (!tiles || tiles->MayShow(chunk, camera, view, axes, kNear)) chosen.push_back(index);
       }
-      SetView(camera, view, 0);
+      SetView(camera, view);
       DrawChunks(chosen);
     }
   }
 }
 
-void IdPass::SetView(const CameraPose& camera, const FlatView& view, int index) {
+void IdPass::SetView(const CameraPose& camera, const FlatView& view) {
   const ViewAxes axes(view, camera);
   glUniform3fv(0, 1, camera.position.data());
   glUniform3fv(1, 1, axes.right.data());
   glUniform3fv(2, 1, axes.up.data());
   glUniform3fv(3, 1, axes.forward.data());
-  glViewport(view.first_x, index * layout_.height, view.width, view.height);
+  glViewport(view.first_x, 0, view.width, view.height);
 }
 
 void IdPass::DrawChunks(const std::vector<int>& chunks) {

@@ -9,8 +9,10 @@
 
 namespace bulletnav::sim {
 
-/// Draws triangle numbers + 1 into the flat views around some cameras: a picture of
-/// [batch * layout.height, layout.width] ids, 0 where there is nothing. Its context must be current.
+/// Draws triangle numbers + 1 into the flat views around some cameras: a layer of
+/// [layout.height, layout.width] ids for each, 0 where there is nothing. Layers, not one large picture:
+/// drivers round a triangle's place differently in another part of a picture, and a camera must see
+/// the same in any place of a batch. Its context must be current.
 class IdPass {
  public:
   IdPass(const SceneBuffers& scene, const ViewLayout& layout, int batch);
@@ -24,19 +26,18 @@ class IdPass {
   void ReadIds(std::vector<std::uint32_t>* ids) const;
 
  private:
-  void Clear();
-  void SetView(const CameraPose& camera, const FlatView& view, int index);
+  void Begin(std::size_t layer);
+  void SetView(const CameraPose& camera, const FlatView& view);
   void DrawChunks(const std::vector<int>& chunks);
   void DrawNearToFar(const CameraPose& camera);
   DepthTiles ReadDepth();
 
   const SceneBuffers& scene_;
   const ViewLayout& layout_;
-  int batch_;
   GlProgram program_;
   GlTexture ids_;
   GlTexture depth_;
-  GlFramebuffer framebuffer_;
+  std::vector<GlFramebuffer> framebuffers_;  // one a layer
   GlVertexArray vertices_;
   std::vector<float> depth_picture_;
   std::vector<int> firsts_;

@@ -108,7 +108,7 @@ void ShaderResolve::Dispatch(std::span<const CameraPose> cameras, GLuint ids) {
   const auto padded = static_cast<GLint>(padded_pixels_);
   const auto n = static_cast<GLint>(cameras.size());
   glUniform4i(0, spec_.rows, spec_.cols, padded, n);
-  glUniform4i(1, layout_.ring, static_cast<GLint>(layout_.views.size()), layout_.height, 0);
+  glUniform2i(1, layout_.ring, static_cast<GLint>(layout_.views.size()));
   glUniform1f(2, spec_.max_depth_m);
   const auto groups = static_cast<GLuint>((padded / 4 + kGroupSize - 1) / kGroupSize);
   glDispatchCompute(groups, static_cast<GLuint>(n), 1);

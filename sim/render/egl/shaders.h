@@ -61,9 +61,9 @@ layout(std430, binding = 5) readonly buffer Views { View views[]; };
 layout(std430, binding = 6) readonly buffer Cameras { Camera cameras[]; };
 layout(std430, binding = 7) writeonly buffer Output { uint words[]; };  // colours, then depths
 
-layout(binding = 0) uniform usampler2D ids;
+layout(binding = 0) uniform usampler2DArray ids;  // a layer a camera
 layout(location = 0) uniform ivec4 size;    // rows, cols, pixels of a camera padded to 4, cameras
-layout(location = 1) uniform ivec4 layout_;  // views in the ring, all views, height of a camera's ids
+layout(location = 1) uniform ivec2 layout_;  // views in the ring, all views
 layout(location = 2) uniform float max_depth;
 
 const float kUnseen = 1e-6;
@@ -138,9 +138,9 @@ Hit nearest_hit(int camera, int row, int col, vec3 d, vec3 origin, vec3 ray) {
   vec2 extent = vec2(view.place.yz);
   vec2 pixel = (0.5 + 0.5 * at) * extent - 0.5;
   ivec2 low = clamp(ivec2(floor(pixel)), ivec2(1), view.place.yz - 3);
-  ivec2 base = low + ivec2(view.place.x, camera * layout_.z);
+  ivec3 base = ivec3(low.x + view.place.x, low.y, camera);
   uint around[4];
-  for (int i = 0; i < 4; ++i) around[i] = texelFetch(ids, base + ivec2(i & 1, i >> 1), 0).x;
+  for (int i = 0; i < 4; ++i) around[i] = texelFetch(ids, base + ivec3(i & 1, i >> 1, 0), 0).x;
   bvec2 beyond = greaterThan(pixel - vec2(low), vec2(0.5));
   int nearest = (beyond.x ? 1 : 0) + (beyond.y ? 2 : 0);
   Look look = Look(origin, ray, around[nearest], rays[size.x + row]);
@@ -153,7 +153,7 @@ Hit nearest_hit(int camera, int row, int col, vec3 d, vec3 origin, vec3 ray) {
   bool agreed = around[0] == around[1] && around[0] == around[2] && around[0] == around[3];
   if (!agreed || best.miss < 0.0) {
     for (int i = 0; i < 16; ++i) {
-      uint id = texelFetch(ids, base + ivec2((i & 3) - 1, (i >> 2) - 1), 0).x;
+      uint id = texelFetch(ids, base + ivec3((i & 3) - 1, (i >> 2) - 1, 0), 0).x;
       bool known = id == 0u || id == around[0] || id == around[1] || id == around[2] ||
                    id == around[3];
       if (!known) consider(id, look, best);

@@ -47,13 +47,14 @@ ViewLayout::ViewLayout(const PanoramaSpec& spec, double oversampling) {
   const double tan_y = sees_poles ? 1.0 : 1.0 / std::cos(half_angle);
   for (int k = 0; k < ring; ++k) views.push_back(Upright((2 * k + 1) * half_angle));
   if (sees_poles) {
-    FlatView up = Upright(kPi);
+    // Turned like the ring, so that the six make a cube.
+    FlatView up = views.front();
+    up.up = -up.forward;
     up.forward = Vec::UnitY();
-    up.up = Vec::UnitZ();
-    views.push_back(up);
-    FlatView down = Upright(kPi);
+    FlatView down = views.front();
+    down.up = down.forward;
     down.forward = -Vec::UnitY();
-    down.up = -Vec::UnitZ();
+    views.push_back(up);
     views.push_back(down);
   }
   for (FlatView& view : views) {

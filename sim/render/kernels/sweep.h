@@ -14,7 +14,7 @@ namespace bulletnav::sim {
 namespace {
 
 constexpr float kTiny = 1e-12f;
-constexpr float kNearest = 1e-3f;    // metres; nearer boxes count as around the camera
+constexpr float kNearest = 1e-6f;    // metres; nearer boxes count as around the camera
 constexpr int kFixedBits = 8;        // of KernelGrid's fixed point
 constexpr int kHalf = 128;           // centre of a pixel
 constexpr int kTallRows = 8;         // triangles at least as tall get their rows cut per vector

@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <thread>
+
+#include "sim/base/error.h"
+#include "sim/math/pose.h"
+#include "sim/math/rng.h"
+#include "sim/render/egl/egl_scene.h"
+#include "sim/render/embree/embree_scene.h"
+#include "sim/render/embree/raycaster.h"
+#include "sim/render/panorama_renderer.h"
+#include "sim/render/render_mesh.h"
+#include "tests/support/panoramas.h"
+#include "tests/support/scenes.h"
+
+namespace bulletnav::sim {
+namespace {
+
+using tests::AddBox;
+using tests::BoxRoom;
+using tests::Panorama;
+using tests::RenderPanorama;
+using Vec = Eigen::Vector3f;
+
+/// Every renderer there is: the CPU's with each kernel, EGL with either second pass.
+std::vector<std::unique_ptr<const RenderScene>> AllScenes(const SceneMesh& mesh) {
+  std::vector<std::unique_ptr<const RenderScene>> scenes;
+  for (const Kernels* kernels : SupportedKernels()) {
+    scenes.push_back(MakeEmbreeScene(mesh, *kernels));
+  }
+  scenes.push_back(MakeEglScene(mesh, GlDevice::kAny, ResolveOn::kCpu));
+  scenes.push_back(MakeEglScene(mesh, GlDevice::kAny, ResolveOn::kDevice));
+  return scenes;
+}
+
+PanoramaSpec Spec(Projection projection, int rows = 64, int cols = 256) {
+  PanoramaSpec spec;
+  spec.rows = rows;
+  spec.cols = cols;
+  spec.projection = projection;
+  return spec;
+}
+
+constexpr std::array kProjections = {Projection::kCylindrical, Projection::kEquirectangular,
+                                     Projection::kCubeStrip};
+
+/// World direction of a pixel, by the definitions in projection.h, not by RayGrid.
+Vec Direction(const PanoramaSpec& spec, int row, int col, float yaw) {
+  const double turns = (col + 0.5) / spec.cols;
+  double clockwise = 2.0 * kPi * turns - kPi;
+  double up = 1.0 - 2.0 * (row + 0.5) / spec.rows;
+  if (spec.projection == Projection::kEquirectangular) up = std::tan(0.5 * kPi * up);
+  if (spec.projection == Projection::kCubeStrip) {
+    const double side = std::floor(4.0 * turns);
+    const double across = 2.0 * (4.0 * turns - side) - 1.0;
+    clockwise = (side - 1.5) * 0.5 * kPi + std::atan(across);
+    up /= std::hypot(1.0, across);
+  }
+  const double heading = yaw - clockwise;
+  return Vec(static_cast<float>(-std::sin(heading)), static_cast<float>(up),
+             static_cast<float>(-std::cos(heading)))
+      .normalized();
+}
+
+TEST(Render, DepthOfABoxRoomIsTheClosedForm) {
+  const Vec size(4, 2.6f, 6);
+  const CameraPose camera{{1.1f, 1.25f, -2.3f}, 0.6f};
+  for (const auto& scene : AllScenes(BoxRoom(size.x(), size.y(), size.z()))) {
+    for (const Projection projection : kProjections) {
+      const PanoramaSpec spec = Spec(projection);
+      const Panorama picture = RenderPanorama(*scene, spec, camera);
+      for (int r = 0; r < spec.rows; ++r) {
+        for (int c = 0; c < spec.cols; ++c) {
+          const Vec d = Direction(spec, r, c, camera.yaw);
+          float range = 100.0f;
+          for (int axis = 0; axis < 3; ++axis) {
+            const float low = axis == 2 ? -size.z() : 0.0f;
+            const float high = axis == 2 ? 0.0f : size[axis];
+            const float wall = d[axis] > 0.0f ? high : low;
+            if (std::abs(d[axis]) > 1e-6f) {
+              range = std::min(range, (wall - camera.position[axis]) / d[axis]);
+            }
+          }
+          ASSERT_NEAR(picture.depth_at(r, c), range, 2e-3f * range)
+              << scene->description() << " row " << r << " column " << c;
+        }
+      }
+    }
+  }
+}
+
+TEST(Render, ColumnsRunClockwiseFromBehindAndTheMiddleLooksForward) {
+  // BoxRoom: ahead (-z) red, behind green, left blue, right yellow.
+  const CameraPose camera{{2, 1.3f, -3}, 0.0f};
+  for (const auto& scene : AllScenes(BoxRoom(4, 2.6f, 6))) {
+    for (const Projection projection : {Projection::kCylindrical, Projection::kEquirectangular}) {
+      const PanoramaSpec spec = Spec(projection);
+      const Panorama picture = RenderPanorama(*scene, spec, camera);
+      const int middle = spec.rows / 2;
+      EXPECT_EQ(picture.color_at(middle, 0), (Rgb8{60, 200, 60}));
+      EXPECT_EQ(picture.color_at(middle, spec.cols / 4), (Rgb8{60, 60, 200}));
+      EXPECT_EQ(picture.color_at(middle, spec.cols / 2), (Rgb8{200, 60, 60}));
+      EXPECT_EQ(picture.color_at(middle, 3 * spec.cols / 4), (Rgb8{200, 200, 60}));
+      const Panorama turned = RenderPanorama(*scene, spec, {camera.position, 0.5f * float(kPi)});
+      EXPECT_EQ(turned.color_at(middle, spec.cols / 2), (Rgb8{60, 60, 200})) << "turned left";
+    }
+  }
+}
+
+TEST(Render, TexturesStandUprightAndReadFromLeftToRight) {
+  SceneMesh mesh = BoxRoom(4, 2.6f, 6);
+  Texture texture{"quarters", Image(64, 64, 4)};
+  for (int y = 0; y < 64; ++y) {
+    for (int x = 0; x < 64; ++x) {
+      std::uint8_t* p = texture.image.at(x, y);
+      p[0] = x < 32 ? 250 : 10;  // red on the left
+      p[1] = y < 32 ? 250 : 10;  // green above
+      p[2] = 0;
+      p[3] = 255;
+    }
+  }
+  mesh.textures.push_back(texture);
+  mesh.materials[2].base_color = kWhite;  // the wall ahead
+  mesh.materials[2].texture = 0;
+  const PanoramaSpec spec = Spec(Projection::kCylindrical, 128, 512);
+  for (const auto& scene : AllScenes(mesh)) {
+    const Panorama picture = RenderPanorama(*scene, spec, {{2, 1.3f, -3}, 0.0f});
+    EXPECT_EQ(picture.color_at(54, 246), (Rgb8{250, 250, 0}));
+    EXPECT_EQ(picture.color_at(54, 266), (Rgb8{10, 250, 0}));
+    EXPECT_EQ(picture.color_at(74, 246), (Rgb8{250, 10, 0}));
+    EXPECT_EQ(picture.color_at(74, 266), (Rgb8{10, 10, 0}));
+  }
+}
+
+TEST(Render, VertexColoursBlendAcrossATriangle) {
+  SceneMesh mesh = BoxRoom(4, 2.6f, 6);
+  mesh.materials[2].base_color = kWhite;
+  for (std::size_t v = 8; v < 12; ++v) {  // corners of the wall ahead
+    const bool right = mesh.positions[v].x() > 2.0f;
+    mesh.colors[v] = right ? Rgb8{200, 0, 0} : Rgb8{0, 0, 0};
+  }
+  const PanoramaSpec spec = Spec(Projection::kCylindrical, 128, 512);
+  for (const auto& scene : AllScenes(mesh)) {
+    const Panorama picture = RenderPanorama(*scene, spec, {{2, 1.3f, -3}, 0.0f});
+    for (const int c : {232, 256, 280}) {
+      const Vec d = Direction(spec, 64, c, 0.0f);
+      const float x = 2.0f + d.x() / -d.z() * 3.0f;
+      EXPECT_NEAR(picture.color_at(64, c)[0], 50.0f * x, 2.0f);
+    }
+  }
+}
+
+TEST(Render, NothingIsBlackWithoutDepthAndFarIsClipped) {
+  SceneMesh mesh;
+  tests::AddQuad({-1, -3, -30}, {1, -3, -30}, {1, 3, -30}, {-1, 3, -30}, {80, 90, 100}, &mesh);
+  PanoramaSpec spec = Spec(Projection::kCylindrical, 128, 512);
+  for (const auto& scene : AllScenes(mesh)) {
+    const Panorama picture = RenderPanorama(*scene, spec, {Vec::Zero(), 0.0f});
+    EXPECT_EQ(picture.depth_at(64, 256), 10.0f);
+    EXPECT_EQ(picture.color_at(64, 256), (Rgb8{80, 90, 100}));
+    EXPECT_EQ(picture.depth_at(64, 0), 0.0f);
+    EXPECT_EQ(picture.color_at(64, 0), (Rgb8{0, 0, 0}));
+  }
+}
+
+/// A room full of random boxes, slivers and specks.
+SceneMesh Clutter(std::uint64_t seed) {
+  Rng rng(seed, "clutter");
+  SceneMesh mesh = BoxRoom(6, 2.6f, 8);
+  const auto point = [&rng] {
+    return Vec(static_cast<float>(rng.Uniform(0, 6)), static_cast<float>(rng.Uniform(0, 2.6)),
+               static_cast<float>(-rng.Uniform(0, 8)));
+  };
+  for (int i = 0; i < 150; ++i) {
+    const Vec p = point();
+    const auto s = static_cast<float>(rng.Chance(0.3) ? 0.6 : rng.Uniform(0.01, 0.2));
+    const Rgb8 color = {static_cast<std::uint8_t>(rng.Below(256)),
+                        static_cast<std::uint8_t>(rng.Below(256)),
+                        static_cast<std::uint8_t>(rng.Below(256))};
+    AddBox(p, p + Vec(s, 0.7f * s, 1.3f * s), color, &mesh);
+    tests::AddQuad(p, p + Vec(1, 0, 0), p + Vec(1, 0.01f, 0), p + Vec(0, 0.01f, 0.5f), color,
+                   &mesh);
+  }
+  return mesh;
+}
+
+TEST(Render, TheSweepFindsWhatEmbreesRaysFind) {
+  const SceneMesh mesh = Clutter(1);
+  const RenderMesh triangles(mesh);
+  const Raycaster raycaster(triangles.corners);
+  const auto scene = MakeEmbreeScene(mesh);
+  Rng rng(2, "cameras");
+  for (const Projection projection : kProjections) {
+    PanoramaSpec spec = Spec(projection, 96, 400);
+    spec.max_depth_m = 100.0f;
+    int wrong = 0;
+    for (int i = 0; i < 6; ++i) {
+      const CameraPose camera{{static_cast<float>(rng.Uniform(0.1, 5.9)), 1.25f,
+                               static_cast<float>(-rng.Uniform(0.1, 7.9))},
+                              static_cast<float>(rng.Uniform(-3, 3))};
+      const Panorama picture = RenderPanorama(*scene, spec, camera);
+      for (int r = 0; r < spec.rows; ++r) {
+        for (int c = 0; c < spec.cols; ++c) {
+          const RayHit hit =
+              raycaster.Cast(camera.position, Direction(spec, r, c, camera.yaw));
+          const float expected = hit.triangle < 0 ? 0.0f : hit.t;
+          const float error = std::abs(picture.depth_at(r, c) - expected);
+          wrong += error > 1e-3f * expected + 1e-3f ? 1 : 0;
+        }
+      }
+    }
+    // Rays that graze an edge may fall on either side of it.
+    EXPECT_LT(wrong, 40) << "of " << 6 * spec.pixels();
+  }
+}
+
+TEST(Render, BothBackendsDrawTheSamePicture) {
+  const SceneMesh mesh = Clutter(3);
+  const auto embree = MakeEmbreeScene(mesh);
+  Rng rng(4, "cameras");
+  for (const ResolveOn resolve : {ResolveOn::kCpu, ResolveOn::kDevice}) {
+    const auto egl = MakeEglScene(mesh, GlDevice::kAny, resolve);
+    for (const Projection projection : kProjections) {
+      tests::Agreement agreement;
+      for (int i = 0; i < 4; ++i) {
+        const CameraPose camera{{static_cast<float>(rng.Uniform(1, 5)), 1.25f,
+                                 static_cast<float>(-rng.Uniform(1, 7))},
+                                static_cast<float>(rng.Uniform(-3, 3))};
+        const PanoramaSpec spec = Spec(projection, 128, 512);
+        agreement.Add(RenderPanorama(*embree, spec, camera), RenderPanorama(*egl, spec, camera));
+      }
+      EXPECT_GE(agreement.depth(), 0.995);
+      EXPECT_GE(agreement.color(), 0.99);
+    }
+  }
+}
+
+TEST(Render, AllKernelsDrawTheSameBits) {
+  const SceneMesh mesh = Clutter(5);
+  const CameraPose camera{{3, 1.25f, -4}, 1.0f};
+  for (const Projection projection : kProjections) {
+    // An odd size: the last vector of a row is only partly used.
+    const PanoramaSpec spec = Spec(projection, 50, 204);
+    const Panorama best = RenderPanorama(*MakeEmbreeScene(mesh), spec, camera);
+    for (const Kernels* kernels : SupportedKernels()) {
+      const Panorama other = RenderPanorama(*MakeEmbreeScene(mesh, *kernels), spec, camera);
+      EXPECT_EQ(other.color, best.color) << kernels->name;
+      EXPECT_EQ(other.depth, best.depth) << kernels->name;
+    }
+  }
+}
+
+TEST(Render, ABatchIsTheSameAsOneByOneAndThreadsDoNotMatter) {
+  const SceneMesh mesh = Clutter(6);
+  const PanoramaSpec spec = Spec(Projection::kCylindrical);
+  std::vector<CameraPose> cameras;
+  for (int i = 0; i < 5; ++i) cameras.push_back({{1.0f + 0.8f * float(i), 1.25f, -4}, 0.3f});
+  for (const auto& scene : AllScenes(mesh)) {
+    std::vector<std::uint8_t> color(3 * spec.pixels() * cameras.size());
+    std::vector<float> depth(spec.pixels() * cameras.size());
+    std::thread elsewhere([&] { scene->MakeRenderer(spec)->Render(cameras, color, depth); });
+    std::vector<Panorama> single;
+    for (const CameraPose& camera : cameras) single.push_back(RenderPanorama(*scene, spec, camera));
+    elsewhere.join();
+    for (std::size_t i = 0; i < cameras.size(); ++i) {
+      const std::vector<float> part(depth.begin() + long(spec.pixels() * i),
+                                    depth.begin() + long(spec.pixels() * (i + 1)));
+      EXPECT_EQ(part, single[i].depth) << scene->description();
+      const std::vector<std::uint8_t> colors(color.begin() + long(3 * spec.pixels() * i),
+                                             color.begin() + long(3 * spec.pixels() * (i + 1)));
+      EXPECT_EQ(colors, single[i].color) << scene->description();
+    }
+  }
+}
+
+TEST(Render, ColourOrDepthAlone) {
+  const SceneMesh mesh = BoxRoom(4, 2.6f, 6);
+  const PanoramaSpec spec = Spec(Projection::kCylindrical);
+  const CameraPose camera{{2, 1.25f, -3}, 0.0f};
+  for (const auto& scene : AllScenes(mesh)) {
+    const Panorama both = RenderPanorama(*scene, spec, camera);
+    std::vector<std::uint8_t> color(3 * spec.pixels());
+    std::vector<float> depth(spec.pixels());
+    scene->MakeRenderer(spec)->Render({&camera, 1}, color, {});
+    scene->MakeRenderer(spec)->Render({&camera, 1}, {}, depth);
+    EXPECT_EQ(color, both.color);
+    EXPECT_EQ(depth, both.depth);
+  }
+}
+
+TEST(Render, BadSizesAreRefused) {
+  const auto scene = MakeRenderScene(BoxRoom(4, 2.6f, 6), Backend::kEmbree);
+  for (const auto& [rows, cols] : {std::pair{0, 512}, {128, 0}, {128, 100000}, {-1, 512},
+                                   {100000, 512}}) {
+    EXPECT_THROW(scene->MakeRenderer(Spec(Projection::kCylindrical, rows, cols)), Error);
+  }
+  EXPECT_THROW(scene->MakeRenderer(Spec(Projection::kCubeStrip, 128, 510)), Error);
+}
+
+TEST(Render, AutoWorksWithoutAGraphicsProcessor) {
+  const auto scene = MakeRenderScene(BoxRoom(4, 2.6f, 6), Backend::kAuto);
+  EXPECT_EQ(scene->backend(), HasHardwareGpu() ? Backend::kEgl : Backend::kEmbree);
+}
+
+TEST(Render, LargeFinePicturesWork) {
+  const SceneMesh mesh = Clutter(7);
+  const PanoramaSpec spec = Spec(Projection::kCylindrical, 512, 2048);
+  const CameraPose camera{{3, 1.25f, -4}, 1.0f};
+  tests::Agreement agreement;
+  agreement.Add(RenderPanorama(*MakeEmbreeScene(mesh), spec, camera),
+                RenderPanorama(*MakeEglScene(mesh, GlDevice::kAny), spec, camera));
+  EXPECT_GE(agreement.depth(), 0.995);
+  EXPECT_GE(agreement.color(), 0.99);
+}
+
+}  // namespace
+}  // namespace bulletnav::sim

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "tests/support/panoramas.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace bulletnav::tests {
+namespace {
+
+/// Whether depth changes by more than a tenth between a pixel and one beside it.
+bool IsEdge(const Panorama& p, int row, int col) {
+  const float here = p.depth_at(row, col);
+  for (int r = std::max(0, row - 1); r <= std::min(p.spec.rows - 1, row + 1); ++r) {
+    for (int dc = -1; dc <= 1; ++dc) {
+      const float there = p.depth_at(r, (col + dc + p.spec.cols) % p.spec.cols);
+      if (std::abs(there - here) > 0.1f * std::min(there, here)) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+Panorama RenderPanorama(const sim::RenderScene& scene, const sim::PanoramaSpec& spec,
+                        const sim::CameraPose& camera) {
+  Panorama p{spec, std::vector<std::uint8_t>(3 * spec.pixels()), std::vector<float>(spec.pixels())};
+  scene.MakeRenderer(spec)->Render({&camera, 1}, p.color, p.depth);
+  return p;
+}
+
+void Agreement::Add(const Panorama& a, const Panorama& b) {
+  for (int r = 0; r < a.spec.rows; ++r) {
+    for (int c = 0; c < a.spec.cols; ++c) {
+      const sim::Rgb8 x = a.color_at(r, c);
+      const sim::Rgb8 y = b.color_at(r, c);
+      int worst = 0;
+      for (std::size_t k = 0; k < 3; ++k) worst = std::max(worst, std::abs(x[k] - y[k]));
+      good_color_ += worst <= 8 ? 1 : 0;
+      ++color_pixels_;
+      if (IsEdge(a, r, c)) continue;
+      const float depth = a.depth_at(r, c);
+      const float error = std::abs(depth - b.depth_at(r, c));
+      good_depth_ += error <= std::max(0.01f, 0.01f * depth) ? 1 : 0;
+      ++depth_pixels_;
+    }
+  }
+}
+
+}  // namespace bulletnav::tests

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "sim/render/panorama_renderer.h"
+
+namespace bulletnav::tests {
+
+struct Panorama {
+  sim::PanoramaSpec spec;
+  std::vector<std::uint8_t> color;
+  std::vector<float> depth;
+
+  float depth_at(int row, int col) const { return depth[index(row, col)]; }
+  sim::Rgb8 color_at(int row, int col) const {
+    const std::uint8_t* p = &color[3 * index(row, col)];
+    return {p[0], p[1], p[2]};
+  }
+  std::size_t index(int row, int col) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(spec.cols) +
+           static_cast<std::size_t>(col);
+  }
+};
+
+Panorama RenderPanorama(const sim::RenderScene& scene, const sim::PanoramaSpec& spec,
+                        const sim::CameraPose& camera);
+
+/// How well two renderers agree over some pictures: depth within 1 cm or 1% at pixels away from depth
+/// edges, colour within 8 of 255 at all pixels.
+class Agreement {
+ public:
+  void Add(const Panorama& a, const Panorama& b);
+  double depth() const { return good_depth_ / static_cast<double>(depth_pixels_); }
+  double color() const { return good_color_ / static_cast<double>(color_pixels_); }
+
+ private:
+  double good_depth_ = 0;
+  double good_color_ = 0;
+  std::size_t depth_pixels_ = 0;
+  std::size_t color_pixels_ = 0;
+};
+
+}  // namespace bulletnav::tests
