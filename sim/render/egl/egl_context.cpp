@@ -97,30 +97,35 @@ bool EglContext::Open(EGLDisplay display, EGLContext shared_with) {
   display_ = display;
   context_ = eglCreateContext(display, EGL_NO_CONFIG_KHR, shared_with, kContextAttributes.data());
   if (context_ == EGL_NO_CONTEXT) return false;
-  if (!eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) {
+  if (!MakeCurrent()) {
     Close();
     return false;
   }
   renderer_ = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  Release();
   return true;
 }
 
 void EglContext::Close() {
   if (context_ == EGL_NO_CONTEXT) return;
-  if (eglGetCurrentContext() == context_) Release();
   eglDestroyContext(display_, context_);
   context_ = EGL_NO_CONTEXT;
   // The display is shared by all contexts of the process and lives as long as it does.
 }
 
-void EglContext::MakeCurrent() const {
-  if (eglGetCurrentContext() == context_) return;
+bool EglContext::MakeCurrent() const {
   // The API binding belongs to the thread.
-  if (!eglBindAPI(EGL_OPENGL_API) ||
-      !eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) {
+  return eglBindAPI(EGL_OPENGL_API) &&
+         eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_);
+}
+
+EglContext::Current::Current(const EglContext& context) : context_(context) {
+  if (!context.MakeCurrent()) {
     throw RenderError("the OpenGL context is lost; restart the program");
   }
 }
+
+EglContext::Current::~Current() { context_.Release(); }
 
 void EglContext::Release() const {
   eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);

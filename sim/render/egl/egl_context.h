@@ -24,10 +24,21 @@ class EglContext {
 
   std::unique_ptr<EglContext> Share() const;
 
-  /// Makes this the calling thread's context. Throws RenderError if the device is lost.
-  void MakeCurrent() const;
-  /// Leaves the calling thread without a context.
-  void Release() const;
+  /// While one lives, the context is the calling thread's. Released at the end, so that a renderer can
+  /// be used and destroyed in any thread.
+  class Current {
+   public:
+    /// Throws RenderError if the device is lost.
+    explicit Current(const EglContext& context);
+    ~Current();
+    Current(const Current&) = delete;
+    Current& operator=(const Current&) = delete;
+    Current(Current&&) = delete;
+    Current& operator=(Current&&) = delete;
+
+   private:
+    const EglContext& context_;
+  };
 
   /// GL_RENDERER.
   const std::string& renderer() const { return renderer_; }
@@ -37,6 +48,8 @@ class EglContext {
  private:
   EglContext(EGLDisplay display, const EglContext& shared_with);
   bool Open(EGLDisplay display, EGLContext shared_with);
+  bool MakeCurrent() const;
+  void Release() const;
   void Close();
 
   EGLDisplay display_ = EGL_NO_DISPLAY;

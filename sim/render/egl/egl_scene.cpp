@@ -41,11 +41,15 @@ class DeviceRenderer final : public PanoramaRenderer {
       : spec_(spec), layout_(spec, Oversampling(scene, spec)), context_(scene.context.Share()) {
     CheckTarget(layout_);
     batch_ = scene.context.is_hardware() ? kHardwareBatch : kSoftwareBatch;
+    const EglContext::Current current(*context_);
     ids_ = std::make_unique<IdPass>(scene, layout_, batch_);
     resolve_ = std::make_unique<ShaderResolve>(scene, layout_, spec, batch_);
-    context_->Release();
   }
-  ~DeviceRenderer() override { context_->MakeCurrent(); }
+  ~DeviceRenderer() override {
+    const EglContext::Current current(*context_);
+    resolve_.reset();
+    ids_.reset();
+  }
   DeviceRenderer(const DeviceRenderer&) = delete;
   DeviceRenderer& operator=(const DeviceRenderer&) = delete;
   DeviceRenderer(DeviceRenderer&&) = delete;
@@ -57,7 +61,7 @@ class DeviceRenderer final : public PanoramaRenderer {
   void Render(std::span<const CameraPose> cameras, std::span<std::uint8_t> color,
               std::span<float> depth) override {
     const PanoramaSlices checked(spec_, cameras.size(), color, depth);
-    context_->MakeCurrent();
+    const EglContext::Current current(*context_);
     const std::size_t pixels = spec_.pixels();
     const auto batch = static_cast<std::size_t>(batch_);
     for (std::size_t first = 0; first < cameras.size(); first += batch) {
@@ -84,6 +88,7 @@ class CpuResolveRenderer final : public PanoramaRenderer {
   CpuResolveRenderer(const SceneBuffers& scene, const PanoramaSpec& spec)
       : sampling_(spec), layout_(spec, Oversampling(scene, spec)), context_(scene.context.Share()) {
     CheckTarget(layout_);
+    const EglContext::Current current(*context_);
     ids_ = std::make_unique<IdPass>(scene, layout_, 1);
     places_ = PlacesOfRays(layout_, sampling_.rays(), sampling_.grid().stride);
     scene_ = {nullptr,
@@ -92,9 +97,11 @@ class CpuResolveRenderer final : public PanoramaRenderer {
               scene.mesh.shading.data(),
               scene.mesh.textures.texels.data(),
               scene.mesh.textures.infos.data()};
-    context_->Release();
   }
-  ~CpuResolveRenderer() override { context_->MakeCurrent(); }
+  ~CpuResolveRenderer() override {
+    const EglContext::Current current(*context_);
+    ids_.reset();
+  }
   CpuResolveRenderer(const CpuResolveRenderer&) = delete;
   CpuResolveRenderer& operator=(const CpuResolveRenderer&) = delete;
   CpuResolveRenderer(CpuResolveRenderer&&) = delete;
@@ -106,7 +113,7 @@ class CpuResolveRenderer final : public PanoramaRenderer {
   void Render(std::span<const CameraPose> cameras, std::span<std::uint8_t> color,
               std::span<float> depth) override {
     const PanoramaSlices slices(spec(), cameras.size(), color, depth);
-    context_->MakeCurrent();
+    const EglContext::Current current(*context_);
     for (std::size_t i = 0; i < cameras.size(); ++i) {
       ids_->Draw(cameras.subspan(i, 1), /*leave_out_hidden=*/true);
       ids_->ReadIds(&id_picture_);

@@ -48,6 +48,7 @@ SceneBuffers::SceneBuffers(const SceneMesh& scene, GlDevice device, ResolveOn re
     : context(device), mesh(InSpatialOrder(scene)), chunks(MakeChunks(mesh.corners)) {
   shade_on_device = resolve == ResolveOn::kDevice ||
                     (resolve == ResolveOn::kAuto && context.is_hardware());
+  const EglContext::Current current(context);
   corners = Upload(mesh.corners);
   if (shade_on_device) {
     CheckFits(mesh);
@@ -56,11 +57,10 @@ SceneBuffers::SceneBuffers(const SceneMesh& scene, GlDevice device, ResolveOn re
     textures = Upload(mesh.textures.infos);
   }
   glFinish();  // other contexts see the buffers only when they are complete
-  context.Release();
 }
 
 SceneBuffers::~SceneBuffers() {
-  context.MakeCurrent();
+  const EglContext::Current current(context);
   for (GlBuffer* buffer : {&corners, &shading, &texels, &textures}) *buffer = GlBuffer();
 }
 

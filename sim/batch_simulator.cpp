@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "sim/batch_simulator.h"
+
+#include <functional>
+#include <map>
+
+#include "sim/base/check.h"
+#include "sim/threads/worker_pool.h"
+
+namespace bulletnav::sim {
+
+struct BatchSimulator::Impl {
+  using Renderers = std::map<const RenderScene*, std::unique_ptr<PanoramaRenderer>>;
+
+  Impl(std::vector<std::shared_ptr<const World>> worlds, const SimulatorSpec& the_spec, int workers)
+      : spec(the_spec), noise(the_spec.noise), pool(workers) {
+    spec.panorama.Validate();
+    for (auto& world : worlds) bodies.push_back(NewBody(std::move(world)));
+    renderers.resize(static_cast<std::size_t>(pool.workers()));
+  }
+
+  std::unique_ptr<SimulatedBody> NewBody(std::shared_ptr<const World> world) const {
+    return std::make_unique<SimulatedBody>(std::move(world), spec.body, noise);
+  }
+
+  SimulatedBody& body(int lane) {
+    CHECK(lane >= 0 && static_cast<std::size_t>(lane) < bodies.size());
+    return *bodies[static_cast<std::size_t>(lane)];
+  }
+
+  PanoramaRenderer& RendererOf(const RenderScene& scene, int worker) {
+    auto& renderer = renderers[static_cast<std::size_t>(worker)][&scene];
+    if (!renderer) renderer = scene.MakeRenderer(spec.panorama);
+    return *renderer;
+  }
+
+  /// Forgets the renderers of worlds that no lane is in; they must not outlive their world.
+  void DropUnused(const World& leaving) {
+    for (const auto& body : bodies) {
+      if (&body->world() == &leaving) return;
+    }
+    for (Renderers& mine : renderers) mine.erase(&leaving.render_scene());
+  }
+
+  const RenderScene& scene(std::size_t lane) const { return bodies[lane]->world().render_scene(); }
+
+  /// Draws lanes [first, end) of one world.
+  void Draw(std::size_t first, std::size_t end, int worker, const BatchObservations& out) {
+    const std::size_t pixels = spec.panorama.pixels();
+    std::vector<CameraPose> cameras;
+    for (std::size_t i = first; i < end; ++i) cameras.push_back(bodies[i]->camera_pose());
+    const std::size_t n = end - first;
+    RendererOf(scene(first), worker)
+        .Render(cameras,
+                out.color.empty() ? out.color : out.color.subspan(3 * pixels * first, 3 * pixels * n),
+                out.depth.empty() ? out.depth : out.depth.subspan(pixels * first, pixels * n));
+  }
+
+  bool DrawsTogether(std::size_t lane) { return RendererOf(scene(lane), 0).preferred_batch() > 1; }
+
+  /// Runs of neighbouring lanes in one world, in one call each.
+  void DrawTogether(const BatchObservations& out) {
+    std::size_t first = 0;
+    while (first < bodies.size()) {
+      std::size_t end = first + 1;
+      while (end < bodies.size() && &scene(end) == &scene(first)) ++end;
+      if (DrawsTogether(first)) Draw(first, end, 0, out);
+      first = end;
+    }
+  }
+
+  /// Lets every lane act, then draws what it sees.
+  void ForEachLane(const std::function<void(std::size_t lane)>& act,
+                   const BatchObservations& out) {
+    CheckSizes(out);
+    std::vector<char> together;
+    for (std::size_t i = 0; i < bodies.size(); ++i) together.push_back(DrawsTogether(i) ? 1 : 0);
+    pool.ForEach(static_cast<int>(bodies.size()), [&](int lane, int worker) {
+      const auto i = static_cast<std::size_t>(lane);
+      act(i);
+      if (together[i] == 0) Draw(i, i + 1, worker, out);
+    });
+    DrawTogether(out);
+  }
+
+  void CheckSizes(const BatchObservations& out) const {
+    const std::size_t pixels = spec.panorama.pixels() * bodies.size();
+    CHECK(out.color.empty() || out.color.size() == 3 * pixels);
+    CHECK(out.depth.empty() || out.depth.size() == pixels);
+  }
+
+  SimulatorSpec spec;
+  NoiseModel noise;
+  WorkerPool pool;
+  std::vector<std::unique_ptr<SimulatedBody>> bodies;
+  std::vector<Renderers> renderers;  // one set a worker
+};
+
+BatchSimulator::BatchSimulator(std::vector<std::shared_ptr<const World>> worlds,
+                               const SimulatorSpec& spec, int workers)
+    : impl_(std::make_unique<Impl>(std::move(worlds), spec, workers)) {}
+
+BatchSimulator::~BatchSimulator() {
+  // Renderers before the worlds that the bodies hold.
+  impl_->renderers.clear();
+}
+
+int BatchSimulator::lanes() const { return static_cast<int>(impl_->bodies.size()); }
+
+void BatchSimulator::Reset(int lane, const BodyPose& pose, const EpisodeKey& key) {
+  impl_->body(lane).Reset(pose, key);
+}
+
+void BatchSimulator::SetWorld(int lane, std::shared_ptr<const World> world) {
+  auto& slot = impl_->bodies[static_cast<std::size_t>(lane)];
+  const std::unique_ptr<SimulatedBody> old = std::exchange(slot, impl_->NewBody(std::move(world)));
+  impl_->DropUnused(old->world());
+}
+
+void BatchSimulator::Step(std::span<const Action> actions, std::span<Sensors> sensors,
+                          const BatchObservations& out) {
+  CHECK_EQ(actions.size(), impl_->bodies.size());
+  CHECK_EQ(sensors.size(), impl_->bodies.size());
+  impl_->ForEachLane(
+      [&](std::size_t lane) { sensors[lane] = impl_->bodies[lane]->Step(actions[lane]); }, out);
+}
+
+void BatchSimulator::Observe(const BatchObservations& out) {
+  impl_->ForEachLane([](std::size_t) {}, out);
+}
+
+const SimulatedBody& BatchSimulator::body(int lane) const { return impl_->body(lane); }
+
+}  // namespace bulletnav::sim

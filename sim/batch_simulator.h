@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "sim/simulator.h"
+
+namespace bulletnav::sim {
+
+/// Where the panoramas of all lanes go: the caller's memory, lane after lane.
+struct BatchObservations {
+  std::span<std::uint8_t> color;  // [lanes, rows, cols, 3]; empty if not wanted
+  std::span<float> depth;         // [lanes, rows, cols]; empty if not wanted
+};
+
+/// N bodies over W threads, in one world or many, for training and evaluation. Lane i behaves bit for
+/// bit like a Simulator of its own with the same world, spec and calls, whatever W is. The spec's
+/// color and depth flags do not matter here: what is not wanted is an empty span.
+/// Threads take lanes one after the other and draw straight into the caller's memory; on a graphics
+/// processor they do the physics, and neighbouring lanes of one world are drawn together.
+class BatchSimulator {
+ public:
+  /// One world a lane; lanes may share worlds. `workers` < 1: one a processor.
+  BatchSimulator(std::vector<std::shared_ptr<const World>> worlds, const SimulatorSpec& spec,
+                 int workers);
+  ~BatchSimulator();
+  BatchSimulator(const BatchSimulator&) = delete;
+  BatchSimulator& operator=(const BatchSimulator&) = delete;
+  BatchSimulator(BatchSimulator&&) = delete;
+  BatchSimulator& operator=(BatchSimulator&&) = delete;
+
+  int lanes() const;
+
+  /// Starts an episode in one lane. Throws PoseError and leaves the lane as it was.
+  void Reset(int lane, const BodyPose& pose, const EpisodeKey& key = {});
+  /// Moves a lane to another world, where it must be reset before it steps.
+  void SetWorld(int lane, std::shared_ptr<const World> world);
+
+  /// One action a lane; writes every lane's sensors and observation. An exception in a lane is thrown
+  /// here once all lanes have finished.
+  void Step(std::span<const Action> actions, std::span<Sensors> sensors,
+            const BatchObservations& out);
+  /// The observations alone, after resets.
+  void Observe(const BatchObservations& out);
+
+  /// Ground truth of a lane.
+  const SimulatedBody& body(int lane) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace bulletnav::sim

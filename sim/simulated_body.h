@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <memory>
+
+#include "sim/base/action.h"
+#include "sim/math/pose.h"
+#include "sim/noise/noise_model.h"
+#include "sim/physics/capsule_body.h"
+#include "sim/world.h"
+
+namespace bulletnav::sim {
+
+/// What the body's sensors, other than its camera, read after a step.
+struct Sensors {
+  PlanarPose odometry;    // measured change of pose in this step, in the frame before it
+  bool collided = false;  // the bumper: something was in the way
+};
+
+/// Which random numbers an episode draws, besides the scene.
+struct EpisodeKey {
+  std::uint64_t run_seed = 0;
+  std::uint64_t episode = 0;
+};
+
+/// A body that acts in a world with actuation noise and reads noisy odometry; no camera.
+/// Deterministic: what a step does is a function of the world, the body's spec, the noise, the key
+/// and the actions since Reset; not of threads or of other bodies.
+/// Source: Neural Topological SLAM, section 5; noise of Active Neural SLAM.
+class SimulatedBody {
+ public:
+  SimulatedBody(std::shared_ptr<const World> world, const BodySpec& spec, const NoiseModel& noise);
+
+  /// Puts the body down (see CapsuleBody::Reset) and starts an episode. Throws PoseError and changes
+  /// nothing if the body cannot stand there.
+  void Reset(const BodyPose& pose, const EpisodeKey& key);
+
+  /// Executes one action with noise; kStop moves nothing.
+  Sensors Step(Action action);
+
+  /// Where the camera is now.
+  CameraPose camera_pose() const;
+
+  /// Ground truth, for metrics, drawing and privileged agents only.
+  const BodyPose& true_pose() const { return body_.pose(); }
+  int steps() const { return steps_; }
+  /// Steps since Reset that met an obstacle.
+  int collisions() const { return collisions_; }
+  /// Metres really moved since Reset: the L of SPL.
+  double path_length() const { return path_length_; }
+  const World& world() const { return *world_; }
+
+ private:
+  std::shared_ptr<const World> world_;
+  NoiseModel noise_;
+  CapsuleBody body_;
+  EpisodeKey key_;
+  int steps_ = 0;
+  int collisions_ = 0;
+  double path_length_ = 0.0;
+};
+
+}  // namespace bulletnav::sim

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "sim/simulated_body.h"
+
+namespace bulletnav::sim {
+
+/// How bodies of a run are built and what they sense.
+struct SimulatorSpec {
+  BodySpec body;
+  PanoramaSpec panorama;
+  NoiseMode noise = NoiseMode::kAnsReleased;
+  bool color = true;  // of the panorama
+  bool depth = true;
+
+  template <class V>
+  void Visit(V& v) {
+    v("body", body);
+    v("panorama", panorama);
+    v("noise", noise);
+    v("color", color);
+    v("depth", depth);
+  }
+};
+
+/// What the body senses after a reset or a step. Panorama: see PanoramaRenderer.
+struct Observation {
+  std::vector<std::uint8_t> color;  // [rows, cols, 3], empty if the spec wants none
+  std::vector<float> depth;         // [rows, cols] metres, likewise
+  Sensors sensors;
+};
+
+/// One body with a camera in a world; many may share the world, in any threads.
+///   Simulator simulator(World::Load("house.glb"), {});
+///   const Observation& first = simulator.Reset(pose);
+///   const Observation& next = simulator.Step(Action::kMoveForward);
+/// Cost of a step: one panorama; physics and noise are some tens of microseconds.
+class Simulator {
+ public:
+  Simulator(std::shared_ptr<const World> world, const SimulatorSpec& spec);
+
+  /// Starts an episode. Throws PoseError and changes nothing if the body cannot stand there. The
+  /// odometry of the first observation is zero.
+  const Observation& Reset(const BodyPose& pose, const EpisodeKey& key = {});
+  const Observation& Step(Action action);
+
+  /// Ground truth, for metrics, drawing and privileged agents only.
+  const SimulatedBody& body() const { return body_; }
+  const SimulatorSpec& spec() const { return spec_; }
+
+ private:
+  const Observation& Observe(const Sensors& sensors);
+
+  SimulatorSpec spec_;
+  SimulatedBody body_;
+  std::unique_ptr<PanoramaRenderer> renderer_;
+  Observation observation_;
+};
+
+}  // namespace bulletnav::sim

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "sim/navmesh/navmesh.h"
+#include "sim/physics/physics_world.h"
+#include "sim/render/panorama_renderer.h"
+#include "sim/scene/import.h"
+
+namespace bulletnav::sim {
+
+struct WorldOptions {
+  ImportOptions import;
+  NavmeshSpec navmesh;
+  Backend backend = Backend::kAuto;
+};
+
+/// One scene, ready to be moved in and looked at: physics, navmesh, renderer's data. Immutable after
+/// loading, so that any number of simulators in any number of threads share it.
+class World {
+ public:
+  /// Throws FileError if the file is no scene, RenderError if the backend cannot be had.
+  static std::shared_ptr<const World> Load(const std::filesystem::path& file,
+                                           const WorldOptions& options = {});
+  /// From a mesh in memory; `name` stands for it in random keys and messages.
+  static std::shared_ptr<const World> FromMesh(const SceneMesh& mesh, const std::string& name,
+                                               const WorldOptions& options = {});
+
+  World(std::string name, const ImportedScene& scene, const WorldOptions& options);
+
+  const std::string& name() const { return name_; }
+  /// Stable number of the scene for random keys: a hash of its name.
+  std::uint64_t id() const { return id_; }
+  const ImportReport& report() const { return report_; }
+  const PhysicsWorld& physics() const { return physics_; }
+  const Navmesh& navmesh() const { return navmesh_; }
+  const RenderScene& render_scene() const { return *render_scene_; }
+
+  /// Throws Error, offering the ground plane, if there is under 1 m2 of floor to walk on.
+  void RequireFloor() const;
+
+ private:
+  std::string name_;
+  std::uint64_t id_;
+  ImportReport report_;
+  PhysicsWorld physics_;
+  Navmesh navmesh_;
+  std::unique_ptr<const RenderScene> render_scene_;
+};
+
+}  // namespace bulletnav::sim

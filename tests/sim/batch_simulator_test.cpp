@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include "sim/batch_simulator.h"
+
+#include <gtest/gtest.h>
+
+#include "sim/base/error.h"
+#include "tests/support/scenes.h"
+
+namespace bulletnav::sim {
+namespace {
+
+using tests::BoxRoom;
+
+constexpr int kLanes = 5;
+constexpr int kSteps = 12;
+
+SimulatorSpec Small() {
+  SimulatorSpec spec;
+  spec.panorama.rows = 16;
+  spec.panorama.cols = 64;
+  return spec;
+}
+
+/// Lanes 0 to 2 share one world, 3 and 4 another.
+std::vector<std::shared_ptr<const World>> Worlds(Backend backend) {
+  WorldOptions options;
+  options.backend = backend;
+  const auto a = World::FromMesh(BoxRoom(4, 2.6f, 6), "a", options);
+  const auto b = World::FromMesh(BoxRoom(3, 2.4f, 3), "b", options);
+  return {a, a, a, b, b};
+}
+
+BodyPose Start(int lane) { return {{1.0 + 0.2 * lane, 0, -1.5}, 0.4 * lane}; }
+EpisodeKey Key(int lane) { return {3, static_cast<std::uint64_t>(lane)}; }
+Action Choice(int lane, int step) {
+  return kAllActions[static_cast<std::size_t>(1 + (lane + step * step) % 3)];
+}
+
+struct Result {
+  std::vector<std::uint8_t> color;
+  std::vector<float> depth;
+  std::vector<Sensors> sensors = std::vector<Sensors>(kLanes);
+};
+
+/// Everything every lane saw, step by step.
+std::vector<Result> RunBatch(int workers, Backend backend) {
+  const SimulatorSpec spec = Small();
+  BatchSimulator batch(Worlds(backend), spec, workers);
+  for (int lane = 0; lane < kLanes; ++lane) batch.Reset(lane, Start(lane), Key(lane));
+  std::vector<Result> results;
+  for (int step = 0; step < kSteps; ++step) {
+    if (step == 6) batch.Reset(1, Start(4), Key(9));  // lanes start over independently
+    Result r;
+    r.color.resize(3 * spec.panorama.pixels() * kLanes);
+    r.depth.resize(spec.panorama.pixels() * kLanes);
+    std::vector<Action> actions;
+    for (int lane = 0; lane < kLanes; ++lane) actions.push_back(Choice(lane, step));
+    batch.Step(actions, r.sensors, {r.color, r.depth});
+    results.push_back(std::move(r));
+  }
+  return results;
+}
+
+class BatchSimulatorTest : public testing::TestWithParam<Backend> {};
+
+TEST_P(BatchSimulatorTest, EveryLaneIsASimulatorOfItsOwn) {
+  const SimulatorSpec spec = Small();
+  const std::vector<Result> batch = RunBatch(2, GetParam());
+  const auto worlds = Worlds(GetParam());
+  const std::size_t pixels = spec.panorama.pixels();
+  for (int lane = 0; lane < kLanes; ++lane) {
+    const auto l = static_cast<std::size_t>(lane);
+    Simulator single(worlds[l], spec);
+    single.Reset(Start(lane), Key(lane));
+    for (int step = 0; step < kSteps; ++step) {
+      if (step == 6 && lane == 1) single.Reset(Start(4), Key(9));
+      const Observation& o = single.Step(Choice(lane, step));
+      const Result& r = batch[static_cast<std::size_t>(step)];
+      EXPECT_TRUE(std::equal(o.color.begin(), o.color.end(), r.color.begin() + long(3 * pixels * l)));
+      EXPECT_TRUE(std::equal(o.depth.begin(), o.depth.end(), r.depth.begin() + long(pixels * l)));
+      EXPECT_EQ(o.sensors.odometry.x, r.sensors[l].odometry.x);
+      EXPECT_EQ(o.sensors.odometry.yaw, r.sensors[l].odometry.yaw);
+      EXPECT_EQ(o.sensors.collided, r.sensors[l].collided);
+    }
+  }
+}
+
+TEST_P(BatchSimulatorTest, TheNumberOfWorkersDoesNotMatter) {
+  const std::vector<Result> one = RunBatch(1, GetParam());
+  for (const int workers : {2, 3, 8}) {
+    const std::vector<Result> many = RunBatch(workers, GetParam());
+    for (std::size_t step = 0; step < one.size(); ++step) {
+      EXPECT_EQ(one[step].color, many[step].color) << workers;
+      EXPECT_EQ(one[step].depth, many[step].depth) << workers;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Backends, BatchSimulatorTest,
+                         testing::Values(Backend::kEmbree, Backend::kEgl),
+                         [](const auto& backend) {
+                           return backend.param == Backend::kEgl ? "egl" : "embree";
+                         });
+
+TEST(BatchSimulator, LanesMoveToOtherWorlds) {
+  const auto worlds = Worlds(Backend::kEmbree);
+  BatchSimulator batch({worlds[0], worlds[0]}, Small(), 1);
+  batch.SetWorld(0, worlds[3]);
+  batch.SetWorld(1, worlds[3]);
+  EXPECT_EQ(batch.body(0).world().name(), "b");
+  batch.Reset(0, {{1, 0, -1}, 0.0});
+  batch.Reset(1, {{2, 0, -1}, 0.0});
+  std::vector<float> depth(2 * Small().panorama.pixels());
+  batch.Observe({{}, depth});
+  EXPECT_GT(depth.front(), 0.0f);
+  EXPECT_LT(depth.front(), 3.0f);
+}
+
+TEST(BatchSimulator, ABadResetNamesThePlaceAndKeepsTheLane) {
+  BatchSimulator batch(Worlds(Backend::kEmbree), Small(), 1);
+  batch.Reset(0, Start(0));
+  EXPECT_THROW(batch.Reset(0, {{50, 0, 0}, 0.0}), PoseError);
+  EXPECT_EQ(batch.body(0).true_pose().position.x(), Start(0).position.x());
+}
+
+}  // namespace
+}  // namespace bulletnav::sim
