@@ -3,13 +3,16 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "sim/base/error.h"
 #include "sim/base/files.h"
 
 namespace bulletnav::sim {
 namespace {
 
-constexpr float kLeastFloor = 1.0f;  // m2
+constexpr float kLeastFloor = 1.0f;   // m2
+constexpr float kLeastShare = 0.05f;  // of the footprint
 
 }  // namespace
 
@@ -36,11 +39,12 @@ std::shared_ptr<const World> World::FromMesh(const SceneMesh& mesh, const std::s
   return std::make_shared<const World>(name, scene, options);
 }
 
-void World::RequireFloor() const {
-  if (navmesh_.area() >= kLeastFloor) return;
-  throw Error(fmt::format("{}: has {:.2f} m2 of floor to walk on; if the scene was made without a "
-                          "floor, give --ground-plane, if it lies on its side, --up",
-                          name_, navmesh_.area()));
+void RequireFloor(const std::string& name, const ImportReport& report, const Navmesh& navmesh) {
+  const float footprint = report.extent_m.x() * report.extent_m.z();
+  if (navmesh.area() >= std::max(kLeastFloor, kLeastShare * footprint)) return;
+  throw Error(fmt::format("{}: has {:.1f} m2 to walk on in a footprint of {:.0f} m2; if it was made "
+                          "without a floor, give --ground-plane, if it lies on its side, --up",
+                          name, navmesh.area(), footprint));
 }
 
 }  // namespace bulletnav::sim

@@ -17,6 +17,10 @@ struct WorldOptions {
   Backend backend = Backend::kAuto;
 };
 
+/// Throws Error, offering the ground plane, if a scene has next to no floor to walk on: under 1 m2 or
+/// a twentieth of its footprint (a few table tops are no floor). `name` is the file's.
+void RequireFloor(const std::string& name, const ImportReport& report, const Navmesh& navmesh);
+
 /// One scene, ready to be moved in and looked at: physics, navmesh, renderer's data. Immutable after
 /// loading, so that any number of simulators in any number of threads share it.
 class World {
@@ -38,8 +42,8 @@ class World {
   const Navmesh& navmesh() const { return navmesh_; }
   const RenderScene& render_scene() const { return *render_scene_; }
 
-  /// Throws Error, offering the ground plane, if there is under 1 m2 of floor to walk on.
-  void RequireFloor() const;
+  /// RequireFloor of this scene.
+  void RequireFloor() const { bulletnav::sim::RequireFloor(name_, report_, navmesh_); }
 
  private:
   std::string name_;

@@ -30,11 +30,17 @@ double LayeredArea(const SceneMesh& mesh, int axis) {
   return std::sqrt(sum);
 }
 
+/// Buildings are lower than they are wide, which tells floors from walls where both are flat.
+double Score(const SceneMesh& mesh, int axis) {
+  const float extent = mesh.Bounds().sizes()[axis];
+  return extent > 0.0f && std::isfinite(extent) ? LayeredArea(mesh, axis) / extent : 0.0;
+}
+
 }  // namespace
 
 UpAxis DetectUpAxis(const SceneMesh& mesh, UpAxis usual) {
-  const double y = LayeredArea(mesh, 1);
-  const double z = LayeredArea(mesh, 2);
+  const double y = Score(mesh, 1);
+  const double z = Score(mesh, 2);
   if (usual == UpAxis::kY) return z > kClearlyBetter * y ? UpAxis::kZ : UpAxis::kY;
   return y > kClearlyBetter * z ? UpAxis::kY : UpAxis::kZ;
 }

@@ -5,7 +5,7 @@
 namespace bulletnav::sim {
 
 /// Which way up a mesh is, judged by its floors and ceilings: the axis along which the area of the
-/// faces perpendicular to it is gathered in few thin layers. `usual` (the format's convention) wins
+/// faces perpendicular to it is gathered in few thin layers, and along which the mesh is low. `usual` (the format's convention) wins
 /// unless the other axis is clearly better.
 UpAxis DetectUpAxis(const SceneMesh& mesh, UpAxis usual);
 

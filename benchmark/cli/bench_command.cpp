@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/cli/commands.h"
+namespace bulletnav::bench {
+void AddBenchCommand(CLI::App*) {}
+}  // namespace bulletnav::bench

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+
+#include "benchmark/cli/commands.h"
+#include "sim/base/error.h"
+
+namespace {
+
+constexpr int kBadUse = 2;
+constexpr int kFailed = 1;
+
+int Complain(const std::string& what, int status) {
+  std::fprintf(stderr, "bulletnav: error: %s\n", what.c_str());
+  return status;
+}
+
+int Run(int argc, char** argv) {
+  CLI::App program(
+      "BulletNav: embodied navigation in indoor meshes, with physics, panoramas and noise",
+      "bulletnav");
+  program.require_subcommand(1);
+  program.set_version_flag("--version", "bulletnav " BULLETNAV_VERSION);
+  bulletnav::bench::AddScenesCommand(&program);
+  bulletnav::bench::AddRenderCommand(&program);
+  bulletnav::bench::AddBenchCommand(&program);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return program.exit(e);
+    return Complain(std::string(e.what()) + "; see --help", kBadUse);
+  }
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return Run(argc, argv);
+  } catch (const bulletnav::sim::Error& e) {
+    return Complain(e.what(), kFailed);
+  } catch (const std::bad_alloc&) {
+    return Complain("out of memory", kFailed);
+  } catch (const std::exception& e) {
+    return Complain(e.what(), kFailed);
+  }
+}

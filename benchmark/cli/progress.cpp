@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/cli/progress.h"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace bulletnav::bench {
+namespace {
+
+constexpr double kQuietS = 2.0;        // shorter work says nothing
+constexpr double kTerminalStepS = 0.2;
+constexpr double kLogStepS = 10.0;
+
+double Seconds(std::chrono::steady_clock::duration d) {
+  return std::chrono::duration<double>(d).count();
+}
+
+}  // namespace
+
+Progress::Progress(std::string what, int total)
+    : what_(std::move(what)),
+      total_(total),
+      is_terminal_(::isatty(STDERR_FILENO) == 1),
+      start_(Clock::now()),
+      last_(start_) {}
+
+Progress::~Progress() {
+  if (shown_ && is_terminal_) std::fputc('\n', stderr);
+}
+
+void Progress::Advance() {
+  const std::lock_guard lock(mutex_);
+  ++done_;
+  const Clock::time_point now = Clock::now();
+  const double elapsed = Seconds(now - start_);
+  const double step = is_terminal_ ? kTerminalStepS : kLogStepS;
+  const bool due = elapsed >= kQuietS && Seconds(now - last_) >= step;
+  if (due || (shown_ && done_ == total_)) {
+    Show(elapsed);
+    last_ = now;
+  }
+}
+
+void Progress::Show(double elapsed_s) {
+  const double left_s = elapsed_s / done_ * (total_ - done_);
+  const std::string line = fmt::format("{} {}/{}, {:.1f} a second, {:.0f} s left", what_, done_,
+                                       total_, done_ / elapsed_s, left_s);
+  if (is_terminal_) {
+    fmt::print(stderr, "\r{}\033[K", line);
+  } else {
+    fmt::print(stderr, "{}\n", line);
+  }
+  std::fflush(stderr);
+  shown_ = true;
+}
+
+}  // namespace bulletnav::bench

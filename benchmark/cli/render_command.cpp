@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/core.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "benchmark/cli/commands.h"
+#include "benchmark/cli/progress.h"
+#include "benchmark/cli/scene_options.h"
+#include "sim/base/error.h"
+#include "sim/base/files.h"
+#include "sim/image/image.h"
+#include "sim/math/rng.h"
+#include "sim/simulated_body.h"
+
+namespace bulletnav::bench {
+namespace {
+
+using sim::BodyPose;
+using sim::Error;
+
+constexpr int kTries = 100;
+
+struct RenderOptions {
+  SceneOptions scene;
+  sim::Backend backend = sim::Backend::kAuto;
+  sim::PanoramaSpec panorama;
+  std::vector<double> pose;  // x, y, z, yaw in degrees
+  int random = 0;
+  std::uint64_t seed = 0;
+  std::string size = "512x128";
+  std::filesystem::path out;
+};
+
+/// "WxH" -> cols and rows.
+void ParseSize(const std::string& text, sim::PanoramaSpec* spec) {
+  int width = 0;
+  int height = 0;
+  int used = 0;
+  const int fields = std::sscanf(text.c_str(), "%6dx%6d%n", &width, &height, &used);
+  if (fields != 2 || used != static_cast<int>(text.size())) {
+    throw Error("--size " + text + ": is not WIDTHxHEIGHT, as in 512x128");
+  }
+  spec->cols = width;
+  spec->rows = height;
+  try {
+    spec->Validate();
+  } catch (const Error& e) {
+    throw Error("--size " + text + ": " + e.what());
+  }
+}
+
+/// Free places drawn evenly from the walkable floor, seen in random directions.
+std::vector<BodyPose> RandomPoses(const sim::World& world, int count, std::uint64_t seed) {
+  world.RequireFloor();
+  const sim::NavmeshQuery query(world.navmesh());
+  sim::Rng rng(sim::RngKey{seed, world.id()});
+  sim::CapsuleBody body(world.physics(), {});
+  std::vector<BodyPose> poses;
+  while (static_cast<int>(poses.size()) < count) {
+    for (int attempt = 0;; ++attempt) {
+      const Eigen::Vector3f p = query.RandomPoint(&rng, 0);
+      const BodyPose pose{p.cast<double>(), rng.Uniform(-sim::kPi, sim::kPi)};
+      try {
+        body.Reset(pose);
+        poses.push_back(body.pose());
+        break;
+      } catch (const sim::PoseError& e) {
+        if (attempt == kTries) throw;
+      }
+    }
+  }
+  return poses;
+}
+
+BodyPose GivenPose(const sim::World& world, const std::vector<double>& pose) {
+  sim::CapsuleBody body(world.physics(), {});
+  body.Reset({{pose[0], pose[1], pose[2]}, sim::DegToRad(pose[3])});
+  return body.pose();
+}
+
+void WritePictures(const std::filesystem::path& folder, const std::string& stem,
+                   const sim::PanoramaSpec& spec, const std::vector<std::uint8_t>& color,
+                   const std::vector<float>& depth) {
+  sim::Image image(spec.cols, spec.rows, 3);
+  image.pixels = color;
+  sim::WritePng(folder / (stem + "_color.png"), image);
+  std::vector<std::uint16_t> millimetres;
+  for (const float d : depth) {
+    millimetres.push_back(static_cast<std::uint16_t>(std::min(65535.0f, std::round(1000.0f * d))));
+  }
+  sim::WriteFileAtomically(folder / (stem + "_depth.png"),
+                           sim::EncodePng16(millimetres, spec.cols, spec.rows));
+}
+
+void Render(RenderOptions options) {
+  ParseSize(options.size, &options.panorama);
+  sim::WorldOptions world_options;
+  world_options.import = options.scene.import();
+  world_options.backend = options.backend;
+  const auto world = sim::World::Load(options.scene.file, world_options);
+  const auto renderer = world->render_scene().MakeRenderer(options.panorama);
+  const std::vector<BodyPose> poses =
+      options.pose.empty() ? RandomPoses(*world, std::max(1, options.random), options.seed)
+                           : std::vector<BodyPose>{GivenPose(*world, options.pose)};
+  std::vector<std::uint8_t> color(3 * options.panorama.pixels());
+  std::vector<float> depth(options.panorama.pixels());
+  sim::MakeFolder(options.out);
+  nlohmann::json list = nlohmann::json::array();
+  Progress progress("rendering", static_cast<int>(poses.size()));
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const BodyPose& pose = poses[i];
+    const Eigen::Vector3d eye = pose.position + Eigen::Vector3d(0, sim::BodySpec().camera_height, 0);
+    const sim::CameraPose camera{eye.cast<float>(), static_cast<float>(pose.yaw)};
+    renderer->Render({&camera, 1}, color, depth);
+    const std::string stem = fmt::format("{:04}", i);
+    WritePictures(options.out, stem, options.panorama, color, depth);
+    list.push_back({{"name", stem},
+                    {"position", {pose.position.x(), pose.position.y(), pose.position.z()}},
+                    {"yaw_deg", sim::RadToDeg(pose.yaw)}});
+    progress.Advance();
+  }
+  sim::WriteFileAtomically(options.out / "poses.json", list.dump(1) + "\n");
+  fmt::print("{} panorama{} in {} ({})\n", poses.size(), poses.size() == 1 ? "" : "s",
+             options.out.string(), world->render_scene().description());
+}
+
+}  // namespace
+
+void AddRenderCommand(CLI::App* program) {
+  auto options = std::make_shared<RenderOptions>();
+  CLI::App* command = program->add_subcommand(
+      "render", "Draw panoramas: colour PNG and 16-bit depth PNG in millimetres");
+  options->scene.AddTo(command);
+  CLI::Option* pose =
+      command->add_option("--pose", options->pose, "Place on the floor and heading: X,Y,Z,YAW_DEG")
+          ->delimiter(',')
+          ->expected(4);
+  command->add_option("--random", options->random, "This many random free places (default 1)")
+      ->check(CLI::Range(1, 1'000'000))
+      ->excludes(pose);
+  command->add_option("--seed", options->seed, "Seed of the random places");
+  AddBackendOption(command, &options->backend);
+  AddEnumOption(command, "--projection", &options->panorama.projection, "Projection");
+  command->add_option("--size", options->size, "Width and height in pixels: WxH");
+  command->add_option("--out", options->out, "Folder for the pictures")->required();
+  command->callback([options] { Render(*options); });
+}
+
+}  // namespace bulletnav::bench

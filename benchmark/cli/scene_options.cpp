@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/cli/scene_options.h"
+
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+namespace bulletnav::bench {
+
+void SceneOptions::AddTo(CLI::App* command) {
+  command->add_option("file", file, "Mesh: .glb, .gltf, .obj, .ply or .dae")->required();
+  command->add_option("--up", up, "Axis of the file that points up: auto|y|z")
+      ->check(CLI::IsMember({"auto", "y", "z"}));
+  command->add_option("--scale", scale, "Metres per unit of the file, 0.001 for millimetres")
+      ->check(CLI::Range(1e-6, 1e6));
+  command->add_flag("--ground-plane", ground_plane,
+                    "Add a floor under the mesh, for scenes made without one");
+}
+
+sim::ImportOptions SceneOptions::import() const {
+  sim::ImportOptions options;
+  if (up == "y") options.up = sim::UpAxis::kY;
+  if (up == "z") options.up = sim::UpAxis::kZ;
+  options.scale = scale;
+  options.ground_plane = ground_plane;
+  return options;
+}
+
+void AddBackendOption(CLI::App* command, sim::Backend* backend) {
+  AddEnumOption(command, "--backend", backend,
+                "Renderer; auto is EGL on a graphics processor, else Embree");
+}
+
+}  // namespace bulletnav::bench

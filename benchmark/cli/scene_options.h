@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <CLI/App.hpp>
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "sim/world.h"
+
+namespace bulletnav::bench {
+
+/// The options of every command that loads a scene.
+struct SceneOptions {
+  std::filesystem::path file;
+  std::string up = "auto";
+  double scale = 1.0;
+  bool ground_plane = false;
+
+  /// Adds FILE and the options to a command.
+  void AddTo(CLI::App* command);
+  sim::ImportOptions import() const;
+};
+
+/// Adds --backend with the names of sim::Backend.
+void AddBackendOption(CLI::App* command, sim::Backend* backend);
+
+/// Adds an option whose value is one of an enum's YAML names.
+template <class E>
+CLI::Option* AddEnumOption(CLI::App* command, const std::string& name, E* value,
+                           const std::string& help) {
+  std::map<std::string, E> names;
+  for (const auto& [text, enumerator] : sim::EnumNames<E>::kNames) names[text] = enumerator;
+  std::string shown;
+  for (const auto& [text, enumerator] : sim::EnumNames<E>::kNames) {
+    shown += (shown.empty() ? "" : "|") + std::string(text);
+  }
+  return command->add_option_function<std::string>(
+      name,
+      [value, names, shown](const std::string& text) {
+        const auto found = names.find(text);
+        if (found == names.end()) throw CLI::ValidationError(text, "is not one of " + shown);
+        *value = found->second;
+      },
+      help + ": " + shown);
+}
+
+}  // namespace bulletnav::bench

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/core.h>
+
+#include <memory>
+
+#include "benchmark/cli/commands.h"
+#include "benchmark/cli/scene_options.h"
+#include "benchmark/report/scene_report.h"
+#include "benchmark/report/top_down.h"
+
+namespace bulletnav::bench {
+namespace {
+
+struct InspectOptions {
+  SceneOptions scene;
+  bool json = false;
+  std::filesystem::path topdown;
+};
+
+void Inspect(const InspectOptions& options) {
+  const sim::ImportedScene scene = sim::ImportScene(options.scene.file, options.scene.import());
+  const sim::Navmesh navmesh(scene.mesh, {});
+  const SceneReport report = InspectScene(scene.report, navmesh);
+  fmt::print("{}", options.json ? ToJson(report) : ToText(report));
+  if (!options.topdown.empty()) {
+    sim::WritePng(options.topdown, DrawTopDown(scene.mesh, navmesh, {}));
+  }
+  sim::RequireFloor(options.scene.file.string(), scene.report, navmesh);
+}
+
+void AddInspect(CLI::App* scenes) {
+  auto options = std::make_shared<InspectOptions>();
+  CLI::App* command =
+      scenes->add_subcommand("inspect", "Say what a scene holds and where one can walk in it");
+  options->scene.AddTo(command);
+  command->add_flag("--json", options->json, "Print JSON");
+  command->add_option("--topdown", options->topdown,
+                      "Draw the floor plan with the walkable area into this PNG");
+  command->callback([options] { Inspect(*options); });
+}
+
+}  // namespace
+
+void AddScenesCommand(CLI::App* program) {
+  CLI::App* scenes = program->add_subcommand("scenes", "Make and inspect scenes");
+  scenes->require_subcommand(1);
+  AddInspect(scenes);
+}
+
+}  // namespace bulletnav::bench

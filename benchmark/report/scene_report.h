@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <string>
+
+#include "sim/navmesh/navmesh.h"
+#include "sim/scene/import.h"
+
+namespace bulletnav::bench {
+
+/// What `scenes inspect` says of a scene.
+struct SceneReport {
+  sim::ImportReport import;
+  int islands = 0;
+  float walkable_m2 = 0.0f;
+  /// Length of the longest shortest path found on the largest island: farthest point of the farthest
+  /// point, a lower bound that is mostly exact.
+  double longest_geodesic_m = 0.0;
+};
+
+SceneReport InspectScene(const sim::ImportReport& import, const sim::Navmesh& navmesh);
+
+/// Keys: triangles, materials, textures_found, textures_missing (numbers), extent_m [3], up_axis
+/// ("y" or "z", of the file), islands, walkable_m2, longest_geodesic_m, skipped [texts],
+/// missing_textures [texts].
+std::string ToJson(const SceneReport& report);
+/// The same for people, a line each.
+std::string ToText(const SceneReport& report);
+
+}  // namespace bulletnav::bench

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "sim/base/files.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <csignal>
+#include <functional>
+
+#include "sim/base/error.h"
+#include "tests/support/temporary_folder.h"
+
+namespace bulletnav::sim {
+namespace {
+
+namespace fs = std::filesystem;
+using tests::TemporaryFolder;
+
+std::string ErrorOf(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const FileError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+std::size_t FilesIn(const fs::path& folder) {
+  return static_cast<std::size_t>(
+      std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+TEST(Files, WhatIsWrittenIsRead) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.path() / "deep" / "er" / "file.txt";
+  WriteFileAtomically(file, std::string_view("hello\0world", 11));
+  EXPECT_EQ(ReadTextFile(file), std::string("hello\0world", 11));
+  WriteFileAtomically(file, std::string_view("again"));
+  EXPECT_EQ(ReadTextFile(file), "again");
+  EXPECT_EQ(FilesIn(file.parent_path()), 1u);
+}
+
+TEST(Files, ReadingWhatCannotBeReadSaysWhy) {
+  const TemporaryFolder folder;
+  EXPECT_NE(ErrorOf([&] { ReadFile(folder.path() / "none"); }).find("No such file"),
+            std::string::npos);
+  EXPECT_NE(ErrorOf([&] { ReadFile(folder.path()); }).find("is a directory"), std::string::npos);
+  EXPECT_NE(ErrorOf([&] { ReadFile("/dev/zero"); }).find("regular file"), std::string::npos);
+}
+
+TEST(Files, AFailedWriteLeavesTheOldContentAndNoRubbish) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.Write("file.txt", "old");
+  const auto fails = [](const fs::path& temporary) {
+    WriteFileAtomically(temporary, std::string_view("half"));
+    throw FileError(temporary, "", "stopped half way");
+  };
+  EXPECT_THROW(WriteFileAtomically(file, fails), FileError);
+  EXPECT_EQ(ReadTextFile(file), "old");
+  EXPECT_EQ(FilesIn(folder.path()), 1u);
+}
+
+/// A limit on the size of files stands in for a disk that is full.
+TEST(Files, ADiskThatIsFullIsSaidAndNothingIsLeft) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.Write("file.txt", "old");
+  rlimit saved{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &saved), 0);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit small{1000, saved.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+  const std::string error =
+      ErrorOf([&] { WriteFileAtomically(file, std::string_view(std::string(5000, 'x'))); });
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &saved), 0);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_NE(error.find("cannot be written"), std::string::npos) << error;
+  EXPECT_EQ(ReadTextFile(file), "old");
+  EXPECT_EQ(FilesIn(folder.path()), 1u);
+}
+
+TEST(Files, PlacesThatCannotBeWrittenAreNamed) {
+  const TemporaryFolder folder;
+  folder.Write("file", "x");
+  EXPECT_NE(ErrorOf([&] { MakeFolder(folder.path() / "file" / "sub"); }).find("file/sub"),
+            std::string::npos);
+  EXPECT_NE(ErrorOf([&] { WriteFileAtomically(folder.path(), std::string_view("x")); })
+                .find("is a directory"),
+            std::string::npos);
+  EXPECT_NE(ErrorOf([&] { WriteFileAtomically("/proc/nothing/here", std::string_view("x")); })
+                .find("/proc/nothing"),
+            std::string::npos);
+}
+
+TEST(Files, ErrorsAreOneLine) {
+  const FileError error("a\nb", "3:4", "is\nbroken");
+  EXPECT_EQ(std::string(error.what()), "a b:3:4: is broken");
+}
+
+TEST(Files, HashesAreThePublishedOnes) {
+  EXPECT_EQ(Hash64(""), 0xcbf29ce484222325ULL);
+  EXPECT_EQ(Hash64("a"), 0xaf63dc4c8601ec8cULL);
+  EXPECT_EQ(Hash64("foobar"), 0x85944171f73967e8ULL);
+}
+
+}  // namespace
+}  // namespace bulletnav::sim
