@@ -41,7 +41,6 @@ class Converter {
   SceneMesh Convert() {
     for (unsigned i = 0; i < scene_.mNumMaterials; ++i) AddMaterial(*scene_.mMaterials[i]);
     if (mesh_.materials.empty()) mesh_.materials.push_back({"default", kWhite, -1});
-    report_.materials = mesh_.materials.size();
     report_.textures_found = mesh_.textures.size();
     AddNode(*scene_.mRootNode, aiMatrix4x4(), 0);
     if (other_primitives_ > 0) {

@@ -1,19 +1,24 @@
 // SPDX-License-Identifier: MIT
 #include "sim/scene/import.h"
 
-#include <algorithm>
-#include <array>
-#include <cctype>
+#include <set>
+#include <string>
 
+#include "sim/base/check.h"
 #include "sim/base/error.h"
-#include "sim/base/files.h"
+#include "sim/base/isolated.h"
 #include "sim/scene/assimp_scene.h"
 #include "sim/scene/clean.h"
+#include "sim/scene/mesh_blob.h"
 #include "sim/scene/mesh_file_check.h"
 #include "sim/scene/up_axis.h"
 
 namespace bulletnav::sim {
 namespace {
+
+constexpr int kImportSeconds = 10;
+constexpr int kImportSecondsAMegabyte = 2;
+constexpr std::uint64_t kImportMemory = std::uint64_t{16} << 30;
 
 /// A level square under everything, 1 m wider than the mesh on each side.
 void AddGroundPlane(SceneMesh* mesh) {
@@ -35,10 +40,9 @@ void AddGroundPlane(SceneMesh* mesh) {
   mesh->triangle_materials.insert(mesh->triangle_materials.end(), 2, material);
 }
 
-}  // namespace
-
-ImportedScene ImportScene(const std::filesystem::path& file, const ImportOptions& options) {
-  const UpAxis usual = CheckMeshFile(file);
+/// Everything that believes in the file.
+ImportedScene ReadScene(const std::filesystem::path& file, const ImportOptions& options,
+                        UpAxis usual) {
   ImportedScene scene;
   ImportReport& report = scene.report;
   scene.mesh = ReadWithAssimp(file, &report);
@@ -52,8 +56,34 @@ ImportedScene ImportScene(const std::filesystem::path& file, const ImportOptions
   if (options.ground_plane) AddGroundPlane(&mesh);
   mesh.Validate();
   report.triangles = mesh.triangles.size();
+  report.materials =
+      std::set(mesh.triangle_materials.begin(), mesh.triangle_materials.end()).size();
   report.extent_m = mesh.Bounds().sizes();
   return scene;
+}
+
+}  // namespace
+
+ImportedScene ImportScene(const std::filesystem::path& file, const ImportOptions& options) {
+  const UpAxis usual = CheckMeshFile(file);
+  // assimp crashes and hangs on some damaged files, and a library must not take its user with it.
+  const auto megabytes = static_cast<int>(std::filesystem::file_size(file) >> 20);
+  const IsolatedResult result =
+      RunIsolated([&] { return ToBlob(ReadScene(file, options, usual)); },
+                  kImportSeconds + kImportSecondsAMegabyte * megabytes, kImportMemory);
+  switch (result.end) {
+    case IsolatedResult::End::kDone:
+      return FromBlob(result.bytes);
+    case IsolatedResult::End::kThrew:
+      throw Error(std::string(result.bytes.begin(), result.bytes.end()));
+    case IsolatedResult::End::kCrashed:
+      throw FileError(file, "", "is damaged: reading it fails; export or download it again");
+    case IsolatedResult::End::kTimedOut:
+      throw FileError(file, "", "is damaged: reading it does not end; export it again");
+    case IsolatedResult::End::kTooLarge:
+      throw FileError(file, "", "asks for more memory than there is; is it damaged?");
+  }
+  CHECK(false);
 }
 
 }  // namespace bulletnav::sim

@@ -23,7 +23,7 @@ struct ImportOptions {
 /// What an import found and what it had to leave out.
 struct ImportReport {
   std::size_t triangles = 0;
-  std::size_t materials = 0;
+  std::size_t materials = 0;  // that triangles use
   std::size_t textures_found = 0;
   std::vector<std::string> textures_missing;  // "name: reason"
   Eigen::Vector3f extent_m = Eigen::Vector3f::Zero();

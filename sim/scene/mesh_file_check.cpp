@@ -9,6 +9,7 @@
 #include "sim/base/error.h"
 #include "sim/base/files.h"
 #include "sim/scene/gltf_check.h"
+#include "sim/scene/ply_check.h"
 
 namespace bulletnav::sim {
 namespace {
@@ -36,6 +37,7 @@ UpAxis CheckMeshFile(const std::filesystem::path& file) {
   }
   if (bytes.empty()) throw FileError(file, "", "is empty");
   if (IsGltfFile(file)) CheckGltf(file, bytes);
+  if (extension == ".ply") CheckPly(file, bytes);
   // OBJ and PLY do not say; scans in PLY are mostly z-up. assimp turns COLLADA by its own element.
   return extension == ".ply" ? UpAxis::kZ : UpAxis::kY;
 }

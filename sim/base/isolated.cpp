@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "sim/base/isolated.h"
+
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <exception>
+#include <new>
+#include <string_view>
+
+#include "sim/base/error.h"
+
+namespace bulletnav::sim {
+namespace {
+
+enum ExitCode { kExitDone = 0, kExitThrew = 1, kExitTooLarge = 2 };
+
+/// Memory that parent and child see, growing as a file does.
+class SharedFile {
+ public:
+  SharedFile() : fd_(::memfd_create("bulletnav", MFD_CLOEXEC)) {
+    if (fd_ < 0) throw Error(std::string("no shared memory: ") + std::strerror(errno));
+  }
+  ~SharedFile() { ::close(fd_); }
+  SharedFile(const SharedFile&) = delete;
+  SharedFile& operator=(const SharedFile&) = delete;
+  SharedFile(SharedFile&&) = delete;
+  SharedFile& operator=(SharedFile&&) = delete;
+
+  bool Write(const void* data, std::size_t size) const {
+    const auto* at = static_cast<const char*>(data);
+    while (size > 0) {
+      const ssize_t n = ::write(fd_, at, size);
+      if (n < 0 && errno == EINTR) continue;
+      if (n <= 0) return false;
+      at += n;
+      size -= static_cast<std::size_t>(n);
+    }
+    return true;
+  }
+
+  std::vector<std::uint8_t> Read() const {
+    struct stat status = {};
+    ::fstat(fd_, &status);
+    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(status.st_size));
+    std::size_t done = 0;
+    while (done < bytes.size()) {
+      const ssize_t n = ::pread(fd_, bytes.data() + done, bytes.size() - done,
+                                static_cast<off_t>(done));
+      if (n < 0 && errno == EINTR) continue;
+      if (n <= 0) break;
+      done += static_cast<std::size_t>(n);
+    }
+    return bytes;
+  }
+
+ private:
+  int fd_;
+};
+
+void Limit(int resource, rlim_t value) {
+  rlimit limit{};
+  ::getrlimit(static_cast<__rlimit_resource_t>(resource), &limit);
+  limit.rlim_cur = std::min(value, limit.rlim_max);
+  ::setrlimit(static_cast<__rlimit_resource_t>(resource), &limit);
+}
+
+/// What the address space already holds; limits count it.
+std::uint64_t AddressSpace() {
+  unsigned long pages = 0;  // NOLINT(google-runtime-int): scanf's type
+  if (FILE* statm = std::fopen("/proc/self/statm", "r")) {
+    if (std::fscanf(statm, "%lu", &pages) != 1) pages = 0;
+    std::fclose(statm);
+  }
+  return pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+}
+
+[[noreturn]] void RunChild(const SharedFile& file,
+                           const std::function<std::vector<std::uint8_t>()>& work) {
+  // A crash is an answer here, not an event: no core file, no report of a debugger or sanitizer.
+  Limit(RLIMIT_CORE, 0);
+  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) std::signal(signal, SIG_DFL);
+  ExitCode code = kExitDone;
+  try {
+    const std::vector<std::uint8_t> bytes = work();
+    if (!file.Write(bytes.data(), bytes.size())) code = kExitTooLarge;
+  } catch (const std::bad_alloc&) {
+    code = kExitTooLarge;
+  } catch (const std::exception& e) {
+    const std::string_view text = e.what();
+    file.Write(text.data(), text.size());
+    code = kExitThrew;
+  }
+  ::_exit(code);
+}
+
+IsolatedResult::End EndOf(int status) {
+  using End = IsolatedResult::End;
+  if (WIFSIGNALED(status)) {
+    const int signal = WTERMSIG(status);
+    return signal == SIGXCPU || signal == SIGKILL ? End::kTimedOut : End::kCrashed;
+  }
+  switch (WEXITSTATUS(status)) {
+    case kExitDone:
+      return End::kDone;
+    case kExitThrew:
+      return End::kThrew;
+    case kExitTooLarge:
+      return End::kTooLarge;
+    default:
+      return End::kCrashed;
+  }
+}
+
+}  // namespace
+
+IsolatedResult RunIsolated(const std::function<std::vector<std::uint8_t>()>& work, int cpu_seconds,
+                           std::uint64_t memory_bytes) {
+  const SharedFile file;
+  const std::uint64_t held = AddressSpace();
+  const pid_t child = ::fork();
+  if (child < 0) throw Error(std::string("no process can be made: ") + std::strerror(errno));
+  if (child == 0) {
+    Limit(RLIMIT_CPU, static_cast<rlim_t>(cpu_seconds));
+#ifndef __SANITIZE_ADDRESS__  // its shadow memory is larger than any limit
+    Limit(RLIMIT_AS, held + memory_bytes);
+#else
+    (void)held;
+    (void)memory_bytes;
+#endif
+    RunChild(file, work);
+  }
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return {EndOf(status), file.Read()};
+}
+
+}  // namespace bulletnav::sim

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include "sim/scene/ply_check.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <string_view>
+
+#include "sim/base/error.h"
+
+namespace bulletnav::sim {
+namespace {
+
+constexpr std::uint64_t kMostElements = 1'000'000'000;
+constexpr std::size_t kLongestHeader = 1 << 20;
+
+std::optional<std::uint64_t> SizeOfType(const std::string& type) {
+  static const std::map<std::string, std::uint64_t, std::less<>> kSizes = {
+      {"char", 1},  {"uchar", 1},  {"int8", 1},  {"uint8", 1},   {"short", 2},   {"ushort", 2},
+      {"int16", 2}, {"uint16", 2}, {"int", 4},   {"uint", 4},    {"int32", 4},   {"uint32", 4},
+      {"float", 4}, {"float32", 4}, {"double", 8}, {"float64", 8}};
+  const auto found = kSizes.find(type);
+  return found == kSizes.end() ? std::nullopt : std::optional(found->second);
+}
+
+class PlyChecker {
+ public:
+  PlyChecker(const std::filesystem::path& file, std::span<const std::uint8_t> bytes)
+      : file_(file),
+        text_(reinterpret_cast<const char*>(bytes.data()), std::min(bytes.size(), kLongestHeader)),
+        size_(bytes.size()) {}
+
+  void Check() {
+    if (Line() != "ply") Fail("does not start with 'ply'");
+    for (std::string line = Line(); line != "end_header"; line = Line()) {
+      std::istringstream words(line);
+      std::string keyword;
+      words >> keyword;
+      if (keyword == "format") ReadFormat(&words);
+      if (keyword == "element") ReadElement(&words);
+      if (keyword == "property") ReadProperty(&words);
+    }
+    FinishElement();
+    if (least_bytes_ > size_ - at_) {
+      Fail("announces more data than the file holds; it is cut off or damaged");
+    }
+  }
+
+ private:
+  [[noreturn]] void Fail(const std::string& what) const {
+    throw FileError(file_, std::to_string(line_), what);
+  }
+
+  std::string Line() {
+    const std::size_t end = text_.find('\n', at_);
+    ++line_;
+    if (end == std::string_view::npos) Fail("the header does not end");
+    std::string line(text_.substr(at_, end - at_));
+    if (line.ends_with('\r')) line.pop_back();
+    at_ = end + 1;
+    return line;
+  }
+
+  void ReadFormat(std::istringstream* words) {
+    std::string format;
+    *words >> format;
+    is_ascii_ = format == "ascii";
+    if (!is_ascii_ && format != "binary_little_endian" && format != "binary_big_endian") {
+      Fail("'" + format + "' is not a format of ply");
+    }
+  }
+
+  void ReadElement(std::istringstream* words) {
+    FinishElement();
+    std::string name;
+    if (!(*words >> name >> count_) || count_ > kMostElements) Fail("has no sane element count");
+  }
+
+  void ReadProperty(std::istringstream* words) {
+    std::string type;
+    *words >> type;
+    if (type == "list") *words >> type;  // at least the list's length
+    const auto size = SizeOfType(type);
+    if (!size) Fail("'" + type + "' is not a type of ply");
+    // In text, a digit and a space; the last line may lack its end.
+    bytes_an_item_ += is_ascii_ ? 2 : *size;
+  }
+
+  void FinishElement() {
+    const std::uint64_t total = count_ * bytes_an_item_;
+    least_bytes_ += is_ascii_ && total > 0 ? total - 1 : total;
+    count_ = 0;
+    bytes_an_item_ = 0;
+  }
+
+  const std::filesystem::path& file_;
+  std::string_view text_;
+  std::size_t size_;
+  std::size_t at_ = 0;
+  int line_ = 0;
+  bool is_ascii_ = false;
+  std::uint64_t count_ = 0;
+  std::uint64_t bytes_an_item_ = 0;
+  std::uint64_t least_bytes_ = 0;
+};
+
+}  // namespace
+
+void CheckPly(const std::filesystem::path& file, std::span<const std::uint8_t> bytes) {
+  PlyChecker(file, bytes).Check();
+}
+
+}  // namespace bulletnav::sim
