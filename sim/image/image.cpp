@@ -41,6 +41,26 @@ std::vector<Taps> BoxFilter(int from, int to) {
   return all;
 }
 
+/// Mean of each 2 x 2 pixels; the common case, many times faster than the general filter.
+Image Halve(const Image& image) {
+  Image half(image.width / 2, image.height / 2, image.channels);
+  const auto channels = static_cast<std::size_t>(image.channels);
+  for (int y = 0; y < half.height; ++y) {
+    const std::uint8_t* above = image.at(0, 2 * y);
+    const std::uint8_t* below = image.at(0, 2 * y + 1);
+    std::uint8_t* out = half.at(0, y);
+    for (int x = 0; x < half.width; ++x) {
+      for (std::size_t c = 0; c < channels; ++c) {
+        const int sum = above[c] + above[channels + c] + below[c] + below[channels + c];
+        *out++ = static_cast<std::uint8_t>((sum + 2) / 4);
+      }
+      above += 2 * channels;
+      below += 2 * channels;
+    }
+  }
+  return half;
+}
+
 }  // namespace
 
 Image DecodeImage(std::span<const std::uint8_t> bytes) {
@@ -56,6 +76,10 @@ void WritePng(const std::filesystem::path& file, const Image& image) {
 Image Resize(const Image& image, int width, int height) {
   CHECK(width > 0 && height > 0 && image.width > 0 && image.height > 0);
   if (image.width == width && image.height == height) return image;
+  if (image.width % 2 == 0 && image.height % 2 == 0 && image.width >= 2 * width &&
+      image.height >= 2 * height) {
+    return Resize(Halve(image), width, height);
+  }
   const std::vector<Taps> columns = BoxFilter(image.width, width);
   const std::vector<Taps> rows = BoxFilter(image.height, height);
   const auto channels = static_cast<std::size_t>(image.channels);

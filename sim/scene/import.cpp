@@ -11,6 +11,7 @@
 #include "sim/scene/clean.h"
 #include "sim/scene/mesh_blob.h"
 #include "sim/scene/mesh_file_check.h"
+#include "sim/scene/texture_limit.h"
 #include "sim/scene/up_axis.h"
 
 namespace bulletnav::sim {
@@ -54,6 +55,7 @@ ImportedScene ReadScene(const std::filesystem::path& file, const ImportOptions& 
   if (report.up_axis == UpAxis::kZ) TurnZUpToYUp(&mesh);
   CleanMesh(file, &mesh, &report);
   if (options.ground_plane) AddGroundPlane(&mesh);
+  LimitTextures(&mesh);
   mesh.Validate();
   report.triangles = mesh.triangles.size();
   report.materials =
