@@ -8,6 +8,10 @@ namespace bulletnav::bench {
 
 void SceneOptions::AddTo(CLI::App* command) {
   command->add_option("file", file, "Mesh: .glb, .gltf, .obj, .ply or .dae")->required();
+  AddImportOptions(command);
+}
+
+void SceneOptions::AddImportOptions(CLI::App* command) {
   command->add_option("--up", up, "Axis of the file that points up: auto|y|z")
       ->check(CLI::IsMember({"auto", "y", "z"}));
   command->add_option("--scale", scale, "Metres per unit of the file, 0.001 for millimetres")

@@ -18,6 +18,8 @@ struct SceneOptions {
 
   /// Adds FILE and the options to a command.
   void AddTo(CLI::App* command);
+  /// Adds the options alone.
+  void AddImportOptions(CLI::App* command);
   sim::ImportOptions import() const;
 };
 

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/perf/figure.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <chrono>
+#include <nlohmann/json.hpp>
+
+namespace bulletnav::bench {
+namespace {
+
+constexpr int kRuns = 7;
+
+}  // namespace
+
+double Median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t n = values.size();
+  return n % 2 == 1 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
+}
+
+double MedianRate(const std::function<void()>& work, int units, double seconds) {
+  using Clock = std::chrono::steady_clock;
+  work();  // warm caches
+  std::vector<double> rates;
+  for (int run = 0; run < kRuns; ++run) {
+    const Clock::time_point start = Clock::now();
+    double elapsed = 0.0;
+    int done = 0;
+    while (elapsed < seconds) {
+      work();
+      done += units;
+      elapsed = std::chrono::duration<double>(Clock::now() - start).count();
+    }
+    rates.push_back(done / elapsed);
+  }
+  return Median(rates);
+}
+
+std::string ToJson(const std::vector<Figure>& figures) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const Figure& f : figures) {
+    list.push_back({{"name", f.name},
+                    {"value", f.value},
+                    {"unit", f.unit},
+                    {"scene", f.scene},
+                    {"backend", f.backend},
+                    {"workers", f.workers}});
+  }
+  return list.dump(1) + "\n";
+}
+
+std::string ToText(const std::vector<Figure>& figures) {
+  std::string text = fmt::format("{:<34} {:>10} {:<14} {:<8} {:>7}  {}\n", "figure", "value", "unit",
+                                 "backend", "workers", "scene");
+  for (const Figure& f : figures) {
+    text += fmt::format("{:<34} {:>10.4g} {:<14} {:<8} {:>7}  {}\n", f.name, f.value, f.unit,
+                        f.backend, f.workers, f.scene);
+  }
+  return text;
+}
+
+}  // namespace bulletnav::bench

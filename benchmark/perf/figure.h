@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace bulletnav::bench {
+
+/// One measured figure.
+struct Figure {
+  std::string name;
+  double value = 0.0;
+  std::string unit;
+  std::string scene;
+  std::string backend;
+  int workers = 1;
+};
+
+/// How often per second `work` can be done: the median of several runs of at least `seconds` each.
+/// `work` does `units` at a time.
+double MedianRate(const std::function<void()>& work, int units, double seconds = 0.25);
+
+/// Middle value; the mean of the middle two if their number is even.
+double Median(std::vector<double> values);
+
+/// A list of {name, value, unit, scene, backend, workers}.
+std::string ToJson(const std::vector<Figure>& figures);
+/// A table for people.
+std::string ToText(const std::vector<Figure>& figures);
+
+}  // namespace bulletnav::bench
