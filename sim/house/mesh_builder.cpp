@@ -15,19 +15,20 @@ using Vec2 = MeshBuilder::Vec2;
 
 constexpr float kFullTurn = static_cast<float>(2.0 * kPi);
 
-Vec RingPoint(const Vec& centre, float radius, float height, int side, int sides) {
-  const float angle = kFullTurn * static_cast<float>(side) / static_cast<float>(sides);
-  return centre + Vec(radius * std::cos(angle), height, -radius * std::sin(angle));
-}
-
 /// Closed: the first point stands again at the end.
-std::vector<Vec> Ring(const Vec& centre, float radius, float height, int sides) {
+std::vector<Vec> Ring(const MeshBuilder::Oval& oval, int sides) {
   std::vector<Vec> ring;
-  for (int i = 0; i <= sides; ++i) ring.push_back(RingPoint(centre, radius, height, i, sides));
+  for (int i = 0; i <= sides; ++i) {
+    const float angle = kFullTurn * static_cast<float>(i) / static_cast<float>(sides);
+    ring.push_back(oval.centre +
+                   Vec(oval.radii.x() * std::cos(angle), 0.0f, -oval.radii.y() * std::sin(angle)));
+  }
   return ring;
 }
 
-float Cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+float Cross(const Vec2& a, const Vec2& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
 
 float SignedArea(std::span<const Vec2> polygon) {
   float twice = 0.0f;
@@ -77,7 +78,9 @@ MeshBuilder::Frame::Frame(MeshBuilder* builder, const Eigen::Affine3f& X_parent_
 MeshBuilder::Frame::Frame(MeshBuilder* builder, const Vec& at, float yaw)
     : Frame(builder, Eigen::Translation3f(at) * Eigen::AngleAxisf(yaw, Vec::UnitY())) {}
 
-MeshBuilder::Frame::~Frame() { builder_->X_WL_ = saved_; }
+MeshBuilder::Frame::~Frame() {
+  builder_->X_WL_ = saved_;
+}
 
 std::uint32_t MeshBuilder::MaterialOf(const Surface& surface) {
   const auto next = static_cast<std::uint32_t>(mesh_.materials.size());
@@ -134,16 +137,22 @@ void MeshBuilder::Quad(const Surface& surface, const Vec& a, const Vec& b, const
 }
 
 void MeshBuilder::Picture(const Surface& surface, const Vec& a, const Vec& b, const Vec& c,
-                          const Vec& d) {
+                          const Vec& d, const Eigen::AlignedBox2f& part) {
   const float size = FindMaterial(surface.material).metres;
+  const Vec2 low = part.min() * size;
+  const Vec2 high = part.max() * size;
+  // The picture's rows run down.
   Face(surface, std::array{a, b, c, d},
-       std::array{Vec2(0, size), Vec2(size, size), Vec2(size, 0), Vec2(0, 0)});
+       std::array{Vec2(low.x(), size - low.y()), Vec2(high.x(), size - low.y()),
+                  Vec2(high.x(), size - high.y()), Vec2(low.x(), size - high.y())});
 }
 
 void MeshBuilder::Triangle(const Surface& surface, const Vec& a, const Vec& b, const Vec& c) {
   const Vec right = (b - a).normalized();
   const Vec up = (b - a).cross(c - a).normalized().cross(right);
-  const auto flat = [&](const Vec& p) { return Vec2((p - a).dot(right), -(p - a).dot(up)); };
+  const auto flat = [&](const Vec& p) {
+    return Vec2((p - a).dot(right), -(p - a).dot(up));
+  };
   Face(surface, std::array{a, b, c}, std::array{flat(a), flat(b), flat(c)});
 }
 
@@ -151,6 +160,11 @@ void MeshBuilder::Box(const Surface& surface, const Vec& low, const Vec& high) {
   const auto at = [&](int x, int y, int z) {
     return Vec(x ? high.x() : low.x(), y ? high.y() : low.y(), z ? high.z() : low.z());
   };
+  Hexahedron(surface, at);
+}
+
+template <class Corner>
+void MeshBuilder::Hexahedron(const Surface& surface, const Corner& at) {
   Quad(surface, at(0, 0, 1), at(1, 0, 1), at(1, 1, 1), at(0, 1, 1));  // front
   Quad(surface, at(1, 0, 0), at(0, 0, 0), at(0, 1, 0), at(1, 1, 0));  // back
   Quad(surface, at(1, 0, 1), at(1, 0, 0), at(1, 1, 0), at(1, 1, 1));  // right
@@ -167,7 +181,8 @@ void MeshBuilder::Block(const Surface& surface, const Vec& centre_bottom, const 
 void MeshBuilder::RoundedBox(const Surface& surface, const Vec& low, const Vec& high,
                              float radius) {
   const Vec size = high - low;
-  const float r = std::min({radius, 0.5f * size.x(), 0.5f * size.z(), size.y()});
+  // The cut corners of the smallest outline must not meet.
+  const float r = std::min({radius, size.x() / 2.7f, size.z() / 2.7f, size.y()});
   // Outlines with cut corners, drawing in towards the top.
   const auto outline = [&](float inset, float y) {
     const float x0 = low.x() + inset;
@@ -181,8 +196,7 @@ void MeshBuilder::RoundedBox(const Surface& surface, const Vec& low, const Vec& 
     ring.push_back(ring.front());
     return ring;
   };
-  const std::vector<std::vector<Vec>> rings = {outline(0.0f, low.y()),
-                                               outline(0.0f, high.y() - r),
+  const std::vector<std::vector<Vec>> rings = {outline(0.0f, low.y()), outline(0.0f, high.y() - r),
                                                outline(0.3f * r, high.y() - 0.3f * r),
                                                outline(r, high.y())};
   Tube(surface, rings);
@@ -190,6 +204,16 @@ void MeshBuilder::RoundedBox(const Surface& surface, const Vec& low, const Vec& 
   std::vector<Vec2> metres;
   for (const Vec& p : top) metres.emplace_back(p.x(), p.z());
   Face(surface, top, metres);
+}
+
+void MeshBuilder::TaperedBox(const Surface& surface, const Vec& low, const Vec2& low_size,
+                             const Vec& high, const Vec2& high_size) {
+  const auto at = [&](int x, int y, int z) {
+    const Vec2& size = y ? high_size : low_size;
+    return Vec((y ? high : low) + 0.5f * Vec(x ? size.x() : -size.x(), 0.0f,  //
+                                             z ? size.y() : -size.y()));
+  };
+  Hexahedron(surface, at);
 }
 
 void MeshBuilder::Tube(const Surface& surface, const std::vector<std::vector<Vec>>& rings) {
@@ -225,8 +249,7 @@ void MeshBuilder::Cone(const Surface& surface, const Vec& bottom, float bottom_r
         sides);
 }
 
-void MeshBuilder::Bar(const Surface& surface, const Vec& a, const Vec& b, float radius,
-                      int sides) {
+void MeshBuilder::Bar(const Surface& surface, const Vec& a, const Vec& b, float radius, int sides) {
   const Vec axis = b - a;
   if (axis.norm() < 1e-6f) return;
   const Eigen::Quaternionf turn = Eigen::Quaternionf::FromTwoVectors(Vec::UnitY(), axis);
@@ -236,10 +259,40 @@ void MeshBuilder::Bar(const Surface& surface, const Vec& a, const Vec& b, float 
 
 void MeshBuilder::Lathe(const Surface& surface, const Vec& at, std::span<const Vec2> profile,
                         int sides) {
+  std::vector<Oval> ovals;
+  for (const Vec2& p : profile) {
+    ovals.push_back({at + Vec(0, p.y(), 0), Vec2(p.x(), p.x())});
+  }
+  Loft(surface, ovals, sides);
+}
+
+void MeshBuilder::Loft(const Surface& surface, std::span<const Oval> ovals, int sides) {
   std::vector<std::vector<Vec>> rings;
-  for (const Vec2& p : profile) rings.push_back(Ring(at, p.x(), p.y(), sides));
+  for (const Oval& oval : ovals) rings.push_back(Ring(oval, sides));
   // Vertices are not shared across the profile's corners, so that light can differ there.
-  for (std::size_t i = 1; i < rings.size(); ++i) Tube(surface, {rings[i - 1], rings[i]});
+  for (std::size_t i = 1; i < rings.size(); ++i) {
+    if (std::abs(ovals[i].centre.y() - ovals[i - 1].centre.y()) < 1e-6f) {
+      LevelBand(surface, rings[i - 1], rings[i]);
+    } else {
+      Tube(surface, {rings[i - 1], rings[i]});
+    }
+  }
+}
+
+void MeshBuilder::LevelBand(const Surface& surface, const std::vector<Vec>& outer,
+                            const std::vector<Vec>& inner) {
+  const std::uint32_t material = MaterialOf(surface);
+  const float scale = 1.0f / FindMaterial(surface.material).metres;
+  const auto add = [&](const Vec& p) {
+    return AddVertex(p, Vec2(p.x(), p.z()) * scale);
+  };
+  for (std::size_t i = 1; i < outer.size(); ++i) {
+    const std::uint32_t a = add(outer[i - 1]);
+    const std::uint32_t b = add(outer[i]);
+    const std::uint32_t c = add(inner[i]);
+    AddTriangle(material, a, b, c);
+    AddTriangle(material, a, c, add(inner[i - 1]));
+  }
 }
 
 void MeshBuilder::Ball(const Surface& surface, const Vec& centre, const Vec& radii, int sides) {
@@ -247,9 +300,8 @@ void MeshBuilder::Ball(const Surface& surface, const Vec& centre, const Vec& rad
   std::vector<std::vector<Vec>> rings;
   for (int i = 0; i <= bands; ++i) {
     const float angle = 0.5f * kFullTurn * static_cast<float>(i) / static_cast<float>(bands);
-    std::vector<Vec> ring = Ring(Vec::Zero(), std::sin(angle), -std::cos(angle), sides);
-    for (Vec& p : ring) p = centre + p.cwiseProduct(radii);
-    rings.push_back(std::move(ring));
+    const Vec2 level = Vec2(radii.x(), radii.z()) * std::sin(angle);
+    rings.push_back(Ring({centre - Vec(0, radii.y() * std::cos(angle), 0), level}, sides));
   }
   Tube(surface, rings);
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "sim/house/mesh_builder.h"
 
-#include <gtest/gtest.h>
-
 #include <array>
 #include <functional>
+
+#include <gtest/gtest.h>
 
 #include "sim/math/pose.h"
 
@@ -55,20 +55,58 @@ const std::array kLShape = {Vec2(0, 0), Vec2(2, 0), Vec2(2, 1), Vec2(1, 1), Vec2
 
 INSTANTIATE_TEST_SUITE_P(
     All, SolidTest,
-    testing::Values(
-        Solid{"box", [](MeshBuilder* b) { b->Box(kPlain, {1, 2, 3}, {2, 4, 6}); }, 6.0, 1e-4},
-        Solid{"block", [](MeshBuilder* b) { b->Block(kPlain, {5, 0, 1}, {1, 2, 3}); }, 6.0, 1e-4},
-        Solid{"cylinder",
-              [](MeshBuilder* b) { b->Cylinder(kPlain, {4, 0, 0}, 0.5f, 2.0f, 48); }, kPi / 2,
-              0.01},
-        Solid{"cone", [](MeshBuilder* b) { b->Cone(kPlain, {0, 1, 0}, 1.0f, 0.0f, 3.0f, 48); }, kPi,
-              0.01},
-        Solid{"bar", [](MeshBuilder* b) { b->Bar(kPlain, {0, 0, 0}, {1, 1, 0}, 0.1f, 48); },
-              kPi * 0.01 * std::sqrt(2.0), 0.01},
-        Solid{"ball", [](MeshBuilder* b) { b->Ball(kPlain, {1, 1, 1}, {1, 0.5f, 2}, 64); },
-              4.0 / 3.0 * kPi, 0.02},
-        Solid{"prism", [](MeshBuilder* b) { b->Prism(kPlain, kLShape, 1.0f, 3.0f); }, 6.0, 1e-4}),
-    [](const auto& solid) { return solid.param.name; });
+    testing::Values(Solid{"box",
+                          [](MeshBuilder* b) {
+                            b->Box(kPlain, {1, 2, 3}, {2, 4, 6});
+                          },
+                          6.0, 1e-4},
+                    Solid{"block",
+                          [](MeshBuilder* b) {
+                            b->Block(kPlain, {5, 0, 1}, {1, 2, 3});
+                          },
+                          6.0, 1e-4},
+                    Solid{"cylinder",
+                          [](MeshBuilder* b) {
+                            b->Cylinder(kPlain, {4, 0, 0}, 0.5f, 2.0f, 48);
+                          },
+                          kPi / 2, 0.01},
+                    Solid{"cone",
+                          [](MeshBuilder* b) {
+                            b->Cone(kPlain, {0, 1, 0}, 1.0f, 0.0f, 3.0f, 48);
+                          },
+                          kPi, 0.01},
+                    Solid{"bar",
+                          [](MeshBuilder* b) {
+                            b->Bar(kPlain, {0, 0, 0}, {1, 1, 0}, 0.1f, 48);
+                          },
+                          kPi * 0.01 * std::sqrt(2.0), 0.01},
+                    Solid{"ball",
+                          [](MeshBuilder* b) {
+                            b->Ball(kPlain, {1, 1, 1}, {1, 0.5f, 2}, 64);
+                          },
+                          4.0 / 3.0 * kPi, 0.02},
+                    Solid{"tapered_box",
+                          [](MeshBuilder* b) {
+                            b->TaperedBox(kPlain, {0, 0, 0}, {2, 2}, {1, 3, 2}, {1, 1});
+                          },
+                          7.0, 1e-4},
+                    Solid{"loft",
+                          [](MeshBuilder* b) {
+                            b->Loft(kPlain,
+                                    std::array{MeshBuilder::Oval{{0, 0, 0}, {0, 0}},
+                                               MeshBuilder::Oval{{0, 0, 0}, {2, 1}},
+                                               MeshBuilder::Oval{{1, 3, 0}, {0, 0}}},
+                                    48);
+                          },
+                          2.0 * kPi, 0.01},
+                    Solid{"prism",
+                          [](MeshBuilder* b) {
+                            b->Prism(kPlain, kLShape, 1.0f, 3.0f);
+                          },
+                          6.0, 1e-4}),
+    [](const auto& solid) {
+      return solid.param.name;
+    });
 
 TEST(MeshBuilder, RoundedBoxStaysInsideItsBox) {
   MeshBuilder builder;
@@ -107,6 +145,20 @@ TEST(MeshBuilder, TexturesKeepTheirScale) {
   EXPECT_NEAR((mesh.uvs[3] - mesh.uvs[0]).norm() * metres, 2.0f, 1e-4f);
   EXPECT_GT(mesh.uvs[1].x(), mesh.uvs[0].x());  // reads left to right from the front
   EXPECT_LT(mesh.uvs[3].y(), mesh.uvs[0].y());  // and upright
+}
+
+TEST(MeshBuilder, PictureShowsThePartAskedFor) {
+  MeshBuilder builder;
+  const std::array corners = {Vec(0, 0, 0), Vec(3, 0, 0), Vec(3, 1, 0), Vec(0, 1, 0)};
+  builder.Picture({"book_spines"}, corners[0], corners[1], corners[2], corners[3]);
+  builder.Picture({"book_spines"}, corners[0], corners[1], corners[2], corners[3],
+                  {Vec2(0.5f, 0.25f), Vec2(2.5f, 0.75f)});
+  TextureCache cache;
+  const SceneMesh mesh = builder.Finish(&cache);
+  EXPECT_TRUE(mesh.uvs[0].isApprox(Vec2(0, 1)));  // the lower left corner; v runs down
+  EXPECT_TRUE(mesh.uvs[2].isApprox(Vec2(1, 0)));
+  EXPECT_TRUE(mesh.uvs[4].isApprox(Vec2(0.5f, 0.75f)));
+  EXPECT_TRUE(mesh.uvs[6].isApprox(Vec2(2.5f, 0.25f)));
 }
 
 TEST(MeshBuilder, AppendKeepsMaterialsAndGlow) {
