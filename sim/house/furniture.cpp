@@ -89,8 +89,8 @@ Piece BuildPiece(const FurnitureKind& kind, const Rng& rng, const Palette& palet
 }
 
 std::span<const FurnitureKind> AllFurniture() {
-  static const std::vector<FurnitureKind> kAll = Collect();
-  return kAll;
+  static const std::vector<FurnitureKind> all = Collect();
+  return all;
 }
 
 const FurnitureKind& FindFurniture(std::string_view name) {

@@ -141,17 +141,21 @@ constexpr std::array kRecipes = {
 
 }  // namespace
 
-std::span<const MaterialRecipe> AllMaterials() { return kRecipes; }
+std::span<const MaterialRecipe> AllMaterials() {
+  return kRecipes;
+}
 
 const MaterialRecipe& FindMaterial(std::string_view name) {
   const auto all = AllMaterials();
-  const auto found = std::lower_bound(all.begin(), all.end(), name,
-                                      [](const MaterialRecipe& r, auto n) { return r.name < n; });
+  const auto found =
+      std::lower_bound(all.begin(), all.end(), name, [](const MaterialRecipe& r, auto n) {
+        return r.name < n;
+      });
   if (found != all.end() && found->name == name) return *found;
   std::vector<std::string> names;
   for (const MaterialRecipe& r : all) names.emplace_back(r.name);
-  throw Error("no material '" + std::string(name) + "'; did you mean '" +
-              NearestWord(name, names) + "'?");
+  throw Error("no material '" + std::string(name) + "'; did you mean '" + NearestWord(name, names) +
+              "'?");
 }
 
 const Image& TextureCache::Get(std::string_view material) {

@@ -260,6 +260,7 @@ void MeshBuilder::Bar(const Surface& surface, const Vec& a, const Vec& b, float 
 void MeshBuilder::Lathe(const Surface& surface, const Vec& at, std::span<const Vec2> profile,
                         int sides) {
   std::vector<Oval> ovals;
+  ovals.reserve(profile.size());
   for (const Vec2& p : profile) {
     ovals.push_back({at + Vec(0, p.y(), 0), Vec2(p.x(), p.x())});
   }

@@ -32,35 +32,43 @@ void TowelRail(PieceMaker& m) {
   const Surface surface = m.Chance(0.5) ? kChrome : kWhiteEnamel;
   const float height = m.Draw(0.9f, 1.3f);
   for (const float x : {-0.24f, 0.24f}) Post(m, surface, {x, 0, 0.05f}, 0.035f, height);
-  for (float y = 0.06f; y < height - 0.04f; y += 0.11f) {
+  for (const float y : Spaced(0.06f, height - 0.04f, 0.11f)) {
     Panel(m, surface, {-0.24f, y, 0.045f}, {0.24f, y + 0.035f, 0.07f});
   }
   HangingTowel(m, {0.0f, height - 0.12f, 0.06f}, 0.4f, 0.45f);
+}
+
+void FoldedTowels(PieceMaker& m, float half, float y, float depth) {
+  for (int i = 0; i < 3; ++i) {
+    const float low = y + 0.055f * static_cast<float>(i);
+    Cushion(m, Towel(m), {-half, low, 0.05f}, {half, low + 0.053f, depth}, 0.012f);
+  }
+}
+
+void ToiletBottles(PieceMaker& m, float half, float y) {
+  for (const float x : Spaced(-half, half, 0.09f)) {
+    const Surface plastic{"plastic", m.Chance(0.5) ? BrightColor(m) : MutedColor(m)};
+    m.Cylinder(plastic, {x, y, 0.18f}, 0.03f, m.Draw(0.1f, 0.2f), 6);
+  }
 }
 
 void BathroomShelf(PieceMaker& m) {
   const float half = 0.5f * m.Draw(0.34f, 0.5f);
   const float top = m.Draw(1.4f, 1.8f);
   constexpr float kDepth = 0.3f;
+  constexpr float kBoard = 0.025f;
   const Surface& surface = m.Chance(0.5) ? m.palette().cabinet : m.palette().wood;
-  OpenBody(m, surface, {-half, 0, 0}, {half, top, kDepth}, 0.025f);
+  OpenBody(m, surface, {-half, 0, 0}, {half, top, kDepth}, kBoard);
   constexpr int kRows = 5;
-  const float pitch = (top - 0.025f) / static_cast<float>(kRows);
+  const float pitch = (top - kBoard) / static_cast<float>(kRows);
   for (int r = 0; r < kRows; ++r) {
-    const float y = pitch * static_cast<float>(r) + 0.025f;
-    if (r > 0)
-      m.Box(surface, {-half + 0.025f, y - 0.025f, 0.02f}, {half - 0.025f, y, kDepth - 0.01f});
-    if (r % 2 == 0) {  // folded towels
-      for (int i = 0; i < 3; ++i) {
-        const float low = y + 0.055f * static_cast<float>(i);
-        Cushion(m, Towel(m), {-0.75f * half, low, 0.05f},
-                {0.75f * half, low + 0.053f, kDepth - 0.03f}, 0.012f);
-      }
+    const float y = pitch * static_cast<float>(r);
+    const float inner = half - kBoard;
+    if (r > 0) m.Box(surface, {-inner, y, 0.02f}, {inner, y + kBoard, kDepth - 0.01f});
+    if (r % 2 == 0) {
+      FoldedTowels(m, 0.75f * half, y + kBoard, kDepth - 0.03f);
     } else {
-      for (float x = -half + 0.08f; x < half - 0.05f; x += 0.09f) {
-        m.Cylinder({"plastic", m.Chance(0.5) ? BrightColor(m) : MutedColor(m)}, {x, y, 0.18f},
-                   0.03f, m.Draw(0.1f, 0.2f), 6);
-      }
+      ToiletBottles(m, half - 0.065f, y + kBoard);
     }
   }
 }

@@ -129,7 +129,12 @@ void Bed(PieceMaker& m, const BedShape& shape) {
     m.Box(wood, {-half, shape.base - 0.16f, kHead - 0.03f},
           {half, shape.base + 0.02f, end + 0.02f});
   }
-  if (style < 2 && m.Chance(0.6)) {  // a footboard
+  if (style == 0) {  // a low railing at the foot
+    const float z = end + 0.04f;
+    for (const float x : {-half, half}) Post(m, wood, {x, 0, z}, 0.045f, 0.72f);
+    for (const float y : {0.45f, 0.66f})
+      m.Box(wood, {-half, y, z - 0.015f}, {half, y + 0.035f, z + 0.015f});
+  } else if (style == 1 && m.Chance(0.6)) {
     m.Box(wood, {-half - 0.01f, 0, end + 0.03f}, {half + 0.01f, 0.62f, end + 0.07f});
   }
   Bedding(m, shape);

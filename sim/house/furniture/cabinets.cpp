@@ -134,8 +134,9 @@ void VanityTable(PieceMaker& m) {
   // Bottles and jars of make-up.
   for (int i = 0; i < 4; ++i) {
     const float x = m.Draw(0.35f, 0.9f) * (i % 2 == 0 ? half : -half);
-    m.Cylinder({"plastic", BrightColor(m)}, {x, kHeight, m.Draw(0.15f, 0.3f)}, 0.022f,
-               m.Draw(0.06f, 0.16f), 5);
+    const Surface plastic{"plastic", BrightColor(m)};
+    const float z = m.Draw(0.15f, 0.3f);
+    m.Cylinder(plastic, {x, kHeight, z}, 0.022f, m.Draw(0.06f, 0.16f), 5);
   }
   // The stool, half under the table.
   Legs(m, surface, {LegStyle::kTapered, {-0.21f, 0.3f}, {0.21f, 0.66f}, 0.4f, 0.04f});
@@ -172,7 +173,7 @@ void Sideboard(PieceMaker& m) {
 /// Plates on edge and cups along one shelf.
 void Crockery(PieceMaker& m, float half, float y, float depth) {
   const Surface& ceramic = m.palette().ceramic;
-  for (float x = -half + 0.12f; x < half - 0.08f; x += 0.2f) {
+  for (const float x : Spaced(-half + 0.12f, half - 0.08f, 0.2f)) {
     if (m.Chance(0.4)) {
       const Frame frame(&m, Turned({x, y + 0.11f, 0.12f}, 0.0f, kQuarterTurn - 0.25f));
       m.Turn(ceramic, {0, 0, 0}, {{0.11f, 0.01f}, {0.06f, 0.0f}, {0.0f, 0.0f}}, 8);

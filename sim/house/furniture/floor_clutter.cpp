@@ -18,10 +18,14 @@ void BoxStack(PieceMaker& m) {
   const float low = m.Draw(0.32f, 0.42f);
   const float middle = m.Draw(0.24f, 0.34f);
   Carton(m, {0, 0, 0.25f}, {0.55f, low, 0.42f}, m.Draw(-0.05f, 0.05f));
-  Carton(m, {m.Draw(-0.05f, 0.05f), low, 0.25f}, {0.46f, middle, 0.36f}, m.Draw(-0.15f, 0.15f));
-  if (m.Chance(0.6))
-    Carton(m, {0, low + middle, 0.25f}, {0.34f, m.Draw(0.18f, 0.26f), 0.28f}, m.Draw(-0.3f, 0.3f));
-  Carton(m, {0.55f, 0, 0.24f}, {0.42f, m.Draw(0.28f, 0.4f), 0.38f}, m.Draw(-0.2f, 0.2f));
+  const float shift = m.Draw(-0.05f, 0.05f);
+  Carton(m, {shift, low, 0.25f}, {0.46f, middle, 0.36f}, m.Draw(-0.15f, 0.15f));
+  if (m.Chance(0.6)) {
+    const float top = m.Draw(0.18f, 0.26f);
+    Carton(m, {0, low + middle, 0.25f}, {0.34f, top, 0.28f}, m.Draw(-0.3f, 0.3f));
+  }
+  const float beside = m.Draw(0.28f, 0.4f);
+  Carton(m, {0.55f, 0, 0.24f}, {0.42f, beside, 0.38f}, m.Draw(-0.2f, 0.2f));
 }
 
 void Suitcase(PieceMaker& m) {

@@ -59,7 +59,8 @@ void CoatHooks(PieceMaker& m) {
     if (i == 0) {
       Coat(m, {x, kHook + 0.04f, 0.1f}, 1.04f);
     } else if (m.Chance(0.55)) {
-      Coat(m, {x, kHook + 0.04f, m.Draw(0.09f, 0.12f)}, m.Draw(0.6f, 1.0f));
+      const float out = m.Draw(0.09f, 0.12f);
+      Coat(m, {x, kHook + 0.04f, out}, m.Draw(0.6f, 1.0f));
     }
   }
   if (half < 0.36f) return;
@@ -99,7 +100,7 @@ void ShoeCabinet(PieceMaker& m) {
   for (const float x : {-half, half - 0.03f}) m.Box(wood, {x, 0, 0}, {x + 0.03f, kHeight, kDepth});
   for (const float y : {0.06f, 0.26f}) {
     m.Box(wood, {-half + 0.03f, y, 0}, {half - 0.03f, y + 0.025f, kDepth});
-    for (float x = -half + 0.15f; x < half - 0.12f; x += 0.25f) {
+    for (const float x : Spaced(-half + 0.15f, half - 0.12f, 0.25f)) {
       if (m.Chance(0.85))
         ShoePair(m, {x, y + 0.025f, 0.17f},
                  {"leather", m.Chance(0.5) ? MutedColor(m) : Rgb8{70, 55, 45}});
@@ -132,7 +133,8 @@ void UmbrellaStand(PieceMaker& m) {
 void Slippers(PieceMaker& m) {
   const Surface cloth{"wool_knit", m.Chance(0.5) ? BrightColor(m) : MutedColor(m)};
   for (const float x : {-0.065f, 0.065f}) {
-    const Frame frame(&m, {x, 0, m.Draw(-0.03f, 0.03f)}, m.Draw(-0.2f, 0.2f));
+    const float z = m.Draw(-0.03f, 0.03f);
+    const Frame frame(&m, {x, 0, z}, m.Draw(-0.2f, 0.2f));
     m.Box(Shaded(cloth, 0.7f), {-0.047f, 0, -0.13f}, {0.047f, 0.02f, 0.13f});
     m.TaperedBox(cloth, {0, 0.02f, 0.05f}, {0.094f, 0.16f}, {0, 0.07f, 0.03f}, {0.06f, 0.09f});
   }

@@ -171,6 +171,7 @@ void Guitar(PieceMaker& m) {
   {
     // The body's outline in x and the frame's y; prisms rise along z here.
     std::vector<Vec2> outline;
+    outline.reserve(13);
     const std::array<std::array<float, 2>, 7> side = {{{0.0f, 0.0f},
                                                        {0.14f, 0.02f},
                                                        {0.2f, 0.12f},

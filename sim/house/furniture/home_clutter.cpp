@@ -12,7 +12,7 @@ void BooksPile(PieceMaker& m) {
   const int count = m.Between(3, 5);
   for (int i = 0; i < count; ++i) {
     const Frame frame(&m, {0, y, 0}, m.Draw(-0.35f, 0.35f));
-    const Vec2 half(m.Draw(0.1f, 0.14f), m.Draw(0.075f, 0.1f));
+    const Vec2 half = m.Draw(Vec2(0.1f, 0.075f), Vec2(0.14f, 0.1f));
     const float tall = m.Draw(0.025f, 0.045f);
     const Surface cover{"paper", MutedColor(m)};
     m.Box(cover, {-half.x(), 0, -half.y()}, {half.x(), tall, half.y()});
@@ -119,7 +119,8 @@ void Aquarium(PieceMaker& m) {
          0.05f);
   }
   for (int i = 0; i < 3; ++i) {
-    const Vec at(m.Draw(-0.22f, 0.22f), m.Draw(0.14f, 0.28f), 0.153f);
+    const Vec2 place = m.Draw(Vec2(-0.22f, 0.14f), Vec2(0.22f, 0.28f));
+    const Vec at(place.x(), place.y(), 0.153f);
     m.Quad({"plastic", {250, 140, 50}}, at + Vec(-0.035f, 0, 0), at + Vec(0, -0.016f, 0),
            at + Vec(0.025f, 0, 0), at + Vec(0, 0.016f, 0));
     m.Triangle({"plastic", {250, 140, 50}}, at + Vec(0.05f, -0.016f, 0), at + Vec(0.05f, 0.016f, 0),

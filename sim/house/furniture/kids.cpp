@@ -55,8 +55,8 @@ void ToyChest(PieceMaker& m) {
   Bear(m, {-0.45f * half, kTop - 0.1f, 0.24f}, 0.42f);
   m.Ball({"plastic", BrightColor(m)}, {0.3f * half, kTop + 0.01f, 0.24f}, {0.11f, 0.11f, 0.11f}, 8);
   for (int i = 0; i < 3; ++i) {
-    const Frame frame(&m, Turned({m.Draw(0.2f, 0.8f) * half, kTop - 0.06f, m.Draw(0.12f, 0.34f)},
-                                 m.Draw(0, 3), 0.4f));
+    const Vec2 at = m.Draw(Vec2(0.2f * half, 0.12f), Vec2(0.8f * half, 0.34f));
+    const Frame frame(&m, Turned({at.x(), kTop - 0.06f, at.y()}, m.Draw(0.0f, 3.0f), 0.4f));
     m.Block({"painted_wood", BrightColor(m)}, {0, 0, 0}, {0.1f, 0.1f, 0.1f});
   }
 }
@@ -116,12 +116,12 @@ void KidsTable(PieceMaker& m) {
        {LegStyle::kTapered, {-0.33f, -0.25f}, {0.33f, 0.25f}, kHeight - 0.03f, 0.05f});
   m.Box(top, {-0.37f, kHeight - 0.03f, -0.29f}, {0.37f, kHeight, 0.29f});
   for (int i = 0; i < 2; ++i) {  // drawings and crayons
-    const Frame frame(&m, {m.Draw(-0.2f, 0.2f), kHeight + 0.003f, i == 0 ? -0.12f : 0.14f},
-                      m.Draw(-0.4f, 0.4f));
+    const Vec at(m.Draw(-0.2f, 0.2f), kHeight + 0.003f, i == 0 ? -0.12f : 0.14f);
+    const Frame frame(&m, at, m.Draw(-0.4f, 0.4f));
     m.Quad(kPaper, {-0.13f, 0, 0.1f}, {0.13f, 0, 0.1f}, {0.13f, 0, -0.1f}, {-0.13f, 0, -0.1f});
     for (int k = 0; k < 3; ++k) {
-      const Frame turn(&m, {m.Draw(-0.08f, 0.08f), 0.0f, m.Draw(-0.06f, 0.06f)},
-                       m.Draw(0.0f, 3.0f));
+      const Vec2 crayon = m.Draw(Vec2(-0.08f, -0.06f), Vec2(0.08f, 0.06f));
+      const Frame turn(&m, {crayon.x(), 0.0f, crayon.y()}, m.Draw(0.0f, 3.0f));
       m.Box({"plastic", BrightColor(m)}, {-0.05f, 0, -0.008f}, {0.05f, 0.014f, 0.008f});
     }
   }
@@ -164,8 +164,10 @@ void Dollhouse(PieceMaker& m) {
       {{-0.18f, 0.02f}, {0.18f, 0.02f}, {-0.18f, 0.32f}, {0.18f, 0.32f}}};
   for (const auto& [x, y] : rooms) {
     Sheet(m, {"polka_wallpaper", BrightColor(m)}, {x, y, 0.013f}, 0.32f, 0.28f);
-    m.Block({"painted_wood", BrightColor(m)}, {x + m.Draw(-0.06f, 0.06f), y, 0.14f},
-            {m.Draw(0.08f, 0.16f), m.Draw(0.07f, 0.15f), 0.1f});
+    const Surface paint{"painted_wood", BrightColor(m)};
+    const float shift = m.Draw(-0.06f, 0.06f);
+    const Vec2 size = m.Draw(Vec2(0.08f, 0.07f), Vec2(0.16f, 0.15f));
+    m.Block(paint, {x + shift, y, 0.14f}, {size.x(), size.y(), 0.1f});
   }
   // The roof: gable and two slopes that overhang.
   const float ridge = kEaves + 0.26f;

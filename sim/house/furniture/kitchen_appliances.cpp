@@ -28,32 +28,43 @@ void Knob(PieceMaker& m, const Surface& surface, const Vec& at, float radius) {
   m.Cylinder(surface, {0, 0, 0}, radius, 0.03f, 8);
 }
 
-/// Four rings of a glass hob, or burners under grates of iron.
+constexpr float kHobTop = kWorktop + 0.012f;
+
+void GlassHob(PieceMaker& m) {
+  for (const float x : {-0.14f, 0.14f}) {
+    for (const float z : {0.18f, 0.43f}) {
+      const float radius = (x < 0.0f) == (z < 0.3f) ? 0.1f : 0.08f;
+      Disc(m, {"plastic", {120, 72, 66}}, {x, kHobTop + 0.002f, z}, radius, 12);
+      Disc(m, {"plastic", {40, 38, 38}}, {x, kHobTop + 0.004f, z}, 0.82f * radius, 12);
+    }
+  }
+}
+
+/// Burners under grates of iron.
+void GasHob(PieceMaker& m) {
+  const Surface iron{"cast_iron"};
+  constexpr float kLow = kHobTop + 0.015f;
+  constexpr float kHigh = kHobTop + 0.03f;
+  for (const float x : {-0.14f, 0.14f}) {
+    for (const float z : {0.18f, 0.43f}) m.Cylinder(iron, {x, kHobTop, z}, 0.05f, 0.015f, 8);
+    for (const float z : {0.18f, 0.3f, 0.43f}) {
+      m.Box(iron, {x - 0.12f, kLow, z - 0.008f}, {x + 0.12f, kHigh, z + 0.008f});
+    }
+    m.Box(iron, {x - 0.008f, kLow, 0.08f}, {x + 0.008f, kHigh, 0.53f});
+  }
+}
+
 void Hob(PieceMaker& m) {
   const bool is_gas = m.Chance(0.45);
   const Surface plate = is_gas ? kSteel : kDark;
-  m.Box(plate, {-kHalf + 0.02f, kWorktop, 0.06f}, {kHalf - 0.02f, kWorktop + 0.012f, 0.56f});
-  constexpr float kTop = kWorktop + 0.012f;
-  for (const float x : {-0.14f, 0.14f}) {
-    for (const float z : {0.18f, 0.43f}) {
-      const float radius = x * z < 0.0f ? 0.08f : 0.1f;
-      if (is_gas) {
-        m.Cylinder({"cast_iron"}, {x, kTop, z}, 0.05f, 0.015f, 8);
-      } else {
-        Disc(m, {"plastic", {120, 72, 66}}, {x, kTop + 0.002f, z}, radius, 12);
-        Disc(m, {"plastic", {40, 38, 38}}, {x, kTop + 0.004f, z}, 0.82f * radius, 12);
-      }
-    }
-    if (is_gas) {
-      for (const float z : {0.18f, 0.3f, 0.43f}) {
-        m.Box({"cast_iron"}, {x - 0.12f, kTop + 0.015f, z - 0.008f},
-              {x + 0.12f, kTop + 0.03f, z + 0.008f});
-      }
-      m.Box({"cast_iron"}, {x - 0.008f, kTop + 0.015f, 0.08f}, {x + 0.008f, kTop + 0.03f, 0.53f});
-    }
+  m.Box(plate, {-kHalf + 0.02f, kWorktop, 0.06f}, {kHalf - 0.02f, kHobTop, 0.56f});
+  if (is_gas) {
+    GasHob(m);
+  } else {
+    GlassHob(m);
   }
-  if (m.Chance(0.6))
-    CookingPot(m, {m.Chance(0.5) ? -0.14f : 0.14f, kTop + 0.03f, 0.18f}, 0.11f, 0.13f);
+  if (!m.Chance(0.6)) return;
+  CookingPot(m, {m.Chance(0.5) ? -0.14f : 0.14f, kHobTop + 0.03f, 0.18f}, 0.11f, 0.13f);
 }
 
 void Hood(PieceMaker& m) {
@@ -106,36 +117,47 @@ void FridgeDoor(PieceMaker& m, const Surface& surface, const FrontField& f, bool
   Panel(m, kSteel, {x - 0.015f, y0, f.z + 0.05f}, {x + 0.015f, y0 + length, f.z + 0.1f});
 }
 
-void Refrigerator(PieceMaker& m) {
-  const int style = m.Below(4);
-  const bool is_wide = style == 3;
-  Surface body = m.palette().appliance;
-  if (style == 2) {  // from the fifties
-    static constexpr std::array<Rgb8, 4> kColors = {Rgb8{176, 214, 200}, Rgb8{238, 226, 190},
-                                                    Rgb8{190, 52, 48}, Rgb8{158, 196, 222}};
-    body = {"white_enamel", m.rng().Pick(kColors)};
+/// Its doors side by side, one with a dispenser.
+void WideRefrigerator(PieceMaker& m, const Surface& body) {
+  constexpr float kWide = 0.45f;
+  constexpr float kHigh = 1.78f;
+  constexpr float kDeep = 0.66f;
+  m.Box(kDark, {-kWide + 0.02f, 0, 0.02f}, {kWide - 0.02f, 0.06f, kDeep});
+  m.Box(Shaded(body, 0.85f), {-kWide, 0.04f, 0}, {kWide, kHigh, kDeep});
+  FridgeDoor(m, body, {-kWide, -0.02f, 0.06f, kHigh, kDeep}, false);
+  FridgeDoor(m, body, {-0.02f, kWide, 0.06f, kHigh, kDeep}, true);
+  Sheet(m, kDark, {-0.24f, 0.95f, kDeep + 0.053f}, 0.2f, 0.35f);
+}
+
+/// One door above the other.
+void TallRefrigerator(PieceMaker& m, const Surface& body) {
+  const float half = m.Draw(0.29f, 0.34f);
+  const float height = m.Draw(1.62f, 1.95f);
+  constexpr float kDeep = 0.6f;
+  m.Box(kDark, {-half + 0.02f, 0, 0.02f}, {half - 0.02f, 0.06f, kDeep});
+  m.Box(Shaded(body, 0.85f), {-half, 0.04f, 0}, {half, height, kDeep});
+  const float split = m.Chance(0.6) ? 0.66f : height - 0.5f;
+  FridgeDoor(m, body, {-half, half, 0.06f, split, kDeep}, false);
+  FridgeDoor(m, body, {-half, half, split, height, kDeep}, false);
+  const int notes = m.Chance(0.6) ? 3 : 0;  // under magnets
+  for (int i = 0; i < notes; ++i) {
+    const float y = 1.1f + 0.14f * static_cast<float>(i);
+    Sheet(m, {"paper", i == 1 ? Rgb8{250, 220, 120} : kWhite},
+          {m.Draw(-0.15f, 0.08f), y, kDeep + 0.053f}, 0.1f, 0.12f);
   }
-  const float half = is_wide ? 0.45f : m.Draw(0.29f, 0.34f);
-  const float height = is_wide ? 1.78f : m.Draw(1.62f, 1.95f);
-  const float depth = is_wide ? 0.66f : 0.6f;
-  m.Box(kDark, {-half + 0.02f, 0, 0.02f}, {half - 0.02f, 0.06f, depth});
-  m.Box(Shaded(body, 0.85f), {-half, 0.04f, 0}, {half, height, depth});
-  if (is_wide) {  // two doors side by side, one with a dispenser
-    FridgeDoor(m, body, {-half, -0.02f, 0.06f, height, depth}, false);
-    FridgeDoor(m, body, {-0.02f, half, 0.06f, height, depth}, true);
-    m.Quad(kDark, {-0.34f, 0.95f, depth + 0.053f}, {-0.14f, 0.95f, depth + 0.053f},
-           {-0.14f, 1.3f, depth + 0.053f}, {-0.34f, 1.3f, depth + 0.053f});
-  } else {
-    const float split = m.Chance(0.6) ? 0.66f : height - 0.5f;
-    FridgeDoor(m, body, {-half, half, 0.06f, split, depth}, false);
-    FridgeDoor(m, body, {-half, half, split, height, depth}, false);
-    if (m.Chance(0.6)) {  // notes under magnets
-      for (int i = 0; i < 3; ++i) {
-        const float y = 1.1f + 0.14f * static_cast<float>(i);
-        Sheet(m, {"paper", i == 1 ? Rgb8{250, 220, 120} : kWhite},
-              {m.Draw(-0.15f, 0.08f), y, depth + 0.053f}, 0.1f, 0.12f);
-      }
-    }
+}
+
+void Refrigerator(PieceMaker& m) {
+  static constexpr std::array<Rgb8, 4> kFifties = {Rgb8{176, 214, 200}, Rgb8{238, 226, 190},
+                                                   Rgb8{190, 52, 48}, Rgb8{158, 196, 222}};
+  switch (m.Below(4)) {
+    case 0:
+      return WideRefrigerator(m, m.palette().appliance);
+    case 1:
+      return TallRefrigerator(m, {"white_enamel", m.rng().Pick(kFifties)});
+    case 2:
+    case 3:
+      return TallRefrigerator(m, m.palette().appliance);
   }
 }
 

@@ -65,7 +65,8 @@ void Toaster(PieceMaker& m) {
 }
 
 void Pot(PieceMaker& m) {
-  CookingPot(m, {0, 0, 0}, m.Draw(0.1f, 0.13f), m.Draw(0.1f, 0.17f));
+  const float radius = m.Draw(0.1f, 0.13f);
+  CookingPot(m, {0, 0, 0}, radius, m.Draw(0.1f, 0.17f));
 }
 
 void Plates(PieceMaker& m) {

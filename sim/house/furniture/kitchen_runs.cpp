@@ -73,7 +73,7 @@ namespace {
 void OpenShelves(PieceMaker& m, const Along& along) {
   for (const float y : {1.45f, 1.8f}) {
     m.Box(m.palette().wood, {along.x0 + 0.05f, y, 0}, {along.x1 - 0.05f, y + 0.03f, 0.24f});
-    for (float x = along.x0 + 0.2f; x < along.x1 - 0.15f; x += 0.26f) {
+    for (const float x : Spaced(along.x0 + 0.2f, along.x1 - 0.15f, 0.26f)) {
       Ornament(m, {x, y + 0.03f, 0.13f}, {0.2f, 0.24f, 0.2f});
     }
   }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
 
 #include "sim/house/furniture/families.h"
@@ -14,6 +15,34 @@ void Shade(PieceMaker& m, const Vec& bottom, float radius, float height, bool is
   m.SetGlow(Glow::kNone);
 }
 
+void Tripod(PieceMaker& m, float height) {
+  constexpr float kThick = 0.019f;
+  for (int i = 0; i < 3; ++i) {
+    const float angle = 4.0f / 3.0f * kQuarterTurn * static_cast<float>(i);
+    const Vec out(std::sin(angle), 0, std::cos(angle));
+    m.Bar(m.palette().wood, 0.27f * out + Vec(0, kThick, 0),
+          0.03f * out + Vec(0, height - 0.28f, 0), kThick, 5);
+  }
+}
+
+/// A bow over the sitter, with a dome at its end.
+void ArcLamp(PieceMaker& m, const Surface& metal) {
+  m.Cylinder(metal, {-0.5f, 0, 0}, 0.16f, 0.05f, 10);
+  Vec last(-0.5f, 0.05f, 0);
+  for (int i = 1; i <= 6; ++i) {
+    const float angle = 0.3f * static_cast<float>(i);
+    const Vec next(-0.5f + 0.81f * (1.0f - std::cos(angle)),
+                   0.05f + 1.75f * std::sin(std::min(angle, kQuarterTurn)), 0);
+    m.Bar(metal, last, next, 0.019f, 5);
+    last = next;
+  }
+  const Vec dome = last - Vec(0, 0.2f, 0);
+  m.Turn(metal, dome, {{0.17f, 0.0f}, {0.13f, 0.12f}, {0.03f, 0.2f}}, 10);
+  m.SetGlow(Glow::kLamp);
+  m.Turn(m.palette().shade, dome, {{0.0f, 0.0f}, {0.168f, 0.002f}}, 10);
+  m.SetGlow(Glow::kNone);
+}
+
 void FloorLamp(PieceMaker& m) {
   const Surface& metal = m.palette().metal;
   const float height = m.Draw(1.45f, 1.7f);
@@ -23,32 +52,12 @@ void FloorLamp(PieceMaker& m) {
     case 0:  // a straight pole
       m.Turn(metal, {0, 0, 0}, {{0.15f, 0.0f}, {0.14f, 0.03f}, {0.0f, 0.04f}}, 10);
       m.Bar(metal, {0, 0.03f, 0}, {0, height - 0.1f, 0}, 0.019f, 5);
-      Shade(m, {0, height - 0.28f, 0}, radius, 0.28f, is_drum);
-      break;
-    case 1:  // a tripod
-      for (int i = 0; i < 3; ++i) {
-        const float angle = 4.0f / 3.0f * kQuarterTurn * static_cast<float>(i);
-        m.Bar(m.palette().wood, {0.27f * std::sin(angle), 0.019f, 0.27f * std::cos(angle)},
-              {0.03f * std::sin(angle), height - 0.28f, 0.03f * std::cos(angle)}, 0.019f, 5);
-      }
-      Shade(m, {0, height - 0.3f, 0}, radius, 0.3f, true);
-      break;
-    case 2: {  // a bow over the sitter
-      m.Cylinder(metal, {-0.5f, 0, 0}, 0.16f, 0.05f, 10);
-      Vec last(-0.5f, 0.05f, 0);
-      for (int i = 1; i <= 6; ++i) {
-        const float angle = 0.3f * static_cast<float>(i);
-        const Vec next(-0.5f + 0.95f * (1.0f - std::cos(angle)) * 0.85f,
-                       0.05f + 1.75f * std::sin(std::min(angle, 1.6f)), 0);
-        m.Bar(metal, last, next, 0.019f, 5);
-        last = next;
-      }
-      m.Turn(metal, last - Vec(0, 0.2f, 0), {{0.17f, 0.0f}, {0.13f, 0.12f}, {0.03f, 0.2f}}, 10);
-      m.SetGlow(Glow::kLamp);
-      m.Turn(m.palette().shade, last - Vec(0, 0.2f, 0), {{0.0f, 0.0f}, {0.168f, 0.002f}}, 10);
-      m.SetGlow(Glow::kNone);
-      break;
-    }
+      return Shade(m, {0, height - 0.28f, 0}, radius, 0.28f, is_drum);
+    case 1:
+      Tripod(m, height);
+      return Shade(m, {0, height - 0.3f, 0}, radius, 0.3f, true);
+    case 2:
+      return ArcLamp(m, metal);
   }
 }
 
@@ -69,7 +78,8 @@ void TableLamp(PieceMaker& m) {
       m.Cylinder(m.palette().metal, {0, 0.17f, 0}, 0.012f, foot - 0.15f, 5);
       break;
   }
-  Shade(m, {0, foot, 0}, radius, m.Draw(0.16f, 0.22f), m.Chance(0.4));
+  const float height = m.Draw(0.16f, 0.22f);
+  Shade(m, {0, foot, 0}, radius, height, m.Chance(0.4));
 }
 
 void WallLamp(PieceMaker& m) {

@@ -40,25 +40,27 @@ void WashingMachine(PieceMaker& m) {
   Controls(m, m.Chance(0.5) ? Shaded(body, 0.82f) : body, 0.02f);
   m.Box(Shaded(body, 0.9f), {-kHalf + 0.025f, 0.74f, kFront + 0.012f},
         {-0.08f, 0.835f, kFront + 0.02f});
-  Porthole(m, m.Chance(0.6) ? kChrome : kGreyPlastic, {"glass", {52, 60, 70}},
-           m.Draw(0.18f, 0.21f));
+  const Surface ring = m.Chance(0.6) ? kChrome : kGreyPlastic;
+  Porthole(m, ring, {"glass", {52, 60, 70}}, m.Draw(0.18f, 0.21f));
   m.Box(Shaded(body, 0.85f), {0.12f, 0.07f, kFront}, {0.25f, 0.17f, kFront + 0.006f});
 }
 
 void Dryer(PieceMaker& m) {
   const Surface& body = m.Chance(0.6) ? kWhiteEnamel : m.palette().appliance;
   Housing(m, body);
-  Controls(m, m.Chance(0.5) ? kGreyPlastic : kBlackPlastic, m.Chance(0.5) ? -0.16f : 0.0f);
-  Porthole(m, m.Chance(0.7) ? body : kGreyPlastic, kGreyPlastic, m.Draw(0.21f, 0.24f));
+  const Surface panel = m.Chance(0.5) ? kGreyPlastic : kBlackPlastic;
+  Controls(m, panel, m.Chance(0.5) ? -0.16f : 0.0f);
+  const Surface ring = m.Chance(0.7) ? body : kGreyPlastic;
+  Porthole(m, ring, kGreyPlastic, m.Draw(0.21f, 0.24f));
   m.Box(Shaded(body, 0.75f), {-0.25f, 0.06f, kFront}, {0.25f, 0.13f, kFront + 0.006f});
 }
 
 /// Garments heaped on `at`.
 void Heap(PieceMaker& m, const Vec& at, float radius) {
   for (int i = 0; i < 4; ++i) {
-    const Frame frame(
-        &m, Turned(at + Vec(m.Draw(-0.4f, 0.4f) * radius, 0, m.Draw(-0.4f, 0.4f) * radius),
-                   m.Draw(0.0f, 3.0f)));
+    const Vec2 shift = radius * m.Draw(Vec2(-0.4f, -0.4f), Vec2(0.4f, 0.4f));
+    const float tilt = m.Draw(-0.25f, 0.25f);
+    const Frame frame(&m, Turned(at + Vec(shift.x(), 0, shift.y()), m.Draw(0.0f, 3.0f), tilt));
     Pillow(m, {"linen", m.Chance(0.5) ? MutedColor(m) : Rgb8{240, 238, 232}},
            {-0.7f * radius, -0.06f, -0.55f * radius}, {0.7f * radius, 0.1f, 0.55f * radius});
   }

@@ -11,6 +11,14 @@ Eigen::Affine3f Turned(const Vec& at, float yaw, float pitch, float roll) {
          Eigen::AngleAxisf(pitch, Vec::UnitX()) * Eigen::AngleAxisf(roll, Vec::UnitZ());
 }
 
+std::vector<float> Spaced(float low, float high, float pitch) {
+  std::vector<float> places;
+  for (int i = 0; low + static_cast<float>(i) * pitch < high; ++i) {
+    places.push_back(low + static_cast<float>(i) * pitch);
+  }
+  return places;
+}
+
 Eigen::Affine3f Stretched(PieceMaker& m, float share) {
   const float x = m.Draw(1.0f - share, 1.0f + share);
   const float y = m.Draw(1.0f - share, 1.0f + share);
@@ -139,32 +147,35 @@ LegStyle DrawLegStyle(PieceMaker& m) {
   return m.rng().Pick(kStyles);
 }
 
+namespace {
+
+/// One leg from `foot` up; `inwards` is the level direction to the middle of the piece.
+void LegPiece(PieceMaker& m, const Surface& surface, const LegSet& legs, const Vec& foot,
+              const Vec& inwards) {
+  const Vec top = foot + Vec(0, legs.height, 0);
+  const Vec2 full(legs.thickness, legs.thickness);
+  switch (legs.style) {
+    case LegStyle::kSquare:
+      return Post(m, surface, foot, legs.thickness, legs.height);
+    case LegStyle::kTapered:
+      return m.TaperedBox(surface, foot, 0.5f * full, top, full);
+    case LegStyle::kRound:
+      return m.Cylinder(surface, foot, 0.5f * legs.thickness, legs.height, 6);
+    case LegStyle::kSplayed:
+      return m.TaperedBox(surface, foot, 0.5f * full, top + 0.18f * legs.height * inwards, full);
+  }
+}
+
+}  // namespace
+
 void Legs(PieceMaker& m, const Surface& surface, const LegSet& legs) {
-  const float half = 0.5f * legs.thickness;
-  const Vec2 middle = 0.5f * (legs.low + legs.high);
-  for (const bool right : {false, true}) {
-    for (const bool front : {false, true}) {
-      const Vec foot(right ? legs.high.x() - half : legs.low.x() + half, 0.0f,
-                     front ? legs.high.y() - half : legs.low.y() + half);
-      const Vec top = foot + Vec(0, legs.height, 0);
-      const Vec2 full(legs.thickness, legs.thickness);
-      switch (legs.style) {
-        case LegStyle::kSquare:
-          Post(m, surface, foot, legs.thickness, legs.height);
-          break;
-        case LegStyle::kTapered:
-          m.TaperedBox(surface, foot, 0.5f * full, top, full);
-          break;
-        case LegStyle::kRound:
-          m.Cylinder(surface, foot, half, legs.height, 6);
-          break;
-        case LegStyle::kSplayed: {
-          const Vec inwards = Vec(middle.x() - foot.x(), 0, middle.y() - foot.z()).normalized();
-          m.TaperedBox(surface, foot, 0.5f * full, top + 0.18f * legs.height * inwards, full);
-          break;
-        }
-      }
-    }
+  const Vec2 half = 0.5f * Vec2(legs.thickness, legs.thickness);
+  const Vec2 low = legs.low + half;
+  const Vec2 high = legs.high - half;
+  const Vec2 middle = 0.5f * (low + high);
+  for (const Vec2& p : {low, Vec2(low.x(), high.y()), Vec2(high.x(), low.y()), high}) {
+    const Vec inwards = Vec(middle.x() - p.x(), 0, middle.y() - p.y()).normalized();
+    LegPiece(m, surface, legs, {p.x(), 0, p.y()}, inwards);
   }
 }
 

@@ -10,6 +10,9 @@ inline constexpr float kQuarterTurn = 1.57079633f;
 /// about its z. Radians.
 Eigen::Affine3f Turned(const Vec& at, float yaw, float pitch = 0.0f, float roll = 0.0f);
 
+/// Places `pitch` apart from `low` on, below `high`.
+std::vector<float> Spaced(float low, float high, float pitch);
+
 /// A frame at the origin that stretches what is in it, each axis by up to `share` up or down.
 Eigen::Affine3f Stretched(PieceMaker& m, float share);
 

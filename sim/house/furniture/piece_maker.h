@@ -23,6 +23,11 @@ class PieceMaker : public MeshBuilder {
   Rng& rng() { return rng_; }
 
   float Draw(float low, float high) { return static_cast<float>(rng_.Uniform(low, high)); }
+  /// Both in turn: the order in which a call's arguments are drawn would be the compiler's choice.
+  Vec2 Draw(const Vec2& low, const Vec2& high) {
+    const float x = Draw(low.x(), high.x());
+    return {x, Draw(low.y(), high.y())};
+  }
   bool Chance(double p) { return rng_.Chance(p); }
   int Below(int n) { return rng_.Below(n); }
   int Between(int low, int high) { return rng_.Between(low, high); }

@@ -101,8 +101,8 @@ void SnakePlant(PieceMaker& m, float soil, float height) {
   for (int i = 0; i < 14; ++i) {
     const float out = 0.025f * std::sqrt(static_cast<float>(i));
     const Vec base = Around(kGolden * static_cast<float>(i), out, soil - 0.01f);
-    const Vec along =
-        Around(kGolden * static_cast<float>(i), m.Draw(0.05f, 0.16f), height * m.Draw(0.6f, 1.0f));
+    const Vec2 reach = m.Draw(Vec2(0.05f, 0.6f * height), Vec2(0.16f, height));
+    const Vec along = Around(kGolden * static_cast<float>(i), reach.x(), reach.y());
     const Surface blade{"leaves", i % 2 == 0 ? Rgb8{215, 235, 175} : Rgb8{160, 190, 150}};
     Leaf(m, blade, base, along, 0.1f);
   }
@@ -144,7 +144,8 @@ void Cactus(PieceMaker& m, float soil) {
 }
 
 void TallPlant(PieceMaker& m) {
-  const float soil = Pot(m, m.Draw(0.16f, 0.21f), m.Draw(0.3f, 0.4f));
+  const Vec2 pot = m.Draw(Vec2(0.16f, 0.3f), Vec2(0.21f, 0.4f));
+  const float soil = Pot(m, pot.x(), pot.y());
   switch (m.Below(5)) {
     case 0:
       return FigTree(m, soil);
@@ -199,7 +200,7 @@ void HangingPlant(PieceMaker& m) {
   for (int i = 0; i < 7; ++i) {
     const float angle = kGolden * static_cast<float>(i);
     const float length = m.Draw(0.2f, 0.5f);
-    for (float y = 0.0f; y < length; y += 0.08f) {
+    for (const float y : Spaced(0.0f, length, 0.08f)) {
       const Vec at = Around(angle, 1.08f * radius + 0.05f * y, -drop - y);
       Leaf(m, leaves, at, Around(angle + 6.0f * y, 0.05f, -0.08f), 0.08f);
     }

@@ -66,11 +66,13 @@ void RectangularRug(PieceMaker& m, const Vec2& half) {
 }
 
 void Rug(PieceMaker& m) {
-  RectangularRug(m, 0.5f * Vec2(m.Width(1.9f, 2.9f, 0.08f), m.Draw(1.3f, 2.0f)));
+  const float width = m.Width(1.9f, 2.9f, 0.08f);
+  RectangularRug(m, 0.5f * Vec2(width, m.Draw(1.3f, 2.0f)));
 }
 
 void RunnerRug(PieceMaker& m) {
-  RectangularRug(m, 0.5f * Vec2(m.Width(1.8f, 2.8f, 0.08f), m.Draw(0.62f, 0.8f)));
+  const float width = m.Width(1.8f, 2.8f, 0.08f);
+  RectangularRug(m, 0.5f * Vec2(width, m.Draw(0.62f, 0.8f)));
 }
 
 void RoundRug(PieceMaker& m) {
@@ -84,7 +86,7 @@ void RoundRug(PieceMaker& m) {
 
 void BathMat(PieceMaker& m) {
   const Surface towel{"terry_towel", m.palette().accent.tint};
-  const Vec2 half(m.Draw(0.35f, 0.42f), m.Draw(0.22f, 0.28f));
+  const Vec2 half = m.Draw(Vec2(0.35f, 0.22f), Vec2(0.42f, 0.28f));
   Edge(m, towel, half);
   Band(m, Shaded(towel, 0.8f), half, half - Vec2(0.05f, 0.05f));
   Field(m, towel, half - Vec2(0.05f, 0.05f));

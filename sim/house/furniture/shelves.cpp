@@ -42,20 +42,19 @@ void FilledShelf(PieceMaker& m, const Surface& surface, const ShelfShape& s) {
   OpenBody(m, surface, {-s.half, s.bottom, 0}, {s.half, s.top, s.depth}, kBoard);
   const float pitch = (s.top - s.bottom - kBoard) / static_cast<float>(s.rows);
   const float column = (2.0f * s.half - kBoard) / static_cast<float>(s.columns);
-  for (int c = 1; c < s.columns; ++c) {
-    const float x = -s.half + column * static_cast<float>(c);
-    m.Box(surface, {x, s.bottom + kBoard, 0.02f}, {x + kBoard, s.top - kBoard, s.depth - 0.01f});
-  }
-  for (int r = 0; r < s.rows; ++r) {
+  for (int r = 1; r < s.rows; ++r) {
     const float y = s.bottom + pitch * static_cast<float>(r);
-    if (r > 0) {
-      m.Box(surface, {-s.half + kBoard, y, 0.02f}, {s.half - kBoard, y + kBoard, s.depth - 0.01f});
+    m.Box(surface, {-s.half + kBoard, y, 0.02f}, {s.half - kBoard, y + kBoard, s.depth - 0.01f});
+  }
+  for (int c = 0; c < s.columns; ++c) {
+    const float x = -s.half + column * static_cast<float>(c);
+    if (c > 0) {
+      m.Box(surface, {x, s.bottom + kBoard, 0.02f}, {x + kBoard, s.top - kBoard, s.depth - 0.01f});
     }
-    for (int c = 0; c < s.columns; ++c) {
-      const float x = -s.half + column * static_cast<float>(c) + kBoard;
-      if (m.Chance(0.9)) {
-        Fill(m, {x + 0.01f, y + kBoard, 0.03f}, {x + column - kBoard - 0.01f, y + pitch, s.depth});
-      }
+    for (int r = 0; r < s.rows; ++r) {
+      if (m.Chance(0.1)) continue;
+      const float y = s.bottom + pitch * static_cast<float>(r);
+      Fill(m, {x + kBoard + 0.01f, y + kBoard, 0.03f}, {x + column - 0.01f, y + pitch, s.depth});
     }
   }
 }
@@ -91,45 +90,49 @@ void LowShelf(PieceMaker& m) {
   m.AddTop(s.top, {-s.half, 0.0f}, {s.half, s.depth});
 }
 
-/// Something of a larder between x0 and x1 on a board at y.
-void Groceries(PieceMaker& m, const Vec& low, const Vec& high) {
-  const float width = high.x() - low.x();
+void Packets(PieceMaker& m, const Vec& low, const Vec& high) {
+  const float top = low.y() + m.Draw(0.6f, 0.85f) * (high.y() - low.y());
+  const float z = high.z() - 0.04f;
+  Panel(m, kPaper, low, {high.x(), top, z - 0.005f});
+  m.Picture({"food_boxes"}, {low.x(), low.y(), z}, {high.x(), low.y(), z}, {high.x(), top, z},
+            {low.x(), top, z}, {Vec2(0, 0), Vec2(high.x() - low.x(), 1.0f)});
+}
+
+void BottleRow(PieceMaker& m, const Vec& low, const Vec& high) {
+  const Surface glass{"glass", m.Chance(0.5) ? Rgb8{60, 110, 60} : Rgb8{140, 60, 40}};
   const float tall = high.y() - low.y();
+  const float pitch = std::max(0.1f, (high.x() - low.x()) / 2.8f);
+  for (const float x : Spaced(low.x() + 0.05f, high.x() - 0.04f, pitch)) {
+    m.Turn(glass, {x, low.y(), high.z() - 0.1f},
+           {{0.04f, 0.0f}, {0.04f, 0.55f * tall}, {0.014f, 0.7f * tall}, {0.014f, 0.9f * tall}}, 5);
+  }
+}
+
+void JarRow(PieceMaker& m, const Vec& low, const Vec& high) {
+  const float pitch = std::max(0.13f, (high.x() - low.x()) / 2.5f);
+  for (const float x : Spaced(low.x() + 0.06f, high.x() - 0.05f, pitch)) {
+    const float height = m.Draw(0.4f, 0.6f) * (high.y() - low.y());
+    const Vec foot(x, low.y(), high.z() - 0.12f);
+    m.Turn({"glass", MutedColor(m)}, foot, {{0.052f, 0.0f}, {0.052f, height}, {0.0f, height}}, 6);
+    const float lid = height + 0.01f;
+    m.Turn(m.palette().metal, foot, {{0.054f, height - 0.02f}, {0.054f, lid}, {0.0f, lid}}, 6);
+  }
+}
+
+/// Something of a larder that fits between two corners.
+void Groceries(PieceMaker& m, const Vec& low, const Vec& high) {
   switch (m.Below(4)) {
-    case 0: {  // packets
-      const float top = low.y() + m.Draw(0.6f, 0.85f) * tall;
-      Panel(m, kPaper, low, {high.x(), top, high.z() - 0.045f});
-      m.Picture({"food_boxes"}, {low.x(), low.y(), high.z() - 0.04f},
-                {high.x(), low.y(), high.z() - 0.04f}, {high.x(), top, high.z() - 0.04f},
-                {low.x(), top, high.z() - 0.04f}, {Vec2(0, 0), Vec2(width, 1.0f)});
-      break;
-    }
-    case 1: {  // bottles
-      const Surface glass{"glass", m.Chance(0.5) ? Rgb8{60, 110, 60} : Rgb8{140, 60, 40}};
-      for (float x = low.x() + 0.05f; x < high.x() - 0.04f; x += std::max(0.1f, width / 2.8f)) {
-        m.Turn(glass, {x, low.y(), high.z() - 0.1f},
-               {{0.04f, 0.0f}, {0.04f, 0.55f * tall}, {0.014f, 0.7f * tall}, {0.014f, 0.9f * tall}},
-               5);
-      }
-      break;
-    }
-    case 2: {  // jars
-      for (float x = low.x() + 0.06f; x < high.x() - 0.05f; x += std::max(0.13f, width / 2.5f)) {
-        const float height = m.Draw(0.4f, 0.6f) * tall;
-        const Vec foot(x, low.y(), high.z() - 0.12f);
-        m.Turn({"glass", MutedColor(m)}, foot, {{0.052f, 0.0f}, {0.052f, height}, {0.0f, height}},
-               6);
-        m.Turn(m.palette().metal, foot,
-               {{0.054f, height - 0.02f}, {0.054f, height + 0.01f}, {0.0f, height + 0.01f}}, 6);
-      }
-      break;
-    }
+    case 0:
+      return Packets(m, low, high);
+    case 1:
+      return BottleRow(m, low, high);
+    case 2:
+      return JarRow(m, low, high);
     case 3: {  // a basket
-      const Vec middle = 0.5f * (low + high);
-      const Vec2 size(0.85f * width, 0.75f * (high.z() - low.z()));
-      m.TaperedBox(kWicker, {middle.x(), low.y(), middle.z()}, 0.85f * size,
-                   {middle.x(), low.y() + 0.55f * tall, middle.z()}, size);
-      break;
+      const Vec foot(0.5f * (low.x() + high.x()), low.y(), 0.5f * (low.z() + high.z()));
+      const Vec2 size(0.85f * (high.x() - low.x()), 0.75f * (high.z() - low.z()));
+      const Vec top = foot + Vec(0, 0.55f * (high.y() - low.y()), 0);
+      return m.TaperedBox(kWicker, foot, 0.85f * size, top, size);
     }
   }
 }

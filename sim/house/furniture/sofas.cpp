@@ -138,36 +138,48 @@ void CornerSofa(PieceMaker& m) {
   ThrowPillow(m, m.palette().other_accent, {half - shape.arm - 0.26f, y, kBack + 0.27f}, -0.3f);
 }
 
-/// Two upholstered bodies and one of wood.
+/// Club and wing chairs.
+void UpholsteredChair(PieceMaker& m, const SofaShape& shape, bool has_wings) {
+  const float half = 0.5f * shape.width;
+  SofaLegs(m, shape);
+  Seats(m, shape, -half + shape.arm, half - shape.arm, 1);
+  for (const float x : {-half, half - shape.arm}) {
+    Arm(m, shape, x);
+    if (!has_wings) continue;
+    m.RoundedBox(shape.cover, {x + 0.02f, shape.seat, 0}, {x + 0.13f, shape.back, 0.34f}, 0.04f);
+  }
+}
+
+/// A frame of wood with two cushions in it.
+void LoungeChair(PieceMaker& m, const SofaShape& shape) {
+  const float half = 0.5f * shape.width;
+  const Surface& wood = m.palette().wood;
+  for (const float x : {-half + 0.03f, half - 0.03f}) {
+    Post(m, wood, {x, 0, 0.06f}, 0.05f, 0.6f);
+    Post(m, wood, {x, 0, shape.depth - 0.06f}, 0.05f, 0.6f);
+    m.Box(wood, {x - 0.04f, 0.6f, 0}, {x + 0.04f, 0.635f, shape.depth});
+  }
+  m.Box(wood, {-half + 0.03f, 0.24f, 0.05f}, {half - 0.03f, 0.29f, shape.depth - 0.05f});
+  Cushion(m, shape.cover, {-half + 0.07f, 0.29f, 0.1f}, {half - 0.07f, 0.44f, shape.depth}, 0.03f);
+  const Frame frame(&m, Turned({0, 0.42f, 0.1f}, 0.0f, -0.28f));
+  m.RoundedBox(shape.cover, {-half + 0.07f, 0, 0}, {half - 0.07f, 0.5f, 0.14f}, 0.05f);
+}
+
 void Armchair(PieceMaker& m) {
-  const int style = m.Below(3);
   SofaShape shape = DrawShape(m, m.Draw(0.76f, 0.92f));
   shape.depth = m.Draw(0.78f, 0.88f);
   if (m.Chance(0.4)) shape.cover = m.palette().accent;
-  const float half = 0.5f * shape.width;
-  if (style < 2) {
-    shape.back = style == 0 ? shape.back : m.Draw(1.0f, 1.1f);
-    SofaLegs(m, shape);
-    Seats(m, shape, -half + shape.arm, half - shape.arm, 1);
-    for (const float x : {-half, half - shape.arm}) {
-      Arm(m, shape, x);
-      if (style == 1) {  // wings beside the head
-        m.RoundedBox(shape.cover, {x + 0.02f, shape.seat, 0}, {x + 0.13f, shape.back, 0.34f},
-                     0.04f);
-      }
-    }
-  } else {
-    const Surface& wood = m.palette().wood;
-    for (const float x : {-half + 0.03f, half - 0.03f}) {
-      Post(m, wood, {x, 0, 0.06f}, 0.05f, 0.6f);
-      Post(m, wood, {x, 0, shape.depth - 0.06f}, 0.05f, 0.6f);
-      m.Box(wood, {x - 0.04f, 0.6f, 0}, {x + 0.04f, 0.635f, shape.depth});
-    }
-    m.Box(wood, {-half + 0.03f, 0.24f, 0.05f}, {half - 0.03f, 0.29f, shape.depth - 0.05f});
-    Cushion(m, shape.cover, {-half + 0.07f, 0.29f, 0.1f}, {half - 0.07f, 0.44f, shape.depth},
-            0.03f);
-    const Frame frame(&m, Turned({0, 0.42f, 0.1f}, 0.0f, -0.28f));
-    m.RoundedBox(shape.cover, {-half + 0.07f, 0, 0}, {half - 0.07f, 0.5f, 0.14f}, 0.05f);
+  switch (m.Below(3)) {
+    case 0:
+      UpholsteredChair(m, shape, false);
+      break;
+    case 1:
+      shape.back = m.Draw(1.0f, 1.1f);
+      UpholsteredChair(m, shape, true);
+      break;
+    case 2:
+      LoungeChair(m, shape);
+      break;
   }
   if (m.Chance(0.5)) {
     ThrowPillow(m, m.palette().other_accent, {0, shape.seat + 0.15f, 0.42f}, 0.1f);

@@ -29,55 +29,57 @@ void Framed(PieceMaker& m, const Surface& frame, const Surface& picture, const V
   Sheet(m, picture, middle + Vec(0, rim, 0.034f), size.x() - 2.0f * rim, size.y() - 2.0f * rim);
 }
 
+void Triptych(PieceMaker& m, const Surface& picture) {
+  const float width = m.Draw(0.32f, 0.4f);
+  constexpr float kHigh = 0.85f;
+  constexpr float kFront = 0.033f;
+  for (int i = 0; i < 3; ++i) {
+    const Vec low((static_cast<float>(i) - 1.5f) * (width + 0.05f), 0, 0);
+    const float part = static_cast<float>(i) / 3.0f;
+    m.Box(kWhitePaint, low, low + Vec(width, kHigh, 0.03f));
+    m.Picture(picture, low + Vec(0, 0, kFront), low + Vec(width, 0, kFront),
+              low + Vec(width, kHigh, kFront), low + Vec(0, kHigh, kFront),
+              {Vec2(part, 0), Vec2(part + 1.0f / 3.0f, 1)});
+  }
+}
+
 void Painting(PieceMaker& m) {
   const Surface frame = PictureFrame(m);
   const float mat = m.Chance(0.4) ? 0.06f : 0.0f;
   const Surface picture{m.rng().Pick(kPaintings)};
   switch (m.Below(4)) {
-    case 0: {  // one in three parts
-      const float width = m.Draw(0.32f, 0.4f);
-      for (int i = 0; i < 3; ++i) {
-        const Vec low((static_cast<float>(i) - 1.5f) * (width + 0.05f), 0, 0);
-        const float part = static_cast<float>(i) / 3.0f;
-        m.Box(kWhitePaint, low, low + Vec(width, 0.85f, 0.03f));
-        const float z = 0.033f;
-        m.Picture(picture, low + Vec(0, 0, z), low + Vec(width, 0, z), low + Vec(width, 0.85f, z),
-                  low + Vec(0, 0.85f, z), {Vec2(part, 0), Vec2(part + 1.0f / 3.0f, 1)});
-      }
-      break;
-    }
+    case 0:
+      return Triptych(m, picture);
     case 1: {  // two beside each other
-      const Vec2 size(m.Draw(0.36f, 0.46f), m.Draw(0.48f, 0.6f));
+      const Vec2 size = m.Draw(Vec2(0.36f, 0.48f), Vec2(0.46f, 0.6f));
       Framed(m, frame, picture, {-size.x() - 0.05f, 0, 0}, size, mat);
-      Framed(m, frame, {m.rng().Pick(kPaintings)}, {0.05f, 0, 0}, size, mat);
-      break;
+      return Framed(m, frame, {m.rng().Pick(kPaintings)}, {0.05f, 0, 0}, size, mat);
     }
     case 2: {
-      const Vec2 size(m.Draw(0.8f, 1.25f), m.Draw(0.55f, 0.85f));
-      Framed(m, frame, picture, {-0.5f * size.x(), 0, 0}, size, mat);
-      break;
+      const Vec2 size = m.Draw(Vec2(0.8f, 0.55f), Vec2(1.25f, 0.85f));
+      return Framed(m, frame, picture, {-0.5f * size.x(), 0, 0}, size, mat);
     }
     case 3: {
-      const Vec2 size(m.Draw(0.42f, 0.6f), m.Draw(0.58f, 0.8f));
-      Framed(m, frame, picture, {-0.5f * size.x(), 0, 0}, size, mat);
-      break;
+      const Vec2 size = m.Draw(Vec2(0.42f, 0.58f), Vec2(0.6f, 0.8f));
+      return Framed(m, frame, picture, {-0.5f * size.x(), 0, 0}, size, mat);
     }
   }
 }
 
 /// Many small frames in two rows.
 void PhotoGallery(PieceMaker& m) {
+  const auto photo = [&](float x, float y, const Vec2& size) {
+    const Surface frame = PictureFrame(m);
+    const bool is_photo = m.Chance(0.6);
+    const std::string_view painting = m.rng().Pick(kPaintings);
+    Framed(m, frame, {is_photo ? "family_photos" : painting}, {x, y, 0}, size, 0.03f);
+  };
   float x = 0.0f;
   for (int i = 0; i < 3; ++i) {
     const float width = m.Draw(0.24f, 0.4f);
     const float split = m.Draw(0.32f, 0.46f);
-    const Surface upper{m.Chance(0.6) ? std::string_view("family_photos")
-                                      : m.rng().Pick(kPaintings)};
-    const Surface lower{m.Chance(0.6) ? std::string_view("family_photos")
-                                      : m.rng().Pick(kPaintings)};
-    Framed(m, PictureFrame(m), lower, {x, m.Draw(0.0f, 0.05f), 0}, {width, split - 0.05f}, 0.03f);
-    Framed(m, PictureFrame(m), upper, {x, split + 0.05f, 0}, {width, m.Draw(0.68f, 0.86f) - split},
-           0.03f);
+    photo(x, m.Draw(0.0f, 0.05f), {width, split - 0.05f});
+    photo(x, split + 0.05f, {width, m.Draw(0.68f, 0.86f) - split});
     x += width + 0.06f;
   }
 }
@@ -105,7 +107,7 @@ void RoundMirror(PieceMaker& m, const Surface& frame_surface) {
 void Mirror(PieceMaker& m) {
   const Surface frame = PictureFrame(m);
   if (m.Chance(0.45)) return RoundMirror(m, frame);
-  const Vec2 size(m.Draw(0.45f, 0.7f), m.Draw(0.7f, 1.2f));
+  const Vec2 size = m.Draw(Vec2(0.45f, 0.7f), Vec2(0.7f, 1.2f));
   Framed(m, frame, kMirror, {-0.5f * size.x(), 0, 0}, size, 0.0f);
 }
 
@@ -152,14 +154,15 @@ void WallShelf(PieceMaker& m) {
 }
 
 void PinBoard(PieceMaker& m) {
-  const Vec2 size(m.Draw(0.7f, 1.0f), m.Draw(0.5f, 0.65f));
+  const Vec2 size = m.Draw(Vec2(0.7f, 0.5f), Vec2(1.0f, 0.65f));
   Framed(m, m.palette().wood, {"cork"}, {-0.5f * size.x(), 0, 0}, size, 0.0f);
   for (int i = 0; i < 8; ++i) {
-    const Vec at(m.Draw(-0.4f, 0.4f) * size.x(), m.Draw(0.12f, 0.6f) * size.y(),
-                 0.037f + 0.001f * static_cast<float>(i));
-    const Frame frame(&m, Turned(at, 0.0f, 0.0f, m.Draw(-0.15f, 0.15f)));
-    Sheet(m, {"paper", m.Chance(0.5) ? kWhite : BrightColor(m)}, {0, 0, 0}, m.Draw(0.08f, 0.15f),
-          m.Draw(0.08f, 0.17f));
+    const Vec2 at = m.Draw(Vec2(-0.4f, 0.12f), Vec2(0.4f, 0.6f)).cwiseProduct(size);
+    const Vec note(at.x(), at.y(), 0.037f + 0.001f * static_cast<float>(i));  // over the last one
+    const Frame frame(&m, Turned(note, 0.0f, 0.0f, m.Draw(-0.15f, 0.15f)));
+    const Surface paper{"paper", m.Chance(0.5) ? kWhite : BrightColor(m)};
+    const Vec2 sheet = m.Draw(Vec2(0.08f, 0.08f), Vec2(0.15f, 0.17f));
+    Sheet(m, paper, {0, 0, 0}, sheet.x(), sheet.y());
   }
 }
 
