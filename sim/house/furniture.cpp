@@ -30,8 +30,8 @@ std::vector<FurnitureKind> Collect() {
                              Plants(),         Rugs(),
                              Screens(),        Shelves(),
                              Sofas(),          Study(),
-                             Tables(),         WallArt(),
-                             Windows()}) {
+                             Tables(),         Toys(),
+                             WallArt(),        Windows()}) {
     all.insert(all.end(), family.begin(), family.end());
   }
   std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) {

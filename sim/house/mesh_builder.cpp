@@ -202,6 +202,7 @@ void MeshBuilder::RoundedBox(const Surface& surface, const Vec& low, const Vec& 
   Tube(surface, rings);
   const std::vector<Vec> top(rings.back().begin(), rings.back().end() - 1);
   std::vector<Vec2> metres;
+  metres.reserve(top.size());
   for (const Vec& p : top) metres.emplace_back(p.x(), p.z());
   Face(surface, top, metres);
 }
@@ -315,6 +316,7 @@ void MeshBuilder::Polygon(const Surface& surface, std::span<const Vec2> polygon,
   const std::uint32_t material = MaterialOf(surface);
   const float scale = 1.0f / FindMaterial(surface.material).metres;
   std::vector<std::uint32_t> v;
+  v.reserve(points.size());
   for (const Vec2& p : points) v.push_back(AddVertex(Vec(p.x(), y, p.y()), p * scale));
   for (const auto& [a, b, c] : Triangulate(points)) {
     if (faces_up) {

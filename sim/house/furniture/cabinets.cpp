@@ -49,12 +49,34 @@ void SlidingDoors(PieceMaker& m, const Surface& surface, const FrontField& f, in
   }
 }
 
+/// No doors: clothes on a rail over drawers.
+void OpenWardrobe(PieceMaker& m, const Surface& surface, float half, float height, float depth) {
+  constexpr float kSill = 0.5f;
+  OpenBody(m, surface, {-half, kSill, 0}, {half, height, depth}, 0.03f);
+  Body(m, surface, {-half, 0, 0}, {half, kSill, depth});
+  const int columns = std::max(2, static_cast<int>(std::lround(2.0f * half / 0.6f)));
+  const float width = 2.0f * half / static_cast<float>(columns);
+  for (int i = 0; i < columns; ++i) {
+    const float x = -half + width * static_cast<float>(i);
+    Drawers(m, surface, {x, x + width, 0.04f, kSill, depth}, 2);
+    if (i > 0)
+      m.Box(surface, {x - 0.015f, kSill, 0.02f}, {x + 0.015f, height - 0.03f, depth - 0.01f});
+    const float from = m.Draw(0.0f, 0.6f);
+    const float low = kSill + m.Draw(0.03f, 0.1f);
+    m.Picture({"clothes"}, {x + 0.03f, low, 0.55f * depth}, {x + width - 0.03f, low, 0.55f * depth},
+              {x + width - 0.03f, height - 0.15f, 0.55f * depth},
+              {x + 0.03f, height - 0.15f, 0.55f * depth},
+              {Vec2(from, 0), Vec2(from + 0.7f * width, 1)});
+  }
+}
+
 void Wardrobe(PieceMaker& m) {
   const Surface surface = CabinetSurface(m);
   const float width = m.Width(0.95f, 2.3f, 0.06f);
   const float half = 0.5f * width;
   const float height = m.Draw(1.95f, 2.25f);
   const float depth = m.Draw(0.55f, 0.62f);
+  if (m.Chance(0.15)) return OpenWardrobe(m, surface, half, height, depth);
   constexpr float kPlinth = 0.08f;
   m.Box(Shaded(surface, 0.6f), {-half + 0.02f, 0, 0}, {half - 0.02f, kPlinth, depth - 0.04f});
   Body(m, surface, {-half, kPlinth, 0}, {half, height, depth});

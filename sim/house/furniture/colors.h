@@ -25,7 +25,7 @@ inline constexpr Surface kLeaves{"leaves"};
 inline constexpr Surface kSoil{"soil"};
 inline constexpr Surface kWicker{"wicker"};
 inline constexpr Surface kCardboard{"cardboard"};
-inline constexpr Surface kRubber{"rubber"};
+inline constexpr Surface kRubber{"rubber", {52, 52, 54}};
 
 /// The same material in another brightness; factors above 1 stop at white.
 Surface Shaded(const Surface& surface, float factor);

@@ -30,6 +30,7 @@ std::span<const FurnitureKind> Shelves();
 std::span<const FurnitureKind> Sofas();
 std::span<const FurnitureKind> Study();
 std::span<const FurnitureKind> Tables();
+std::span<const FurnitureKind> Toys();
 std::span<const FurnitureKind> WallArt();
 std::span<const FurnitureKind> Windows();
 

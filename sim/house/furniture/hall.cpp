@@ -43,6 +43,29 @@ void CoatRack(PieceMaker& m) {
   Hat(m, {0, height - 0.01f, 0});
 }
 
+/// Garments on hangers along a rail on two feet.
+void ClothesRail(PieceMaker& m) {
+  const Surface& metal = m.palette().metal;
+  const float half = 0.5f * m.Draw(0.9f, 1.25f);
+  constexpr float kHigh = 1.55f;
+  for (const float x : {-half, half}) {
+    m.Bar(metal, {x, 0.04f, 0.23f}, {x, kHigh, 0.23f}, 0.018f, 5);
+    m.Box(metal, {x - 0.02f, 0, 0}, {x + 0.02f, 0.04f, 0.46f});
+  }
+  m.Bar(metal, {-half, kHigh, 0.23f}, {half, kHigh, 0.23f}, 0.018f, 5);
+  m.Box(metal, {-half, 0.12f, 0.08f}, {half, 0.14f, 0.38f});
+  for (const float x : Spaced(-half + 0.1f, half - 0.25f, 0.085f)) {  // edge on
+    const Surface cloth = Cloth(m);
+    const float length = m.Draw(0.6f, 1.05f);
+    m.TaperedBox(cloth, {x, kHigh - 0.1f - length, 0.23f}, {0.075f, 0.4f},
+                 {x, kHigh - 0.12f, 0.23f}, {0.06f, 0.38f});
+    m.TaperedBox(cloth, {x, kHigh - 0.12f, 0.23f}, {0.06f, 0.38f}, {x, kHigh - 0.02f, 0.23f},
+                 {0.04f, 0.08f});
+  }
+  for (const float x : {-0.4f * half, 0.3f * half})
+    m.Block(kCardboard, {x, 0.14f, 0.23f}, {0.3f, 0.13f, 0.2f});
+}
+
 /// A board with hooks, coats on some, a shelf above.
 void CoatHooks(PieceMaker& m) {
   const float half = 0.5f * m.Width(0.7f, 1.2f);
@@ -145,6 +168,7 @@ void Shoes(PieceMaker& m) {
 }
 
 constexpr std::array kKinds = {
+    FurnitureKind{"clothes_rail", Placement::kAgainstWall, 0.5f, ClothesRail},
     FurnitureKind{"coat_hooks", Placement::kOnWall, 0.4f, CoatHooks, 0.6f, 1.8f},
     FurnitureKind{"coat_rack", Placement::kFree, 0.2f, CoatRack},
     FurnitureKind{"shoe_cabinet", Placement::kAgainstWall, 0.5f, ShoeCabinet, 0.5f, 1.4f},

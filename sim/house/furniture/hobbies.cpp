@@ -145,7 +145,7 @@ void Treadmill(PieceMaker& m) {
   constexpr float kHalf = 0.38f;
   m.TaperedBox(kBlackPlastic, {0, 0.0f, 0}, {2.0f * kHalf, 1.65f}, {0, 0.16f, 0},
                {2.0f * kHalf - 0.04f, 1.6f});
-  m.Quad({"rubber"}, {-0.25f, 0.165f, 0.76f}, {0.25f, 0.165f, 0.76f}, {0.25f, 0.165f, -0.6f},
+  m.Quad(kRubber, {-0.25f, 0.165f, 0.76f}, {0.25f, 0.165f, 0.76f}, {0.25f, 0.165f, -0.6f},
          {-0.25f, 0.165f, -0.6f});
   m.Box(kGreyPlastic, {-kHalf, 0.1f, -0.82f}, {kHalf, 0.26f, -0.58f});
   for (const float x : {-kHalf + 0.03f, kHalf - 0.03f}) {

@@ -72,9 +72,30 @@ void StandingFrame(PieceMaker& m) {
   const Vec2 size = m.Chance(0.5) ? Vec2(0.16f, 0.22f) : Vec2(0.24f, 0.18f);
   const Frame frame(&m, Turned({0, 0.003f, 0.03f}, 0.0f, -0.2f));
   Panel(m, rim, {-0.5f * size.x(), 0, -0.01f}, {0.5f * size.x(), size.y(), 0.01f});
-  Sheet(m, {"family_photos"}, {0, 0.022f, 0.012f}, size.x() - 0.044f, size.y() - 0.044f);
+  FamilyPhoto(m, {0, 0.022f, 0.012f}, size.x() - 0.044f, size.y() - 0.044f);
   m.Quad(rim, {0.5f * size.x(), 0, -0.01f}, {-0.5f * size.x(), 0, -0.01f},
          {-0.5f * size.x(), size.y(), -0.01f}, {0.5f * size.x(), size.y(), -0.01f});
+}
+
+/// The map of the world on a ball.
+void MapBall(PieceMaker& m, const Vec& centre, float radius) {
+  constexpr int kAround = 10;
+  constexpr int kBands = 6;
+  const auto point = [&](int i, int band) {
+    const float around = 4.0f * kQuarterTurn * static_cast<float>(i) / kAround;
+    const float down = 2.0f * kQuarterTurn * static_cast<float>(band) / kBands;
+    const float out = std::sin(down);
+    return Vec(centre +
+               radius * Vec(out * std::cos(around), -std::cos(down), -out * std::sin(around)));
+  };
+  for (int i = 0; i < kAround; ++i) {
+    for (int band = 0; band < kBands; ++band) {
+      const Vec2 cell(1.0f / kAround, 1.0f / kBands);
+      const Vec2 low = cell.cwiseProduct(Vec2(static_cast<float>(i), static_cast<float>(band)));
+      m.Picture({"world_map"}, point(i, band), point(i + 1, band), point(i + 1, band + 1),
+                point(i, band + 1), {low, low + cell});
+    }
+  }
 }
 
 void Globe(PieceMaker& m) {
@@ -82,7 +103,7 @@ void Globe(PieceMaker& m) {
   const Frame size(&m, Eigen::Affine3f(Eigen::Scaling(scale)));
   m.Turn(m.palette().wood, {0, 0, 0},
          {{0.09f, 0.0f}, {0.08f, 0.02f}, {0.015f, 0.05f}, {0.015f, 0.1f}}, 8);
-  m.Ball({"world_map"}, {0, 0.22f, 0}, {0.13f, 0.13f, 0.13f}, 12);
+  MapBall(m, {0, 0.22f, 0}, 0.13f);
   const Frame frame(&m, Turned({0, 0.22f, 0}, 0.4f));
   for (int i = 0; i < 6; ++i) {
     const auto point = [](int k) {

@@ -101,7 +101,7 @@ void Ornament(PieceMaker& m, const Vec& at, const Vec& size) {
       const Frame frame(&m, Turned(at - Vec(0, 0, 0.3f * radius), 0.0f, -0.2f));
       Panel(m, m.palette().other_wood, {-0.8f * radius, 0, -0.01f},
             {0.8f * radius, 0.9f * height, 0.01f});
-      Sheet(m, {"family_photos"}, {0, 0.1f * height, 0.013f}, 1.2f * radius, 0.7f * height);
+      FamilyPhoto(m, {0, 0.1f * height, 0.013f}, 1.2f * radius, 0.7f * height);
       break;
     }
     case 5:

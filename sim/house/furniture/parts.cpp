@@ -113,6 +113,16 @@ void Sheet(PieceMaker& m, const Surface& surface, const Vec& low, float width, f
   m.Picture(surface, low - half, low + half, low + half + up, low - half + up);
 }
 
+void FamilyPhoto(PieceMaker& m, const Vec& low, float width, float height) {
+  const int number = m.Below(9);
+  const Vec2 cell(static_cast<float>(number % 3) / 3.0f, static_cast<float>(number / 3) / 3.0f);
+  const Vec half(0.5f * width, 0, 0);
+  const Vec up(0, height, 0);
+  // What is inside the painted frame of a cell.
+  m.Picture({"family_photos"}, low - half, low + half, low + half + up, low - half + up,
+            {cell + Vec2(0.08f, 0.075f), cell + Vec2(0.25f, 0.24f)});
+}
+
 void Hoop(PieceMaker& m, const Surface& surface, const Vec& centre, float radius, float thickness,
           int pieces) {
   // A tube of three sides: two that meet outside, one inside.

@@ -32,6 +32,8 @@ void Hollow(PieceMaker& m, const Surface& surface, const Vec& low, const Vec& hi
 void Disc(PieceMaker& m, const Surface& surface, const Vec& centre, float radius, int sides = 12);
 /// Upright picture of given size whose lower edge is centred on `low`, looking to the front.
 void Sheet(PieceMaker& m, const Surface& surface, const Vec& low, float width, float height);
+/// One of the photographs of the material that shows a wall of them, in the same way.
+void FamilyPhoto(PieceMaker& m, const Vec& low, float width, float height);
 /// Wheel or hoop standing across x, its centre at `centre`, of straight pieces.
 void Hoop(PieceMaker& m, const Surface& surface, const Vec& centre, float radius, float thickness,
           int pieces = 10);

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
 #include "sim/house/furniture/families.h"
 #include "sim/house/furniture/parts.h"
 
@@ -40,9 +43,28 @@ void Fringe(PieceMaker& m, const Vec2& half) {
   }
 }
 
+/// Rugs whose material is the picture of a whole rug, with its own border.
+bool IsPicture(const Surface& rug) {
+  return rug.material == "persian_rug" || rug.material == "kids_rug";
+}
+
+/// The picture once over the rug, or several times along it if it is long.
+void PictureField(PieceMaker& m, const Surface& surface, const Vec2& half) {
+  const float times = std::max(1.0f, std::round(0.7f * half.x() / half.y()));
+  m.Picture(surface, {-half.x(), kThick, half.y()}, {half.x(), kThick, half.y()},
+            {half.x(), kThick, -half.y()}, {-half.x(), kThick, -half.y()},
+            {Vec2(0, 0), Vec2(times, 1)});
+}
+
 void RectangularRug(PieceMaker& m, const Vec2& half) {
   const Surface& rug = m.palette().rug;
   Edge(m, Shaded(rug, 0.7f), half);
+  if (IsPicture(rug)) {
+    PictureField(m, rug, half);
+    if (rug.material == "persian_rug") Fringe(m, half);
+    return;
+  }
+
   const Vec2 ones(1.0f, 1.0f);
   switch (m.Below(3)) {
     case 0:
@@ -81,7 +103,10 @@ void RoundRug(PieceMaker& m) {
   const float inner = m.Draw(0.75f, 0.9f) * radius;
   const Surface border = m.Chance(0.5) ? m.palette().accent : Shaded(rug, 0.7f);
   m.Turn(border, {0, 0, 0}, {{radius, 0.0f}, {radius, kThick}, {inner, kThick}}, 24);
-  Disc(m, rug, {0, kThick, 0}, inner, 24);
+  // The middle of the material's picture lies in the middle of the rug.
+  const float middle = 0.5f * FindMaterial(rug.material).metres;
+  const Frame frame(&m, {-middle, 0, -middle});
+  Disc(m, rug, {middle, kThick, middle}, inner, 24);
 }
 
 void BathMat(PieceMaker& m) {

@@ -11,6 +11,8 @@ constexpr std::array<std::string_view, 6> kPaintings = {"painting_abstract",  "p
                                                         "painting_geometric", "painting_landscape",
                                                         "painting_portrait",  "painting_sea"};
 
+constexpr std::string_view kPhotos = "family_photos";
+
 Surface PictureFrame(PieceMaker& m) {
   const std::array<Surface, 5> frames = {m.palette().wood, m.palette().other_wood, kBlackPaint,
                                          kWhitePaint, kBrass};
@@ -26,10 +28,19 @@ void Framed(PieceMaker& m, const Surface& frame, const Surface& picture, const V
   if (mat > 0.0f)
     Sheet(m, kPaper, middle + Vec(0, kRim, 0.032f), size.x() - 2.0f * kRim, size.y() - 2.0f * kRim);
   const float rim = kRim + mat;
-  Sheet(m, picture, middle + Vec(0, rim, 0.034f), size.x() - 2.0f * rim, size.y() - 2.0f * rim);
+  const Vec at = middle + Vec(0, rim, 0.034f);
+  const Vec2 inner = size - 2.0f * Vec2(rim, rim);
+  if (picture.material == kPhotos) {
+    FamilyPhoto(m, at, inner.x(), inner.y());
+  } else {
+    Sheet(m, picture, at, inner.x(), inner.y());
+  }
 }
 
-void Triptych(PieceMaker& m, const Surface& picture) {
+void Triptych(PieceMaker& m) {
+  static constexpr std::array<std::string_view, 4> kWide = {
+      "painting_abstract", "painting_geometric", "painting_landscape", "painting_sea"};
+  const Surface picture{m.rng().Pick(kWide)};
   const float width = m.Draw(0.32f, 0.4f);
   constexpr float kHigh = 0.85f;
   constexpr float kFront = 0.033f;
@@ -49,7 +60,7 @@ void Painting(PieceMaker& m) {
   const Surface picture{m.rng().Pick(kPaintings)};
   switch (m.Below(4)) {
     case 0:
-      return Triptych(m, picture);
+      return Triptych(m);
     case 1: {  // two beside each other
       const Vec2 size = m.Draw(Vec2(0.36f, 0.48f), Vec2(0.46f, 0.6f));
       Framed(m, frame, picture, {-size.x() - 0.05f, 0, 0}, size, mat);
@@ -72,7 +83,7 @@ void PhotoGallery(PieceMaker& m) {
     const Surface frame = PictureFrame(m);
     const bool is_photo = m.Chance(0.6);
     const std::string_view painting = m.rng().Pick(kPaintings);
-    Framed(m, frame, {is_photo ? "family_photos" : painting}, {x, y, 0}, size, 0.03f);
+    Framed(m, frame, {is_photo ? kPhotos : painting}, {x, y, 0}, size, 0.03f);
   };
   float x = 0.0f;
   for (int i = 0; i < 3; ++i) {
