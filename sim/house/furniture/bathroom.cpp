@@ -69,7 +69,7 @@ void BasinMirror(PieceMaker& m, float half) {
     const Frame frame(&m, Turned({0, 1.5f, 0.0f}, 0.0f, kQuarterTurn));
     const float radius = std::min(half, 0.36f);
     m.Cylinder(m.palette().metal, {0, 0, 0}, radius, 0.025f, 18);
-    Disc(m, kMirror, {0, 0.028f, 0}, radius - 0.025f, 18);
+    PictureDisc(m, kMirror, {0, 0.028f, 0}, radius - 0.025f, 18);
   } else {
     m.Box(m.Chance(0.5) ? m.palette().metal : m.palette().wood, {-half, 1.1f, 0},
           {half, 1.8f, 0.025f});

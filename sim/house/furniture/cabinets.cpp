@@ -128,7 +128,7 @@ void VanityMirror(PieceMaker& m, const Surface& frame_surface, float bottom) {
     oval = oval * Eigen::Scaling(Vec(0.78f, 1.0f, 1.0f));
     const Frame frame(&m, oval);
     m.Cylinder(frame_surface, {0, -0.03f, 0}, 0.38f, 0.03f, 16);
-    Disc(m, kMirror, {0, 0.004f, 0}, 0.33f, 16);
+    PictureDisc(m, kMirror, {0, 0.004f, 0}, 0.33f, 16);
     return;
   }
   for (const float x : {-0.33f, 0.0f, 0.33f}) {  // three wings

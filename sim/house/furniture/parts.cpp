@@ -107,6 +107,14 @@ void Disc(PieceMaker& m, const Surface& surface, const Vec& centre, float radius
   m.Turn(surface, centre, {{radius, 0.0f}, {0.0f, 0.0f}}, sides);
 }
 
+void PictureDisc(PieceMaker& m, const Surface& surface, const Vec& centre, float radius,
+                 int sides) {
+  // Textures lie in the frame's axes: move those to the picture's corner.
+  const float half = 0.5f * FindMaterial(surface.material).metres;
+  const Frame frame(&m, centre - Vec(half, 0, half));
+  Disc(m, surface, {half, 0, half}, radius, sides);
+}
+
 void Sheet(PieceMaker& m, const Surface& surface, const Vec& low, float width, float height) {
   const Vec half(0.5f * width, 0, 0);
   const Vec up(0, height, 0);

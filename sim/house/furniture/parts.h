@@ -30,6 +30,8 @@ void Hollow(PieceMaker& m, const Surface& surface, const Vec& low, const Vec& hi
             float slant = 0.0f);
 /// Level disc that faces up.
 void Disc(PieceMaker& m, const Surface& surface, const Vec& centre, float radius, int sides = 12);
+/// The same with the middle of the material's picture in its middle: mirrors, round rugs.
+void PictureDisc(PieceMaker& m, const Surface& surface, const Vec& centre, float radius, int sides);
 /// Upright picture of given size whose lower edge is centred on `low`, looking to the front.
 void Sheet(PieceMaker& m, const Surface& surface, const Vec& low, float width, float height);
 /// One of the photographs of the material that shows a wall of them, in the same way.

@@ -103,10 +103,7 @@ void RoundRug(PieceMaker& m) {
   const float inner = m.Draw(0.75f, 0.9f) * radius;
   const Surface border = m.Chance(0.5) ? m.palette().accent : Shaded(rug, 0.7f);
   m.Turn(border, {0, 0, 0}, {{radius, 0.0f}, {radius, kThick}, {inner, kThick}}, 24);
-  // The middle of the material's picture lies in the middle of the rug.
-  const float middle = 0.5f * FindMaterial(rug.material).metres;
-  const Frame frame(&m, {-middle, 0, -middle});
-  Disc(m, rug, {middle, kThick, middle}, inner, 24);
+  PictureDisc(m, rug, {0, kThick, 0}, inner, 24);
 }
 
 void BathMat(PieceMaker& m) {

@@ -112,7 +112,7 @@ void RoundMirror(PieceMaker& m, const Surface& frame_surface) {
   const Frame frame(&m, Turned({0, tall * radius, 0}, 0.0f, kQuarterTurn) *
                             Eigen::Scaling(Vec(1.0f, 1.0f, tall)));
   m.Turn(frame_surface, {0, 0, 0}, {{radius, 0.0f}, {radius, 0.03f}, {0.9f * radius, 0.03f}}, 20);
-  Disc(m, kMirror, {0, 0.028f, 0}, 0.9f * radius, 20);
+  PictureDisc(m, kMirror, {0, 0.028f, 0}, 0.9f * radius, 20);
 }
 
 void Mirror(PieceMaker& m) {
