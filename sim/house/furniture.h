@@ -67,7 +67,7 @@ struct Piece {
 Piece BuildPiece(const FurnitureKind& kind, const Rng& rng, const Palette& palette,
                  const PieceRequest& request = {});
 
-/// Every kind, sorted by name; at least 60.
+/// Every kind, sorted by name; at least 100.
 std::span<const FurnitureKind> AllFurniture();
 
 /// Throws Error, naming the nearest known name, if there is no such kind.

@@ -5,7 +5,17 @@
 namespace bulletnav::sim::furniture {
 namespace {
 
-/// Open shelf with crates and toys in its compartments.
+/// A crate, or toys standing about, in a compartment whose floor is centred on `at`.
+void Compartment(PieceMaker& m, const Vec& at, const Vec2& size, bool has_crate) {
+  if (has_crate) {
+    m.TaperedBox({"plastic", BrightColor(m)}, at, {0.75f * size.x(), 0.24f},
+                 at + Vec(0, 0.55f * size.y(), 0), {0.85f * size.x(), 0.28f});
+  } else {
+    Sheet(m, {"toys"}, at, size.x() - 0.05f, size.y() - 0.04f);
+  }
+}
+
+/// Open shelf for toys.
 void ToyShelf(PieceMaker& m) {
   const Surface body = m.Chance(0.6) ? kWhitePaint : m.palette().wood;
   const float half = m.Draw(0.5f, 0.65f);
@@ -16,23 +26,19 @@ void ToyShelf(PieceMaker& m) {
   const float top = kRow * static_cast<float>(rows);
   const float width = 2.0f * half / kColumns;
   OpenBody(m, body, {-half, 0, 0}, {half, top, kDepth}, 0.025f);
-  for (int r = 0; r < rows; ++r) {
+  for (int r = 1; r < rows; ++r) {
     const float y = kRow * static_cast<float>(r);
-    if (r > 0)
-      m.Box(body, {-half + 0.025f, y - 0.012f, 0.02f}, {half - 0.025f, y + 0.012f, kDepth - 0.01f});
-    for (int c = 0; c < kColumns; ++c) {
-      const float x = -half + width * (static_cast<float>(c) + 0.5f);
-      if ((r + c) % 2 == 0) {
-        m.TaperedBox({"plastic", BrightColor(m)}, {x, y + 0.025f, 0.18f}, {0.75f * width, 0.24f},
-                     {x, y + 0.22f, 0.18f}, {0.85f * width, 0.28f});
-      } else {
-        Sheet(m, {"toys"}, {x, y + 0.02f, 0.2f}, width - 0.05f, kRow - 0.04f);
-      }
-    }
+    m.Box(body, {-half + 0.025f, y, 0.02f}, {half - 0.025f, y + 0.025f, kDepth - 0.01f});
   }
-  for (int c = 1; c < kColumns; ++c) {
+  for (int c = 0; c < kColumns; ++c) {
     const float x = -half + width * static_cast<float>(c);
-    m.Box(body, {x - 0.012f, 0.025f, 0.02f}, {x + 0.012f, top - 0.025f, kDepth - 0.005f});
+    if (c > 0) {
+      m.Box(body, {x - 0.012f, 0.025f, 0.02f}, {x + 0.012f, top - 0.025f, kDepth - 0.005f});
+    }
+    for (int r = 0; r < rows; ++r) {
+      const float y = kRow * static_cast<float>(r) + 0.025f;
+      Compartment(m, {x + 0.5f * width, y, 0.19f}, {width, kRow}, (r + c) % 2 == 0);
+    }
   }
   m.AddTop(top, {-half, 0.0f}, {half, kDepth});
 }

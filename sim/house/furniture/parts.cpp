@@ -122,8 +122,9 @@ void Sheet(PieceMaker& m, const Surface& surface, const Vec& low, float width, f
 }
 
 void FamilyPhoto(PieceMaker& m, const Vec& low, float width, float height) {
-  const int number = m.Below(9);
-  const Vec2 cell(static_cast<float>(number % 3) / 3.0f, static_cast<float>(number / 3) / 3.0f);
+  const auto column = static_cast<float>(m.Below(3));
+  const auto row = static_cast<float>(m.Below(3));
+  const Vec2 cell = Vec2(column, row) / 3.0f;
   const Vec half(0.5f * width, 0, 0);
   const Vec up(0, height, 0);
   // What is inside the painted frame of a cell.
