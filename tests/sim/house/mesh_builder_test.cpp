@@ -116,6 +116,39 @@ TEST(MeshBuilder, RoundedBoxStaysInsideItsBox) {
   EXPECT_TRUE(box.max().isApprox(Vec(2, 0.3f, 1)));
 }
 
+TEST(MeshBuilder, RoundedBoxFacesOutwardsHoweverRound) {
+  for (const float radius : {0.02f, 0.1f, 0.5f, 2.0f}) {
+    MeshBuilder builder;
+    builder.RoundedBox(kPlain, {-1, 0, -0.2f}, {1, 0.6f, 0.2f}, radius);
+    TextureCache cache;
+    const SceneMesh mesh = builder.Finish(&cache);
+    for (const auto& t : mesh.triangles) {
+      const Vec& a = mesh.positions[t[0]];
+      const Vec normal = (mesh.positions[t[1]] - a).cross(mesh.positions[t[2]] - a);
+      EXPECT_GT(normal.dot(a - Vec(0, 0.1f, 0)), 0.0f) << radius;
+    }
+  }
+}
+
+TEST(MeshBuilder, TopsOfRoundThingsAreTexturedInOnePlane) {
+  MeshBuilder builder;
+  builder.Cylinder(kPlain, {0, 0, 0}, 0.5f, 1.0f, 16);
+  TextureCache cache;
+  const SceneMesh mesh = builder.Finish(&cache);
+  const float metres = FindMaterial(kPlain.material).metres;
+  int found = 0;
+  for (const auto& t : mesh.triangles) {
+    for (const std::uint32_t v : t) {
+      const Vec& p = mesh.positions[v];
+      if ((mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]]).y() < 2.999f)
+        continue;
+      EXPECT_TRUE((mesh.uvs[v] * metres).isApprox(Vec2(p.x(), p.z()), 1e-4f));
+      ++found;
+    }
+  }
+  EXPECT_EQ(found, 3 * 16);
+}
+
 TEST(MeshBuilder, PolygonOfAnyOrderCoversItsAreaAndFacesAsAsked) {
   std::array<Vec2, 6> reversed = kLShape;
   std::reverse(reversed.begin(), reversed.end());
