@@ -14,13 +14,14 @@ namespace {
 std::vector<MaterialRecipe> Joined() {
   std::vector<MaterialRecipe> all;
   for (const auto family :
-       {materials::BookShelves, materials::Brickwork,  materials::Carpets,
-        materials::Fabrics,     materials::Maps,       materials::Metals,
-        materials::Paintings,   materials::Paints,     materials::PatternedFabrics,
-        materials::Plains,      materials::Posters,    materials::Rugs,
-        materials::Screens,     materials::Shelves,    materials::Stones,
-        materials::Tiles,       materials::Toys,       materials::Views,
-        materials::Wallpapers,  materials::WoodFloors, materials::Woods}) {
+       {materials::BookShelves, materials::Brickwork, materials::Carpets,
+        materials::Fabrics,     materials::Maps,      materials::Metals,
+        materials::Paintings,   materials::Paints,    materials::PatternedFabrics,
+        materials::PersianRugs, materials::Plains,    materials::PlayMats,
+        materials::Posters,     materials::Rugs,      materials::Screens,
+        materials::Shelves,     materials::Stones,    materials::Tiles,
+        materials::Toys,        materials::Views,     materials::Wallpapers,
+        materials::WoodFloors,  materials::Woods}) {
     const auto recipes = family();
     all.insert(all.end(), recipes.begin(), recipes.end());
   }

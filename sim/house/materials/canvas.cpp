@@ -17,7 +17,7 @@ Color Canvas::At(Point p) const {
 
 Image Canvas::Finish() const {
   const auto byte = [](float v) {
-    return static_cast<std::uint8_t>(std::clamp(v, 0.0f, 255.0f) + 0.5f);
+    return static_cast<std::uint8_t>(Round(std::clamp(v, 0.0f, 255.0f)));
   };
   Image image(side_, side_, 4);
   std::uint8_t* out = image.pixels.data();

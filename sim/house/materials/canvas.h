@@ -36,8 +36,6 @@ class Canvas {
         edge_(edge),
         pixels_(static_cast<std::size_t>(side) * static_cast<std::size_t>(side), ground) {}
 
-  int side() const { return side_; }
-
   /// Every pixel becomes shade(its centre) or shade(its centre, its colour).
   template <class F>
   void Shade(const F& shade) {
@@ -47,11 +45,7 @@ class Canvas {
       for (int x = 0; x < side_; ++x, ++i) {
         const Point p = {(static_cast<float>(x) + 0.5f) * step,
                          (static_cast<float>(y) + 0.5f) * step};
-        if constexpr (std::is_invocable_v<F, Point, Color>) {
-          pixels_[i] = shade(p, pixels_[i]);
-        } else {
-          pixels_[i] = shade(p);
-        }
+        pixels_[i] = ShadeOf(shade, p, pixels_[i]);
       }
     }
   }
@@ -84,6 +78,15 @@ class Canvas {
   Image Finish() const;
 
  private:
+  template <class F>
+  static Color ShadeOf(const F& shade, Point p, Color old) {
+    if constexpr (std::is_invocable_v<F, Point, Color>) {
+      return shade(p, old);
+    } else {
+      return shade(p);
+    }
+  }
+
   template <class Brush>
   static Color ColorOf(const Brush& brush, Point p) {
     if constexpr (std::is_convertible_v<Brush, Color>) {

@@ -90,6 +90,10 @@ constexpr int Floor(float x) {
   const int towards_zero = static_cast<int>(x);
   return towards_zero - (x < static_cast<float>(towards_zero) ? 1 : 0);
 }
+/// The nearest whole number.
+constexpr int Round(float x) {
+  return Floor(x + 0.5f);
+}
 /// The part after the point, for negative numbers too: in [0, 1).
 constexpr float Fraction(float x) {
   return x - static_cast<float>(Floor(x));
@@ -99,6 +103,11 @@ constexpr float Wave(float x) {
   const float t = 2.0f * Fraction(x);
   const float rise = t < 1.0f ? t : 2.0f - t;
   return rise * rise * (3.0f - 2.0f * rise);
+}
+/// Column and row of the i-th cell of a table.
+constexpr Point CellOf(int i, int columns) {
+  const int row = i / columns;
+  return {static_cast<float>(i - row * columns), static_cast<float>(row)};
 }
 constexpr int Modulo(int a, int n) {
   const int r = a % n;

@@ -110,28 +110,29 @@ Piece InBasket(Point p, int squares, int strips) {
 }
 
 Piece InHexagons(Point p, int columns, int rows) {
-  const Point q = {p.x * static_cast<float>(columns), p.y * static_cast<float>(rows)};
-  // The nearest of the centres in this row and the two beside it, with rows brought to their true
+  // The nearest centres are in this row or the two beside it. Rows are brought to their true
   // distance of sqrt(3) / 2 columns.
   constexpr float kRow = 0.8660254f;
+  const Point q = {p.x * static_cast<float>(columns), p.y * static_cast<float>(rows)};
+  const int row = Floor(q.y);
   float first = 1e9f;
   float second = 1e9f;
   Piece piece;
-  const int row = Floor(q.y);
-  for (int j = row - 1; j <= row + 1; ++j) {
+  for (int k = 0; k < 6; ++k) {
+    const int j = row - 1 + k / 2;
     const float moved = Modulo(j, 2) == 1 ? 0.5f : 0.0f;
-    for (int i = Floor(q.x - moved) - 1; i <= Floor(q.x - moved) + 1; ++i) {
-      const Point offset = {q.x - moved - static_cast<float>(i) - 0.5f,
-                            (q.y - static_cast<float>(j) - 0.5f) * kRow};
-      const float squared = Dot(offset, offset);
-      if (squared >= first) {
-        second = std::min(second, squared);
-        continue;
-      }
+    // Of one row, the two centres on either side of p.
+    const int i = Round(q.x - moved) - 1 + k % 2;
+    const Point offset = {q.x - moved - static_cast<float>(i) - 0.5f,
+                          (q.y - static_cast<float>(j) - 0.5f) * kRow};
+    const float squared = Dot(offset, offset);
+    if (squared < first) {
       second = first;
       first = squared;
       piece.at = offset + Point{0.5f, 0.5f};
       piece.id = IdOf(Modulo(i, columns), Modulo(j, rows), 9u);
+    } else {
+      second = std::min(second, squared);
     }
   }
   // Centres are one column apart: the border is where the squares of the distances are equal.

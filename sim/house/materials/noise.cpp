@@ -82,22 +82,20 @@ Nearest Scatter(Point p, const Lattice& lattice, float jitter) {
   const std::array columns = {Previous(x, lattice.nx), x, Next(x, lattice.nx)};
   const std::array rows = {Previous(y, lattice.ny), y, Next(y, lattice.ny)};
   const float reach = jitter * 0x1.0p-16f;
+  // From the middle cell's point, were it not scattered, to p.
   const float middle = 0.5f - 0.5f * jitter;
+  const Point from_middle = {in_x - middle, in_y - middle};
   Nearest best{1e9f, 1e9f, 0, {}};
-  for (int j = 0; j < 3; ++j) {
-    const std::uint32_t row_hash = RowHash(lattice, rows[static_cast<std::size_t>(j)]);
-    for (int i = 0; i < 3; ++i) {
-      const std::uint32_t id = Hash(Combined(row_hash, columns[static_cast<std::size_t>(i)]));
-      const Point point = {
-          static_cast<float>(i - 1) + middle + reach * static_cast<float>(id & 0xFFFFu),
-          static_cast<float>(j - 1) + middle + reach * static_cast<float>(id >> 16)};
-      const Point offset = Point{in_x, in_y} - point;
+  for (std::size_t j = 0; j < 3; ++j) {
+    const std::uint32_t row_hash = RowHash(lattice, rows[j]);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t id = Hash(Combined(row_hash, columns[i]));
+      const Point offset = {
+          from_middle.x + 1.0f - static_cast<float>(i) - reach * static_cast<float>(id & 0xFFFFu),
+          from_middle.y + 1.0f - static_cast<float>(j) - reach * static_cast<float>(id >> 16)};
       const float squared = Dot(offset, offset);
-      if (squared < best.first) {
-        best = {squared, best.first, id, offset};
-      } else {
-        best.second = std::min(best.second, squared);
-      }
+      best.second = std::min(best.second, std::max(best.first, squared));
+      if (squared < best.first) best = {squared, best.second, id, offset};
     }
   }
   best.id = Hash(best.id);

@@ -163,32 +163,35 @@ Image Abstract() {
   return canvas.Finish();
 }
 
+/// Half a disc standing on its diameter.
+Polygon Arch(Point centre, float radius) {
+  constexpr int kSides = 24;
+  std::vector<Point> outline;
+  for (int k = 0; k <= kSides; ++k) {
+    outline.push_back(centre + Turned({-radius, 0.0f}, kPi * static_cast<float>(k) / kSides));
+  }
+  return Polygon(outline);
+}
+
 /// Arches, discs and blocks in flat colours.
 Image Geometric() {
-  Canvas canvas(Hex(0xf1e8d8), Edge::kClip);
-  const auto block = [&](Point low, Point high, std::uint32_t color) {
-    canvas.Paint(Rect{low, high}, Hex(color));
-  };
-  block({0.08f, 0.08f}, {0.5f, 0.5f}, 0xe3b04b);
-  block({0.5f, 0.08f}, {0.92f, 0.36f}, 0x2f4858);
-  block({0.08f, 0.5f}, {0.36f, 0.92f}, 0xc8553d);
-  block({0.36f, 0.64f}, {0.92f, 0.92f}, 0x8fb0a6);
-  const auto half_disc = [&](Point centre, float radius, std::uint32_t color) {
-    for (int i = 0; i < 3; ++i) {
-      const float r = radius * (1.0f - 0.28f * static_cast<float>(i));
-      const Color ink = i % 2 == 0 ? Hex(color) : Hex(0xf1e8d8);
-      std::vector<Point> arch;
-      for (int k = 0; k <= 24; ++k) {
-        arch.push_back(centre + Turned({-r, 0.0f}, kPi * static_cast<float>(k) / 24.0f));
-      }
-      canvas.Paint(Polygon(arch), ink);
-    }
-  };
-  half_disc({0.29f, 0.5f}, 0.19f, 0x2f4858);
-  half_disc({0.64f, 0.92f}, 0.24f, 0xc8553d);
+  constexpr Color kPaper = Hex(0xf1e8d8);
+  constexpr Color kInk = Hex(0x2f4858);
+  constexpr Color kBrick = Hex(0xc8553d);
+  constexpr Color kMaize = Hex(0xe3b04b);
+  Canvas canvas(kPaper, Edge::kClip);
+  canvas.Paint(Rect{{0.08f, 0.08f}, {0.5f, 0.5f}}, kMaize);
+  canvas.Paint(Rect{{0.5f, 0.08f}, {0.92f, 0.36f}}, kInk);
+  canvas.Paint(Rect{{0.08f, 0.5f}, {0.36f, 0.92f}}, kBrick);
+  canvas.Paint(Rect{{0.36f, 0.64f}, {0.92f, 0.92f}}, Hex(0x8fb0a6));
+  for (const float share : {1.0f, 0.72f, 0.44f}) {
+    const bool paper = share == 0.72f;
+    canvas.Paint(Arch({0.29f, 0.5f}, 0.19f * share), paper ? kPaper : kInk);
+    canvas.Paint(Arch({0.64f, 0.92f}, 0.24f * share), paper ? kPaper : kBrick);
+  }
   canvas.Paint(Disc({0.71f, 0.5f}, 0.17f), Hex(0xd9713f));
-  canvas.Paint(Disc({0.71f, 0.5f}, 0.085f), Hex(0xf1e8d8));
-  canvas.Paint(Disc({0.22f, 0.71f}, 0.08f), Hex(0xe3b04b));
+  canvas.Paint(Disc({0.71f, 0.5f}, 0.085f), kPaper);
+  canvas.Paint(Disc({0.22f, 0.71f}, 0.08f), kMaize);
   canvas.Shade([](Point p, Color c) {
     return c * (1.0f + 0.02f * Noise(p, {90, 90, 1}));
   });

@@ -66,29 +66,30 @@ Image DottedFabric() {
   return canvas.Finish();
 }
 
+/// Flowers on a jittered grid, their leaves under all of them.
 Image FloralFabric() {
-  Canvas canvas(kGround);
+  struct Spot {
+    Point centre;
+    float size = 0.0f;
+    float angle = 0.0f;
+  };
   Rng rng(0, "floral_fabric");
-  // Flowers on a jittered grid, leaves under them and buds between.
   constexpr int kCells = 4;
-  for (const bool leaves : {true, false}) {
-    for (int i = 0; i < kCells * kCells; ++i) {
-      Rng spot = rng.Fork("flower", static_cast<std::uint64_t>(i));
-      const Point cell = {static_cast<float>(i % kCells) + 0.5f,
-                          static_cast<float>(i / kCells) + 0.5f};
-      const Point centre =
-          (cell + Point{Between(spot, -0.2f, 0.2f), Between(spot, -0.2f, 0.2f)}) * (1.0f / kCells);
-      const float angle = Between(spot, 0.0f, 6.28f);
-      const float size = (i + i / kCells) % 2 == 0 ? 0.1f : 0.055f;
-      if (leaves) {
-        PaintFrond(&canvas, centre, centre + Turned({0.0f, 1.9f * size}, angle), 4, Hex(0xb9b7b3));
-        PaintFrond(&canvas, centre, centre + Turned({0.0f, -1.7f * size}, angle + 0.5f), 3,
-                   Hex(0xc4c2be));
-      } else {
-        PaintFlower(&canvas, centre, size, angle,
-                    {size > 0.08f ? 7 : 5, Hex(0x9f9d9b), Hex(0xe8e6e2)});
-      }
-    }
+  std::vector<Spot> spots;
+  for (int i = 0; i < kCells * kCells; ++i) {
+    const Point cell =
+        CellOf(i, kCells) + Point{Between(rng, 0.3f, 0.7f), Between(rng, 0.3f, 0.7f)};
+    const bool large = (i + i / kCells) % 2 == 0;
+    spots.push_back({cell * (1.0f / kCells), large ? 0.1f : 0.055f, Between(rng, 0.0f, 6.28f)});
+  }
+  Canvas canvas(kGround);
+  for (const auto& [centre, size, angle] : spots) {
+    PaintFrond(&canvas, centre, centre + Turned({0.0f, 1.9f * size}, angle), 4, Hex(0xb9b7b3));
+    PaintFrond(&canvas, centre, centre + Turned({0.0f, -1.7f * size}, angle + 0.5f), 3,
+               Hex(0xc4c2be));
+  }
+  for (const auto& [centre, size, angle] : spots) {
+    PaintFlower(&canvas, centre, size, angle, {size > 0.08f ? 7 : 5, Hex(0x9f9d9b), Hex(0xe8e6e2)});
   }
   canvas.Shade([](Point p, Color c) {
     return c * Slubs(p, 0.02f, 1);

@@ -127,25 +127,26 @@ Image Leaves() {
   return canvas.Finish();
 }
 
-/// Basket work: rods over and under upright stakes.
+/// Basket work: rods pass in front of one upright stake and behind the next.
 Image Wicker() {
   return Shaded([](Point p) {
-    constexpr int kStakes = 12;
-    constexpr int kRods = 24;
+    constexpr int kStakes = 10;
+    constexpr int kRods = 18;
     const float x = p.x * kStakes;
     const float y = p.y * kRods;
     const int row = static_cast<int>(y);
-    // A rod comes forward between stakes it passes over; its neighbours do the opposite.
-    const float phase = 0.5f * (x + static_cast<float>(row));
-    const float forward = Wave(phase);
-    const float round = Wave(Fraction(y));
-    const float tone = Random(Hash(static_cast<std::uint32_t>(row), 3), 1);
-    const Color rod =
-        Mix(Hex(0xab7c48), Hex(0xcfa46c), 0.7f * tone + 0.3f * Noise(p, {6, 128, 1}) + 0.15f);
-    const float light = 0.35f + 0.65f * forward * (0.35f + 0.65f * round);
-    const float stake =
-        Smooth(0.2f, 0.12f, std::abs(Fraction(x) - 0.5f)) * Smooth(0.3f, 0.1f, forward);
-    return Mix(rod * (0.3f + 0.85f * light), Hex(0x9a7040), 0.5f * stake);
+    // 1 where the rod is in front, 0 where it is behind; the next row does the opposite.
+    const float front = Wave(0.5f * (x + static_cast<float>(row)));
+    const float across = 2.0f * Fraction(y) - 1.0f;
+    const float round = std::sqrt(std::max(0.0f, 1.0f - across * across));
+    const float tone =
+        0.6f * Random(static_cast<std::uint32_t>(row), 1) + 0.25f * Noise(p, {4, 128, 1}) + 0.2f;
+    const Color rod = Mix(Hex(0xb5854e), Hex(0xdcb57c), tone) *
+                      ((0.4f + 0.65f * round) * (0.55f + 0.48f * front));
+    const float to_stake = std::abs(Fraction(x + 0.5f) - 0.5f);
+    const float behind = Smooth(0.4f, 0.2f, front) * Smooth(0.2f, 0.15f, to_stake);
+    const Color stake = Hex(0xc08e55) * (1.05f - 2.2f * to_stake);
+    return Mix(rod, stake, behind);
   });
 }
 

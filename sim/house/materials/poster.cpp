@@ -77,8 +77,7 @@ Image Animals() {
   Canvas canvas(Hex(0xfaf5e8), Edge::kClip);
   constexpr Color kFields[] = {Hex(0xf6c9b8), Hex(0xc4e0d0), Hex(0xd3e3f3), Hex(0xf7e3a8)};
   for (int i = 0; i < 4; ++i) {
-    const Point low = {0.05f + 0.46f * static_cast<float>(i % 2),
-                       0.05f + 0.46f * static_cast<float>(i / 2)};
+    const Point low = Point{0.05f, 0.05f} + CellOf(i, 2) * 0.46f;
     canvas.Paint(Rect{low, low + Point{0.44f, 0.44f}, 0.03f}, kFields[i]);
   }
   PaintElephant(&canvas, {0.25f, 0.24f}, 0.32f);
@@ -177,8 +176,7 @@ Image FamilyPhotos() {
   constexpr int kAcross = 3;
   Rng rng(0, "family_photos");
   for (int i = 0; i < kAcross * kAcross; ++i) {
-    const Point centre = {(static_cast<float>(i % kAcross) + 0.5f) / kAcross,
-                          (static_cast<float>(i / kAcross) + 0.5f) / kAcross};
+    const Point centre = (CellOf(i, kAcross) + Point{0.5f, 0.5f}) * (1.0f / kAcross);
     const Point half = {0.142f, 0.142f};
     canvas.Paint(Rect{centre - half, centre + half}, i % 2 == 0 ? Hex(0x33302d) : Hex(0x8c6642));
     canvas.Paint(Rect{centre - half * 0.86f, centre + half * 0.86f}, Hex(0xfaf8f2));

@@ -47,15 +47,16 @@ Color Ridge::Cover(Point p, Color under, Color over) const {
 
 void PaintTree(Canvas* canvas, Point foot, float height, Color leaves, Rng* rng) {
   canvas->Paint(Stroke{foot, foot - Point{0.0f, 0.55f * height}, 0.06f * height}, Hex(0x6d5640));
-  const float tufts = std::clamp(280.0f * height, 14.0f, 150.0f);
-  for (float i = 0.0f; i < tufts; ++i) {
+  const int tufts = std::clamp(Round(280.0f * height), 14, 150);
+  const float size = 0.42f * height / std::sqrt(static_cast<float>(tufts));
+  for (int i = 0; i < tufts; ++i) {
     // From the shaded lower right to the lit upper left of the crown.
-    const float light = i / tufts;
+    const float light = static_cast<float>(i) / static_cast<float>(tufts);
     const Point spread =
         Turned({0.27f * std::sqrt(Between(*rng, 0.0f, 1.0f)), 0.0f}, Between(*rng, 0.0f, 6.28f));
     const Point lean = {Mix(0.05f, -0.05f, light), Mix(0.05f, -0.06f, light)};
     const Point at = foot + (Point{0.0f, -0.66f} + spread + lean) * height;
-    const float radius = Between(*rng, 0.8f, 1.5f) * 0.42f * height / std::sqrt(tufts);
+    const float radius = Between(*rng, 0.8f, 1.5f) * size;
     canvas->Paint(Ellipse{at, {radius, 0.8f * radius}},
                   leaves * (Mix(0.68f, 1.18f, light) * Between(*rng, 0.9f, 1.1f)));
   }

@@ -17,8 +17,9 @@ Image Television() {
   });
   // Four panes in perspective.
   for (int i = 0; i < 4; ++i) {
-    const float x = 0.6f + 0.115f * static_cast<float>(i % 2);
-    const float y = 0.18f + 0.2f * static_cast<float>(i / 2);
+    const Point pane = CellOf(i, 2);
+    const float x = 0.6f + 0.115f * pane.x;
+    const float y = 0.18f + 0.2f * pane.y;
     canvas.Paint(
         Polygon{{x, y}, {x + 0.105f, y + 0.012f}, {x + 0.105f, y + 0.18f}, {x, y + 0.185f}},
         Hex(0x7e8b99), {0.55f, 0.02f});

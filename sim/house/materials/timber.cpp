@@ -12,7 +12,7 @@ constexpr int kKnotSamples = 128;
 /// Noise of so many cells a metre, but none finer than two of a picture's pixels.
 Lattice Grain(float along, float across, float metres, std::uint32_t seed) {
   const auto cells = [&](float per_metre, int most) {
-    return std::clamp(static_cast<int>(per_metre * metres + 0.5f), 1, most);
+    return std::clamp(Round(per_metre * metres), 1, most);
   };
   return {cells(along, kAlong / 2), cells(across, kAcross / 2), seed};
 }
@@ -21,7 +21,7 @@ Lattice Grain(float along, float across, float metres, std::uint32_t seed) {
 
 Log::Log(const Timber& timber, float metres)
     : timber_(timber),
-      lines_(static_cast<float>(static_cast<int>(kRingsPerMetre * metres + 0.5f))),
+      lines_(static_cast<float>(Round(kRingsPerMetre * metres))),
       streaks_(kAlong, kAcross,
                [&](Point p) {
                  const float fibre = 0.6f * Noise(p, Grain(3.0f, 60.0f, metres, 1)) +

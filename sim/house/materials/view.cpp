@@ -49,40 +49,47 @@ Image Garden() {
   return canvas.Finish();
 }
 
+struct Building {
+  Point corner;  // upper left
+  float width = 0.1f;
+  Color wall;
+  float windows = 0.0f;  // how clearly they are seen
+};
+
+void PaintBuilding(Canvas* canvas, const Building& b, Rng* rng) {
+  canvas->Paint(Rect{b.corner, {b.corner.x + b.width, 1.0f}}, [&](Point p) {
+    return b.wall * Mix(1.04f, 0.88f, (p.x - b.corner.x) / b.width);
+  });
+  if (b.windows == 0.0f) return;
+  const int columns = rng->Between(3, 5);
+  const float pitch = b.width / static_cast<float>(columns);
+  const Point half = Point{0.27f, 0.36f} * pitch;
+  const int storeys = Floor((1.0f - b.corner.y) / (1.25f * pitch)) + 1;
+  for (int i = 0; i < storeys * columns; ++i) {
+    const Point cell = CellOf(i, columns);
+    const Point at = b.corner + Point{cell.x + 0.5f, 1.25f * cell.y + 0.7f} * pitch;
+    const Color glass = rng->Chance(0.25) ? Hex(0xdcebf5) : b.wall * 0.68f;
+    canvas->Paint(Rect{at - half, at + half}, glass, {b.windows, 0.0f});
+  }
+}
+
 /// Rows of buildings, the far ones pale, the near ones with windows.
 Image City() {
-  Canvas canvas(Color{}, Edge::kClip);
-  const Sky sky(kZenith, kHorizon, 0.8f, 0.45f);
-  canvas.Shade(sky);
-  Rng rng(0, "city_view");
   constexpr Color kWalls[] = {Hex(0xcdb79d), Hex(0xb7c3cf), Hex(0xd9cdbd), Hex(0xa8b1bd),
                               Hex(0xc29a85)};
-  constexpr int kRows = 3;
-  for (int row = 0; row < kRows; ++row) {
-    const float near = static_cast<float>(row) / (kRows - 1);
+  Canvas canvas(Color{}, Edge::kClip);
+  canvas.Shade(Sky(kZenith, kHorizon, 0.8f, 0.45f));
+  Rng rng(0, "city_view");
+  for (const float near : {0.0f, 0.5f, 1.0f}) {
     float x = -0.03f;
     while (x < 1.0f) {
       const float width = Between(rng, 0.07f, 0.12f) * Mix(0.8f, 1.6f, near);
       const float top = Mix(0.3f, 0.64f, near) + Between(rng, -0.12f, 0.12f);
       const Color wall = Mix(Hex(0xd3e0ec), OneOf(rng, kWalls), Mix(0.25f, 0.95f, near));
-      const Rect front = {{x, top}, {x + width, 1.0f}};
-      canvas.Paint(front, [&](Point p) {
-        return wall * Mix(1.04f, 0.88f, (p.x - x) / width);
-      });
-      if (row == 0 && rng.Chance(0.4))
-        canvas.Paint(Stroke{{x + 0.5f * width, top}, {x + 0.5f * width, top - 0.06f}, 0.006f},
-                     wall);
-      const int columns = rng.Between(3, 5);
-      const float pitch = width / static_cast<float>(columns);
-      const float pane = Mix(0.2f, 0.95f, near);
-      for (float y = top + 0.7f * pitch; row > 0 && y < 1.0f; y += 1.25f * pitch) {
-        for (int i = 0; i < columns; ++i) {
-          const Point at = {x + (static_cast<float>(i) + 0.5f) * pitch, y};
-          const Color glass = rng.Chance(0.25) ? Hex(0xdcebf5) : wall * 0.68f;
-          canvas.Paint(Rect{at - Point{0.27f * pitch, 0.36f * pitch},
-                            at + Point{0.27f * pitch, 0.36f * pitch}},
-                       glass, {pane, 0.0f});
-        }
+      PaintBuilding(&canvas, {{x, top}, width, wall, 0.95f * near}, &rng);
+      const Point roof = {x + 0.5f * width, top};
+      if (near == 0.0f && rng.Chance(0.4)) {
+        canvas.Paint(Stroke{roof, roof - Point{0.0f, 0.06f}, 0.006f}, wall);
       }
       x += width + Between(rng, -0.005f, 0.012f);
     }

@@ -34,8 +34,7 @@ Image Floral() {
   Rng rng(0, "floral_wallpaper");
   constexpr int kCells = 3;
   for (int i = 0; i < kCells * kCells; ++i) {
-    const Point cell = {static_cast<float>(i % kCells) + (i / kCells % 2 == 0 ? 0.3f : 0.7f),
-                        static_cast<float>(i / kCells) + 0.5f};
+    const Point cell = CellOf(i, kCells) + Point{i / kCells % 2 == 0 ? 0.3f : 0.7f, 0.5f};
     const Point centre =
         cell * (1.0f / kCells) + Point{Between(rng, -0.03f, 0.03f), Between(rng, -0.03f, 0.03f)};
     const float angle = Between(rng, -0.8f, 0.8f);
@@ -107,8 +106,8 @@ Image Stars() {
   Rng rng(0, "stars_wallpaper");
   constexpr int kCells = 6;
   for (int i = 0; i < kCells * kCells; ++i) {
-    const Point cell = {static_cast<float>(i % kCells) + Between(rng, 0.3f, 0.7f),
-                        static_cast<float>(i / kCells) + Between(rng, 0.3f, 0.7f)};
+    const Point cell =
+        CellOf(i, kCells) + Point{Between(rng, 0.3f, 0.7f), Between(rng, 0.3f, 0.7f)};
     const Point centre = cell * (1.0f / kCells);
     const float angle = Between(rng, -0.4f, 0.4f);
     const bool large = (i % kCells + i / kCells) % 2 == 0;

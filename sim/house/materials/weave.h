@@ -41,4 +41,9 @@ inline float Loops(Point p, int columns, int rows) {
   return 0.72f + 0.32f * Wave(x) * Wave(y) + 0.06f * (0.5f - Fraction(y));
 }
 
+/// Short wool pile of a patterned rug.
+inline float WoolPile(Point p) {
+  return 1.0f + 0.05f * Noise(p, {128, 128, 71}) + 0.04f * Noise(p, {3, 40, 72});
+}
+
 }  // namespace bulletnav::sim::materials

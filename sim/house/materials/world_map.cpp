@@ -68,8 +68,8 @@ Image WorldMap() {
     const float x = OnPaper({-180.0f + 30.0f * static_cast<float>(i), 0.0f}).x;
     canvas.Paint(Stroke{{x, 0.05f}, {x, 0.95f}, 0.001f}, Hex(0x8fbbd3));
   }
-  for (float north = -45.0f; north < 80.0f; north += 22.5f) {
-    const float y = OnPaper({0.0f, north}).y;
+  for (int i = 0; i < 6; ++i) {
+    const float y = OnPaper({0.0f, -45.0f + 22.5f * static_cast<float>(i)}).y;
     canvas.Paint(Stroke{{0.04f, y}, {0.96f, y}, 0.001f}, Hex(0x8fbbd3));
   }
   // Countries are cells of scattered capitals.
