@@ -20,7 +20,8 @@ struct Library {
 void PaintSpine(Canvas* canvas, const Rect& spine, const Library& library, Rng* rng) {
   const float width = spine.high.x - spine.low.x;
   const float height = spine.high.y - spine.low.y;
-  const Color binding = OneOf(*rng, library.bindings) * Between(*rng, 0.9f, 1.08f);
+  const float wear = Between(*rng, 0.9f, 1.08f);
+  const Color binding = OneOf(*rng, library.bindings) * wear;
   canvas->Paint(spine, [&](Point p) {
     const float across = (p.x - spine.low.x) / width;
     return binding * (1.06f - 0.5f * std::abs(across - 0.42f) * std::abs(across - 0.42f) * 3.0f);

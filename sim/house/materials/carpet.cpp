@@ -54,7 +54,8 @@ Image Shag() {
   constexpr int kStrands = 3000;
   for (int i = 0; i < kStrands; ++i) {
     const Point root = Anywhere(rng);
-    const Point lie = Turned({Between(rng, 0.03f, 0.07f), 0.0f}, Between(rng, 0.0f, 6.28f));
+    const float length = Between(rng, 0.03f, 0.07f);
+    const Point lie = Turned({length, 0.0f}, Between(rng, 0.0f, 6.28f));
     const float light =
         Mix(0.8f, 1.0f, static_cast<float>(i) / kStrands) * Between(rng, 0.9f, 1.03f);
     canvas.Paint(Stroke{root, root + lie, 0.008f}, Hex(0xf4f1ec) * light);

@@ -128,7 +128,8 @@ Image Flowers() {
                                {0.79f, 0.38f}, {0.42f, 0.36f}, {0.6f, 0.38f},  {0.31f, 0.52f},
                                {0.71f, 0.53f}, {0.5f, 0.5f}};
   for (std::size_t i = 0; i < std::size(kPlaces); ++i) {
-    PaintFlower(&canvas, kPlaces[i], Between(rng, 0.075f, 0.105f), Between(rng, 0.0f, 1.0f),
+    const float radius = Between(rng, 0.075f, 0.105f);
+    PaintFlower(&canvas, kPlaces[i], radius, Between(rng, 0.0f, 1.0f),
                 {7, kPetals[i % std::size(kPetals)], Hex(0xb8862f)});
   }
   PaintOver(&canvas,

@@ -84,17 +84,29 @@ void PaintMedallion(Canvas* canvas) {
   }
 }
 
+void PaintCorner(Canvas* canvas, Point p) {
+  const Point towards = {p.x < 0.5f ? 1.0f : -1.0f, p.y < 0.5f ? 1.0f : -1.0f};
+  const auto at = [&](float x, float y) {
+    return p + Point{x * towards.x, y * towards.y};
+  };
+  canvas->Paint(Polygon{p, at(0.15f, 0.0f), at(0.1f, 0.04f), at(0.08f, 0.08f), at(0.04f, 0.1f),
+                        at(0.0f, 0.15f)},
+                kIndigo);
+  PaintFlower(canvas, at(0.042f, 0.042f), 0.03f, 0.0f, {8, kIvory, kGold});
+}
+
+/// Three leaves around a flower.
+void PaintSpray(Canvas* canvas, Point p, float radius, float angle, Color petal) {
+  for (const float turn : {angle, angle + 2.1f, angle + 4.2f}) {
+    canvas->Paint(Leaf{p, p + Turned({0.048f, 0.0f}, turn), 0.014f}, kSage);
+  }
+  PaintFlower(canvas, p, radius, angle, {6, petal, kIndigo});
+}
+
 /// Corner pieces, and sprays of flowers between them and the medallion.
 void PaintField(Canvas* canvas) {
   FourTimes({0.197f, 0.197f}, [&](Point p) {
-    const Point towards = {p.x < 0.5f ? 1.0f : -1.0f, p.y < 0.5f ? 1.0f : -1.0f};
-    const auto at = [&](float x, float y) {
-      return p + Point{x * towards.x, y * towards.y};
-    };
-    canvas->Paint(Polygon{p, at(0.15f, 0.0f), at(0.1f, 0.04f), at(0.08f, 0.08f), at(0.04f, 0.1f),
-                          at(0.0f, 0.15f)},
-                  kIndigo);
-    PaintFlower(canvas, at(0.042f, 0.042f), 0.03f, 0.0f, {8, kIvory, kGold});
+    PaintCorner(canvas, p);
   });
   Rng rng(0, "persian_rug");
   constexpr Color kPetals[] = {kIvory, kGold, kSage};
@@ -105,10 +117,7 @@ void PaintField(Canvas* canvas) {
     const Color petal = OneOf(rng, kPetals);
     const float angle = Between(rng, 0.0f, 1.0f);
     FourTimes(at, [&](Point p) {
-      for (const float turn : {angle, angle + 2.1f, angle + 4.2f}) {
-        canvas->Paint(Leaf{p, p + Turned({0.048f, 0.0f}, turn), 0.014f}, kSage);
-      }
-      PaintFlower(canvas, p, radius, angle, {6, petal, kIndigo});
+      PaintSpray(canvas, p, radius, angle, petal);
     });
   }
 }

@@ -4,8 +4,8 @@
 #include "sim/house/materials/families.h"
 #include "sim/house/materials/field.h"
 #include "sim/house/materials/noise.h"
+#include "sim/house/materials/random.h"
 #include "sim/house/materials/shapes.h"
-#include "sim/math/rng.h"
 
 namespace bulletnav::sim::materials {
 namespace {
@@ -109,13 +109,13 @@ Image Leaves() {
   constexpr int kCount = 360;
   for (int i = 0; i < kCount; ++i) {
     const float light = static_cast<float>(i) / kCount;
-    const Point root = {static_cast<float>(rng.Uniform()), static_cast<float>(rng.Uniform())};
-    const float angle = static_cast<float>(rng.Uniform(-1.3, 1.3)) + (i % 3 == 0 ? kPi : 0.0f);
-    const float length = static_cast<float>(rng.Uniform(0.1, 0.19));
+    const Point root = Anywhere(rng);
+    const float angle = Between(rng, -1.3f, 1.3f) + (i % 3 == 0 ? kPi : 0.0f);
+    const float length = Between(rng, 0.1f, 0.19f);
     const Point tip = root + Turned({0.0f, length}, angle);
     const Leaf leaf = {root, tip, 0.42f * length};
-    const Color green = Mix(
-        Hex(0x2c5a2a), Mix(Hex(0x5e9a47), Hex(0x86b45a), static_cast<float>(rng.Uniform())), light);
+    const Color green =
+        Mix(Hex(0x2c5a2a), Mix(Hex(0x5e9a47), Hex(0x86b45a), Between(rng, 0.0f, 1.0f)), light);
     // One half of a leaf is turned to the light.
     const Point side = {tip.y - root.y, root.x - tip.x};
     canvas.Paint(leaf, [&](Point p) {

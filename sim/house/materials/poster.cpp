@@ -127,8 +127,9 @@ Image Space() {
   });
   Rng rng(0, "poster_space");
   for (int i = 0; i < 110; ++i) {
-    canvas.Paint(Disc(Anywhere(rng), Between(rng, 0.002f, 0.006f)), Hex(0xf6f3dc),
-                 {Between(rng, 0.5f, 1.0f), 0.0f});
+    const Point at = Anywhere(rng);
+    const float radius = Between(rng, 0.002f, 0.006f);
+    canvas.Paint(Disc(at, radius), Hex(0xf6f3dc), {Between(rng, 0.5f, 1.0f), 0.0f});
   }
   for (int i = 0; i < 7; ++i) canvas.Paint(Star(Anywhere(rng), 4, {0.006f, 0.026f}), Hex(0xfff3b8));
   PaintPlanet(&canvas, {0.25f, 0.27f}, 0.15f, Hex(0xf2c27a), Hex(0xb9743f));
@@ -147,7 +148,7 @@ struct Sitter {
   bool long_hair = false;
 };
 
-/// Head and shoulders, `s` from chin to crown times two and a half.
+/// Head and shoulders, `s` wide.
 void PaintPerson(Canvas* canvas, Point neck, float s, const Sitter& who) {
   canvas->Paint(Ellipse{neck + Point{0.0f, 0.5f} * s, {0.5f * s, 0.46f * s}}, who.clothes);
   if (who.long_hair)

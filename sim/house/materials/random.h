@@ -7,6 +7,9 @@
 
 namespace bulletnav::sim::materials {
 
+// Arguments of one call are evaluated in any order: let no call take two numbers from one
+// generator, or pictures will depend on the compiler. Braces are evaluated from left to right.
+
 /// Uniform in [low, high).
 inline float Between(Rng& rng, float low, float high) {
   return static_cast<float>(rng.Uniform(low, high));

@@ -35,8 +35,8 @@ Image Geometric() {
   return Shaded([&](Point p) {
     // Woven patterns step from thread to thread.
     constexpr float kThreads = 64.0f;
-    const Point q = {(std::floor(p.x * kThreads) + 0.5f) / kThreads,
-                     (std::floor(p.y * kThreads) + 0.5f) / kThreads};
+    const Point q = {(static_cast<float>(Floor(p.x * kThreads)) + 0.5f) / kThreads,
+                     (static_cast<float>(Floor(p.y * kThreads)) + 0.5f) / kThreads};
     const Point cell = {Fraction(2.0f * q.x) - 0.5f, Fraction(2.0f * q.y) - 0.5f};
     const bool odd = (static_cast<int>(2.0f * q.x) + static_cast<int>(2.0f * q.y)) % 2 == 1;
     const float lozenge = std::abs(cell.x) + std::abs(cell.y);

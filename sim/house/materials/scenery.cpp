@@ -52,8 +52,8 @@ void PaintTree(Canvas* canvas, Point foot, float height, Color leaves, Rng* rng)
   for (int i = 0; i < tufts; ++i) {
     // From the shaded lower right to the lit upper left of the crown.
     const float light = static_cast<float>(i) / static_cast<float>(tufts);
-    const Point spread =
-        Turned({0.27f * std::sqrt(Between(*rng, 0.0f, 1.0f)), 0.0f}, Between(*rng, 0.0f, 6.28f));
+    const float out = 0.27f * std::sqrt(Between(*rng, 0.0f, 1.0f));
+    const Point spread = Turned({out, 0.0f}, Between(*rng, 0.0f, 6.28f));
     const Point lean = {Mix(0.05f, -0.05f, light), Mix(0.05f, -0.06f, light)};
     const Point at = foot + (Point{0.0f, -0.66f} + spread + lean) * height;
     const float radius = Between(*rng, 0.8f, 1.5f) * size;

@@ -4,8 +4,8 @@
 #include "sim/house/materials/families.h"
 #include "sim/house/materials/field.h"
 #include "sim/house/materials/layout.h"
+#include "sim/house/materials/random.h"
 #include "sim/house/materials/shapes.h"
-#include "sim/math/rng.h"
 
 namespace bulletnav::sim::materials {
 namespace {
@@ -150,13 +150,13 @@ Image StoneWall() {
 
 /// A broken chip of about this radius.
 Polygon Chip(Rng& rng, float radius) {
-  const Point centre = {static_cast<float>(rng.Uniform()), static_cast<float>(rng.Uniform())};
+  const Point centre = Anywhere(rng);
   const int corners = rng.Between(4, 6);
   std::vector<Point> outline;
   for (int i = 0; i < corners; ++i) {
-    const float turn = (static_cast<float>(i) + static_cast<float>(rng.Uniform(0.0, 0.7))) /
-                       static_cast<float>(corners);
-    const float far = radius * static_cast<float>(rng.Uniform(0.7, 1.15));
+    const float turn =
+        (static_cast<float>(i) + Between(rng, 0.0f, 0.7f)) / static_cast<float>(corners);
+    const float far = radius * Between(rng, 0.7f, 1.15f);
     outline.push_back(centre + Turned({far, 0.0f}, 2.0f * kPi * turn));
   }
   return Polygon(outline);
@@ -173,7 +173,7 @@ Image Terrazzo() {
   Rng rng(0, "terrazzo");
   for (const auto& [count, radius] : {std::pair{500, 0.007f}, {220, 0.013f}, {80, 0.022f}}) {
     for (int i = 0; i < count; ++i) {
-      canvas.Paint(Chip(rng, radius), kChips[rng.Below(static_cast<int>(std::size(kChips)))]);
+      canvas.Paint(Chip(rng, radius), OneOf(rng, kChips));
     }
   }
   return canvas.Finish();

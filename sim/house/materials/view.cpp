@@ -37,8 +37,8 @@ Image Garden() {
     const Point at = {Between(rng, 0.32f, 0.76f), Between(rng, 0.6f, 0.655f)};
     constexpr Color kBlooms[] = {Hex(0xf2879b), Hex(0xffd95e), Hex(0xf7f2ff), Hex(0xe8604f),
                                  Hex(0xb08ad6)};
-    canvas.Paint(Disc(at, Between(rng, 0.007f, 0.014f)),
-                 i % 3 == 0 ? Hex(0x5f9a4c) : OneOf(rng, kBlooms));
+    const Color bloom = i % 3 == 0 ? Hex(0x5f9a4c) : OneOf(rng, kBlooms);
+    canvas.Paint(Disc(at, Between(rng, 0.007f, 0.014f)), bloom);
   }
   for (int i = 0; i < 6; ++i) {
     const float t = static_cast<float>(i) / 6.0f;
@@ -73,27 +73,31 @@ void PaintBuilding(Canvas* canvas, const Building& b, Rng* rng) {
   }
 }
 
-/// Rows of buildings, the far ones pale, the near ones with windows.
-Image City() {
+/// A street's worth of buildings from the picture's left edge to its right; `near` is 0 for the
+/// farthest, 1 for the nearest.
+void PaintBlock(Canvas* canvas, float near, Rng* rng) {
   constexpr Color kWalls[] = {Hex(0xcdb79d), Hex(0xb7c3cf), Hex(0xd9cdbd), Hex(0xa8b1bd),
                               Hex(0xc29a85)};
+  float x = -0.03f;
+  while (x < 1.0f) {
+    const float width = Between(*rng, 0.07f, 0.12f) * Mix(0.8f, 1.6f, near);
+    const float top = Mix(0.3f, 0.64f, near) + Between(*rng, -0.12f, 0.12f);
+    const Color wall = Mix(Hex(0xd3e0ec), OneOf(*rng, kWalls), Mix(0.25f, 0.95f, near));
+    PaintBuilding(canvas, {{x, top}, width, wall, 0.95f * near}, rng);
+    const Point roof = {x + 0.5f * width, top};
+    if (near == 0.0f && rng->Chance(0.4)) {
+      canvas->Paint(Stroke{roof, roof - Point{0.0f, 0.06f}, 0.006f}, wall);
+    }
+    x += width + Between(*rng, -0.005f, 0.012f);
+  }
+}
+
+/// Rows of buildings, the far ones pale, the near ones with windows.
+Image City() {
   Canvas canvas(Color{}, Edge::kClip);
   canvas.Shade(Sky(kZenith, kHorizon, 0.8f, 0.45f));
   Rng rng(0, "city_view");
-  for (const float near : {0.0f, 0.5f, 1.0f}) {
-    float x = -0.03f;
-    while (x < 1.0f) {
-      const float width = Between(rng, 0.07f, 0.12f) * Mix(0.8f, 1.6f, near);
-      const float top = Mix(0.3f, 0.64f, near) + Between(rng, -0.12f, 0.12f);
-      const Color wall = Mix(Hex(0xd3e0ec), OneOf(rng, kWalls), Mix(0.25f, 0.95f, near));
-      PaintBuilding(&canvas, {{x, top}, width, wall, 0.95f * near}, &rng);
-      const Point roof = {x + 0.5f * width, top};
-      if (near == 0.0f && rng.Chance(0.4)) {
-        canvas.Paint(Stroke{roof, roof - Point{0.0f, 0.06f}, 0.006f}, wall);
-      }
-      x += width + Between(rng, -0.005f, 0.012f);
-    }
-  }
+  for (const float near : {0.0f, 0.5f, 1.0f}) PaintBlock(&canvas, near, &rng);
   return canvas.Finish();
 }
 
