@@ -23,14 +23,17 @@ enum class MaterialFamily {
   kOther
 };
 
-/// One procedural surface. `draw` makes a square RGBA picture that wraps around in both directions
-/// and covers `metres` x `metres`; it depends on nothing but the recipe, so every house that uses a
-/// material shows the same one. Colour variety within a recipe comes from tints.
+/// One procedural surface. `draw` makes a square, opaque RGBA picture whose side is a power of two.
+/// It covers `metres` x `metres` and wraps around in both directions, or is a picture to be shown
+/// once, stretched over its face. It depends on nothing but the recipe, so every house that uses a
+/// material shows the same one. Colour variety within a recipe comes from tints. The grain of woods
+/// runs down the picture, boards and planks of floors run across it.
 struct MaterialRecipe {
   std::string_view name;  // "oak_planks"
   MaterialFamily family = MaterialFamily::kOther;
   float metres = 1.0f;
   Image (*draw)() = nullptr;
+  bool wraps = true;  // false: a picture, shown once
 };
 
 /// Every recipe, sorted by name; at least 60.
