@@ -47,11 +47,15 @@ std::optional<FloorPlan> Furnish(const Layout& layout, Rng* rng) {
   const auto links = plan::DrawLinks(layout, rng->Uniform(0.35, 1.0), rng);
   if (!links) return std::nullopt;
   plan::DoorStyle door_style;
-  door_style.arch_top = std::min(ceiling - 0.25f, static_cast<float>(rng->Uniform(2.1, 2.4)));
+  // Heads lie in one line or clearly apart.
+  const auto draw_top = [&](double high) {
+    return rng->Chance(0.4) ? door_style.door_top : static_cast<float>(rng->Uniform(2.18, high));
+  };
+  door_style.arch_top = std::min(ceiling - 0.25f, draw_top(2.4));
   auto openings = plan::PlaceDoors(layout, *links, door_style, rng);
   if (!openings) return std::nullopt;
   plan::WindowStyle window_style;
-  window_style.head = std::min(ceiling - 0.2f, static_cast<float>(rng->Uniform(2.1, 2.3)));
+  window_style.head = std::min(ceiling - 0.2f, draw_top(2.3));
   window_style.scale = static_cast<float>(rng->Uniform(0.85, 1.25));
   window_style.low_sill = rng->Chance(0.3) ? 0.25f : 0.0f;
   window_style.is_flat = rng->Chance(0.3);

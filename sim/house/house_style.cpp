@@ -54,6 +54,23 @@ std::array<Surface, 4> DrawViews(Rng* rng) {
   return views;
 }
 
+/// Most doors between different floors have a threshold, few others do.
+std::vector<float> DrawThresholds(const FloorPlan& plan, const std::vector<RoomStyle>& rooms,
+                                  Rng* rng) {
+  std::vector<float> heights;
+  for (const Opening& opening : plan.openings) {
+    heights.push_back(0.0f);
+    if (opening.kind != OpeningKind::kDoor || opening.room_b < 0) continue;
+    const Surface& a = rooms[static_cast<std::size_t>(opening.room_a)].floor;
+    const Surface& b = rooms[static_cast<std::size_t>(opening.room_b)].floor;
+    const bool differs = a.material != b.material || a.tint != b.tint;
+    if (rng->Chance(differs ? 0.7 : 0.1)) {
+      heights.back() = static_cast<float>(rng->Uniform(0.005, 0.02));
+    }
+  }
+  return heights;
+}
+
 }  // namespace
 
 HouseStyle DrawHouseStyle(const FloorPlan& plan, const Rng& rng) {
@@ -71,10 +88,13 @@ HouseStyle DrawHouseStyle(const FloorPlan& plan, const Rng& rng) {
   house.window_frame = draw.Pick(book.window_frames);
   house.window_sill = draw.Chance(0.5) ? theme.frame : Surface{"limestone"};
   house.has_panelled_doors = book.has_panelled_doors;
+  house.has_cased_arches = book.has_panelled_doors || draw.Chance(0.4);
+  house.has_glazing_bars = book.has_panelled_doors && draw.Chance(0.6);
   house.views = DrawViews(&draw);
   for (std::size_t i = 0; i < plan.rooms.size(); ++i) {
     house.rooms.push_back(DrawRoom(book, theme, plan, house.rooms, &draw));
   }
+  house.thresholds = DrawThresholds(plan, house.rooms, &draw);
   return house;
 }
 

@@ -73,6 +73,9 @@ struct HouseStyle {
   Surface window_frame;
   Surface window_sill;
   bool has_panelled_doors = true;
+  bool has_cased_arches = true;   // boards around arches, else plaster edges
+  bool has_glazing_bars = false;  // small panes
+  std::vector<float> thresholds;  // heights, as in FloorPlan::openings; 0: the floor runs through
   std::array<Surface, 4> views;  // seen through windows that look west, east, north, south
 };
 

@@ -134,10 +134,12 @@ void MeshBuilder::Quad(const Surface& surface, const Vec& a, const Vec& b, const
 }
 
 void MeshBuilder::Picture(const Surface& surface, const Vec& a, const Vec& b, const Vec& c,
-                          const Vec& d) {
+                          const Vec& d, const Vec2& top_left, const Vec2& bottom_right) {
   const float size = FindMaterial(surface.material).metres;
+  const Vec2 low = size * top_left;
+  const Vec2 high = size * bottom_right;
   Face(surface, std::array{a, b, c, d},
-       std::array{Vec2(0, size), Vec2(size, size), Vec2(size, 0), Vec2(0, 0)});
+       std::array{Vec2(low.x(), high.y()), high, Vec2(high.x(), low.y()), low});
 }
 
 void MeshBuilder::Triangle(const Surface& surface, const Vec& a, const Vec& b, const Vec& c) {

@@ -46,7 +46,9 @@ class MeshBuilder {
   void Quad(const Surface& surface, const Vec& a, const Vec& b, const Vec& c, const Vec& d,
             const Vec& u = Vec::Zero());
   /// The same with the picture stretched over it once: a at the lower left, b at the lower right.
-  void Picture(const Surface& surface, const Vec& a, const Vec& b, const Vec& c, const Vec& d);
+  /// Or a part of it, between corners in [0, 1] from the picture's top left.
+  void Picture(const Surface& surface, const Vec& a, const Vec& b, const Vec& c, const Vec& d,
+               const Vec2& top_left = Vec2::Zero(), const Vec2& bottom_right = Vec2::Ones());
   void Triangle(const Surface& surface, const Vec& a, const Vec& b, const Vec& c);
 
   /// Axis-aligned box from `low` to `high`.
