@@ -51,9 +51,10 @@ struct BatchSimulator::Impl {
     for (std::size_t i = first; i < end; ++i) cameras.push_back(bodies[i]->camera_pose());
     const std::size_t n = end - first;
     RendererOf(scene(first), worker)
-        .Render(cameras,
-                out.color.empty() ? out.color : out.color.subspan(3 * pixels * first, 3 * pixels * n),
-                out.depth.empty() ? out.depth : out.depth.subspan(pixels * first, pixels * n));
+        .Render(
+            cameras,
+            out.color.empty() ? out.color : out.color.subspan(3 * pixels * first, 3 * pixels * n),
+            out.depth.empty() ? out.depth : out.depth.subspan(pixels * first, pixels * n));
   }
 
   bool DrawsTogether(std::size_t lane) { return RendererOf(scene(lane), 0).preferred_batch() > 1; }
@@ -70,8 +71,7 @@ struct BatchSimulator::Impl {
   }
 
   /// Lets every lane act, then draws what it sees.
-  void ForEachLane(const std::function<void(std::size_t lane)>& act,
-                   const BatchObservations& out) {
+  void ForEachLane(const std::function<void(std::size_t lane)>& act, const BatchObservations& out) {
     CheckSizes(out);
     std::vector<char> together;
     for (std::size_t i = 0; i < bodies.size(); ++i) together.push_back(DrawsTogether(i) ? 1 : 0);
@@ -105,7 +105,9 @@ BatchSimulator::~BatchSimulator() {
   impl_->renderers.clear();
 }
 
-int BatchSimulator::lanes() const { return static_cast<int>(impl_->bodies.size()); }
+int BatchSimulator::lanes() const {
+  return static_cast<int>(impl_->bodies.size());
+}
 
 void BatchSimulator::Reset(int lane, const BodyPose& pose, const EpisodeKey& key) {
   impl_->body(lane).Reset(pose, key);
@@ -122,13 +124,18 @@ void BatchSimulator::Step(std::span<const Action> actions, std::span<Sensors> se
   CHECK_EQ(actions.size(), impl_->bodies.size());
   CHECK_EQ(sensors.size(), impl_->bodies.size());
   impl_->ForEachLane(
-      [&](std::size_t lane) { sensors[lane] = impl_->bodies[lane]->Step(actions[lane]); }, out);
+      [&](std::size_t lane) {
+        sensors[lane] = impl_->bodies[lane]->Step(actions[lane]);
+      },
+      out);
 }
 
 void BatchSimulator::Observe(const BatchObservations& out) {
   impl_->ForEachLane([](std::size_t) {}, out);
 }
 
-const SimulatedBody& BatchSimulator::body(int lane) const { return impl_->body(lane); }
+const SimulatedBody& BatchSimulator::body(int lane) const {
+  return impl_->body(lane);
+}
 
 }  // namespace bulletnav::sim

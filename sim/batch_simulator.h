@@ -14,10 +14,10 @@ struct BatchObservations {
   std::span<float> depth;         // [lanes, rows, cols]; empty if not wanted
 };
 
-/// N bodies over W threads, in one world or many, for training and evaluation. Lane i behaves bit for
-/// bit like a Simulator of its own with the same world, spec and calls, whatever W is. The spec's
-/// color and depth flags do not matter here: what is not wanted is an empty span.
-/// Threads take lanes one after the other and draw straight into the caller's memory; on a graphics
+/// N bodies over W threads, in one world or many, for training and evaluation. Lane i behaves bit
+/// for bit like a Simulator of its own with the same world, spec and calls, whatever W is. The
+/// spec's color and depth flags do not matter here: what is not wanted is an empty span. Threads
+/// take lanes one after the other and draw straight into the caller's memory; on a graphics
 /// processor they do the physics, and neighbouring lanes of one world are drawn together.
 class BatchSimulator {
  public:
@@ -37,8 +37,8 @@ class BatchSimulator {
   /// Moves a lane to another world, where it must be reset before it steps.
   void SetWorld(int lane, std::shared_ptr<const World> world);
 
-  /// One action a lane; writes every lane's sensors and observation. An exception in a lane is thrown
-  /// here once all lanes have finished.
+  /// One action a lane; writes every lane's sensors and observation. An exception in a lane is
+  /// thrown here once all lanes have finished.
   void Step(std::span<const Action> actions, std::span<Sensors> sensors,
             const BatchObservations& out);
   /// The observations alone, after resets.

@@ -19,8 +19,8 @@ void SimulatedBody::Reset(const BodyPose& pose, const EpisodeKey& key) {
 
 Sensors SimulatedBody::Step(Action action) {
   const auto rng = [&](Stream stream) {
-    return Rng(RngKey{key_.run_seed, world_->id(), key_.episode,
-                      static_cast<std::uint32_t>(steps_), stream});
+    return Rng(RngKey{key_.run_seed, world_->id(), key_.episode, static_cast<std::uint32_t>(steps_),
+                      stream});
   };
   Rng actuation = rng(Stream::kActuation);
   Rng odometry = rng(Stream::kOdometry);

@@ -31,8 +31,8 @@ class SimulatedBody {
  public:
   SimulatedBody(std::shared_ptr<const World> world, const BodySpec& spec, const NoiseModel& noise);
 
-  /// Puts the body down (see CapsuleBody::Reset) and starts an episode. Throws PoseError and changes
-  /// nothing if the body cannot stand there.
+  /// Puts the body down (see CapsuleBody::Reset) and starts an episode. Throws PoseError and
+  /// changes nothing if the body cannot stand there.
   void Reset(const BodyPose& pose, const EpisodeKey& key);
 
   /// Executes one action with noise; kStop moves nothing.

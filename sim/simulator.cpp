@@ -16,7 +16,9 @@ const Observation& Simulator::Reset(const BodyPose& pose, const EpisodeKey& key)
   return Observe({});
 }
 
-const Observation& Simulator::Step(Action action) { return Observe(body_.Step(action)); }
+const Observation& Simulator::Step(Action action) {
+  return Observe(body_.Step(action));
+}
 
 const Observation& Simulator::Observe(const Sensors& sensors) {
   const CameraPose camera = body_.camera_pose();

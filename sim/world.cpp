@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "sim/world.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
+
+#include <fmt/core.h>
 
 #include "sim/base/error.h"
 #include "sim/base/files.h"
@@ -42,9 +42,10 @@ std::shared_ptr<const World> World::FromMesh(const SceneMesh& mesh, const std::s
 void RequireFloor(const std::string& name, const ImportReport& report, const Navmesh& navmesh) {
   const float footprint = report.extent_m.x() * report.extent_m.z();
   if (navmesh.area() >= std::max(kLeastFloor, kLeastShare * footprint)) return;
-  throw Error(fmt::format("{}: has {:.1f} m2 to walk on in a footprint of {:.0f} m2; if it was made "
-                          "without a floor, give --ground-plane, if it lies on its side, --up",
-                          name, navmesh.area(), footprint));
+  throw Error(
+      fmt::format("{}: has {:.1f} m2 to walk on in a footprint of {:.0f} m2; if it was made "
+                  "without a floor, give --ground-plane, if it lies on its side, --up",
+                  name, navmesh.area(), footprint));
 }
 
 }  // namespace bulletnav::sim

@@ -17,12 +17,12 @@ struct WorldOptions {
   Backend backend = Backend::kAuto;
 };
 
-/// Throws Error, offering the ground plane, if a scene has next to no floor to walk on: under 1 m2 or
-/// a twentieth of its footprint (a few table tops are no floor). `name` is the file's.
+/// Throws Error, offering the ground plane, if a scene has next to no floor to walk on: under 1 m2
+/// or a twentieth of its footprint (a few table tops are no floor). `name` is the file's.
 void RequireFloor(const std::string& name, const ImportReport& report, const Navmesh& navmesh);
 
-/// One scene, ready to be moved in and looked at: physics, navmesh, renderer's data. Immutable after
-/// loading, so that any number of simulators in any number of threads share it.
+/// One scene, ready to be moved in and looked at: physics, navmesh, renderer's data. Immutable
+/// after loading, so that any number of simulators in any number of threads share it.
 class World {
  public:
   /// Throws FileError if the file is no scene, RenderError if the backend cannot be had.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/core.h>
-
 #include <memory>
+
+#include <fmt/core.h>
 
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/scene_options.h"
@@ -22,7 +22,7 @@ void Bench(const BenchOptions& options) {
     figures.push_back(figure);
     fmt::print(stderr, "{}: {:.4g} {}\n", figure.name, figure.value, figure.unit);
   };
-  MeasureSimulator({options.scene.file, options.scene.import()}, 
+  MeasureSimulator({options.scene.file, options.scene.import()},
                    std::filesystem::read_symlink("/proc/self/exe"), tell);
   fmt::print("{}", options.json ? ToJson(figures) : ToText(figures));
 }
@@ -31,17 +31,21 @@ void Bench(const BenchOptions& options) {
 
 void AddBenchCommand(CLI::App* program) {
   auto options = std::make_shared<BenchOptions>();
-  CLI::App* command =
-      program->add_subcommand("bench", "Measure the simulator on this machine, medians of several runs");
+  CLI::App* command = program->add_subcommand(
+      "bench", "Measure the simulator on this machine, medians of several runs");
   command->add_flag("--json", options->json, "Print a list of JSON objects");
   command->add_option("--scene", options->scene.file, "Scene to measure on");
   options->scene.AddImportOptions(command);
-  command->callback([options] { Bench(*options); });
+  command->callback([options] {
+    Bench(*options);
+  });
 
   auto first = std::make_shared<SceneOptions>();
   CLI::App* hidden = program->add_subcommand("first-observation", "")->group("");
   first->AddTo(hidden);
-  hidden->callback([first] { RunFirstObservation(first->file, first->import()); });
+  hidden->callback([first] {
+    RunFirstObservation(first->file, first->import());
+  });
 }
 
 }  // namespace bulletnav::bench

@@ -4,8 +4,8 @@
 
 namespace bulletnav::bench {
 
-/// Each adds its subcommands to the program; a subcommand's callback does the work and reports trouble
-/// by throwing sim::Error.
+/// Each adds its subcommands to the program; a subcommand's callback does the work and reports
+/// trouble by throwing sim::Error.
 void AddBenchCommand(CLI::App* program);
 void AddRenderCommand(CLI::App* program);
 void AddScenesCommand(CLI::App* program);

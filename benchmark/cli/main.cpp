@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <cstdio>
 #include <exception>
 #include <new>
 #include <string>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
 
 #include "benchmark/cli/commands.h"
 #include "sim/base/error.h"

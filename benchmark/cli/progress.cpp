@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/cli/progress.h"
 
+#include <cstdio>
+
 #include <fmt/core.h>
 #include <unistd.h>
-
-#include <cstdio>
 
 namespace bulletnav::bench {
 namespace {
 
-constexpr double kQuietS = 2.0;        // shorter work says nothing
+constexpr double kQuietS = 2.0;  // shorter work says nothing
 constexpr double kTerminalStepS = 0.2;
 constexpr double kLogStepS = 10.0;
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/core.h>
-
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
 
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/progress.h"
@@ -113,7 +113,8 @@ void Render(RenderOptions options) {
   Progress progress("rendering", static_cast<int>(poses.size()));
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const BodyPose& pose = poses[i];
-    const Eigen::Vector3d eye = pose.position + Eigen::Vector3d(0, sim::BodySpec().camera_height, 0);
+    const Eigen::Vector3d eye =
+        pose.position + Eigen::Vector3d(0, sim::BodySpec().camera_height, 0);
     const sim::CameraPose camera{eye.cast<float>(), static_cast<float>(pose.yaw)};
     renderer->Render({&camera, 1}, color, depth);
     const std::string stem = fmt::format("{:04}", i);
@@ -147,7 +148,9 @@ void AddRenderCommand(CLI::App* program) {
   AddEnumOption(command, "--projection", &options->panorama.projection, "Projection");
   command->add_option("--size", options->size, "Width and height in pixels: WxH");
   command->add_option("--out", options->out, "Folder for the pictures")->required();
-  command->callback([options] { Render(*options); });
+  command->callback([options] {
+    Render(*options);
+  });
 }
 
 }  // namespace bulletnav::bench

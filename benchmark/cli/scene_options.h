@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <CLI/App.hpp>
 #include <filesystem>
 #include <map>
 #include <string>
+
+#include <CLI/App.hpp>
 
 #include "sim/world.h"
 

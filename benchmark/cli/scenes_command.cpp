@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/core.h>
-
 #include <memory>
+
+#include <fmt/core.h>
 
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/scene_options.h"
@@ -36,7 +36,9 @@ void AddInspect(CLI::App* scenes) {
   command->add_flag("--json", options->json, "Print JSON");
   command->add_option("--topdown", options->topdown,
                       "Draw the floor plan with the walkable area into this PNG");
-  command->callback([options] { Inspect(*options); });
+  command->callback([options] {
+    Inspect(*options);
+  });
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/perf/figure.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <chrono>
+
+#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 namespace bulletnav::bench {
@@ -52,8 +52,8 @@ std::string ToJson(const std::vector<Figure>& figures) {
 }
 
 std::string ToText(const std::vector<Figure>& figures) {
-  std::string text = fmt::format("{:<34} {:>10} {:<14} {:<8} {:>7}  {}\n", "figure", "value", "unit",
-                                 "backend", "workers", "scene");
+  std::string text = fmt::format("{:<34} {:>10} {:<14} {:<8} {:>7}  {}\n", "figure", "value",
+                                 "unit", "backend", "workers", "scene");
   for (const Figure& f : figures) {
     text += fmt::format("{:<34} {:>10.4g} {:<14} {:<8} {:>7}  {}\n", f.name, f.value, f.unit,
                         f.backend, f.workers, f.scene);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/perf/process.h"
 
-#include <fmt/core.h>
-#include <unistd.h>
-
 #include <chrono>
 #include <cstdio>
 #include <memory>
 #include <string>
+
+#include <fmt/core.h>
+#include <unistd.h>
 
 #include "sim/base/error.h"
 #include "sim/simulator.h"

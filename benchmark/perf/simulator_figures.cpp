@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/perf/simulator_figures.h"
 
-#include <fmt/core.h>
-
 #include <chrono>
 #include <cmath>
 #include <memory>
 #include <optional>
+
+#include <fmt/core.h>
 
 #include "benchmark/perf/process.h"
 #include "benchmark/perf/subdivide.h"
@@ -52,7 +52,8 @@ std::vector<sim::BodyPose> Poses(const sim::World& world) {
 std::vector<sim::CameraPose> Cameras(const std::vector<sim::BodyPose>& poses) {
   std::vector<sim::CameraPose> cameras;
   for (const sim::BodyPose& pose : poses) {
-    const Eigen::Vector3d eye = pose.position + Eigen::Vector3d(0, sim::BodySpec().camera_height, 0);
+    const Eigen::Vector3d eye =
+        pose.position + Eigen::Vector3d(0, sim::BodySpec().camera_height, 0);
     cameras.push_back({eye.cast<float>(), static_cast<float>(pose.yaw)});
   }
   return cameras;
@@ -124,7 +125,10 @@ class SimulatorBench {
     std::vector<float> depth(spec.pixels());
     std::size_t next = 0;
     const double rate = MedianRate(
-        [&] { CastAll(raycaster, grid, spec, cameras_[next++ % cameras_.size()], &depth); }, 1);
+        [&] {
+          CastAll(raycaster, grid, spec, cameras_[next++ % cameras_.size()], &depth);
+        },
+        1);
     Tell("embree_rays_512x128_depth_only", rate, "panoramas/s", "embree", 1);
     Tell("panoramas_over_embree_rays", panoramas / rate, "ratio", "embree", 1);
   }
@@ -163,7 +167,11 @@ class SimulatorBench {
     }
     std::vector<std::uint8_t> color(3 * spec.panorama.pixels() * kLanes);
     std::vector<float> depth(spec.panorama.pixels() * kLanes);
-    return MedianRate([&] { batch.Observe({color, depth}); }, kLanes, 0.5);
+    return MedianRate(
+        [&] {
+          batch.Observe({color, depth});
+        },
+        kLanes, 0.5);
   }
 
   /// Whole steps: noise, sweep, odometry, RGBD panorama; and what of it is physics.
@@ -177,7 +185,9 @@ class SimulatorBench {
       return rng.Chance(0.6) ? sim::Action::kMoveForward
                              : (rng.Chance(0.5) ? sim::Action::kTurnLeft : sim::Action::kTurnRight);
     };
-    const auto pose = [&] { return poses_[static_cast<std::size_t>(count) / 50 % poses_.size()]; };
+    const auto pose = [&] {
+      return poses_[static_cast<std::size_t>(count) / 50 % poses_.size()];
+    };
     const double whole = MedianRate(
         [&] {
           if (count++ % 50 == 0) simulator.Reset(pose());
@@ -208,7 +218,8 @@ class SimulatorBench {
   void Million() {
     const sim::SceneMesh fine = Subdivided(mesh_, kMillion);
     const std::string name = name_;
-    name_ += fmt::format(" in {:.1f}M triangles", static_cast<double>(fine.triangles.size()) * 1e-6);
+    name_ +=
+        fmt::format(" in {:.1f}M triangles", static_cast<double>(fine.triangles.size()) * 1e-6);
     Panoramas(*sim::MakeRenderScene(fine, Backend::kEmbree), 512, "panoramas_512x128");
     name_ = name;
   }

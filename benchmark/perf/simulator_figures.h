@@ -16,8 +16,9 @@ struct BenchScene {
   sim::ImportOptions import;
 };
 
-/// The simulator's figures on one scene and on the same scene cut into a million triangles; `tell` is
-/// called with each as it is ready. `program`: the executable to start for start-up time and memory.
+/// The simulator's figures on one scene and on the same scene cut into a million triangles; `tell`
+/// is called with each as it is ready. `program`: the executable to start for start-up time and
+/// memory.
 void MeasureSimulator(const BenchScene& scene, const std::filesystem::path& program,
                       const std::function<void(const Figure&)>& tell);
 

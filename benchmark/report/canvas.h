@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <Eigen/Core>
 #include <array>
 #include <filesystem>
 #include <memory>
 #include <span>
 #include <string>
+
+#include <Eigen/Core>
 
 #include "sim/image/image.h"
 

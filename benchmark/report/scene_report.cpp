@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/report/scene_report.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <vector>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
 
 namespace bulletnav::bench {
 namespace {
@@ -94,7 +94,8 @@ std::string ToText(const SceneReport& report) {
       import.up_axis == sim::UpAxis::kY ? "y" : "z", report.walkable_m2, report.islands,
       report.islands == 1 ? "" : "s", report.longest_geodesic_m);
   for (const std::string& line : import.skipped) text += "skipped           " + line + "\n";
-  for (const std::string& line : import.textures_missing) text += "missing texture   " + line + "\n";
+  for (const std::string& line : import.textures_missing)
+    text += "missing texture   " + line + "\n";
   return text;
 }
 

@@ -12,8 +12,8 @@ struct SceneReport {
   sim::ImportReport import;
   int islands = 0;
   float walkable_m2 = 0.0f;
-  /// Length of the longest shortest path found on the largest island: farthest point of the farthest
-  /// point, a lower bound that is mostly exact.
+  /// Length of the longest shortest path found on the largest island: farthest point of the
+  /// farthest point, a lower bound that is mostly exact.
   double longest_geodesic_m = 0.0;
 };
 

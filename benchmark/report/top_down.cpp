@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/report/top_down.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
+
+#include <fmt/core.h>
 
 #include "sim/render/embree/raycaster.h"
 #include "sim/render/shade_point.h"
@@ -43,8 +43,7 @@ class Drawing {
       : mesh_(mesh), navmesh_(navmesh) {
     const Eigen::AlignedBox3f box = mesh.Bounds();
     const Eigen::Vector2f size(box.sizes().x() + 2 * kMargin, box.sizes().z() + 2 * kMargin);
-    frame_.pixel_m =
-        std::max(spec.pixel_m, size.maxCoeff() / static_cast<float>(spec.max_pixels));
+    frame_.pixel_m = std::max(spec.pixel_m, size.maxCoeff() / static_cast<float>(spec.max_pixels));
     frame_.origin = {box.min().x() - kMargin, box.min().z() - kMargin};
     width_ = static_cast<int>(std::ceil(size.x() / frame_.pixel_m));
     height_ = static_cast<int>(std::ceil(size.y() / frame_.pixel_m));

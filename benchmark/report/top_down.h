@@ -10,10 +10,10 @@
 namespace bulletnav::bench {
 
 struct TopDownSpec {
-  int max_pixels = 1400;       // longer side of the picture
-  float pixel_m = 0.01f;       // finest scale
-  float cut_height_m = 1.9f;   // above the floor: what is higher, such as ceilings, is left out
-  bool walkable = true;        // tint the walkable floor
+  int max_pixels = 1400;      // longer side of the picture
+  float pixel_m = 0.01f;      // finest scale
+  float cut_height_m = 1.9f;  // above the floor: what is higher, such as ceilings, is left out
+  bool walkable = true;       // tint the walkable floor
 };
 
 /// A name to print on the map, at a place in the world.
@@ -30,8 +30,8 @@ struct MapFrame {
   Canvas::Point pixel(const Eigen::Vector2f& world) const;
 };
 
-/// A scene from above in its true colours, cut open at cut_height_m over the largest island's floor,
-/// walls in section drawn black, the walkable floor tinted, labels and a scale bar.
+/// A scene from above in its true colours, cut open at cut_height_m over the largest island's
+/// floor, walls in section drawn black, the walkable floor tinted, labels and a scale bar.
 sim::Image DrawTopDown(const sim::SceneMesh& mesh, const sim::Navmesh& navmesh,
                        const std::vector<MapLabel>& labels, const TopDownSpec& spec = {});
 

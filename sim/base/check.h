@@ -21,22 +21,22 @@ std::string BothValues(const A& a, const B& b) {
 }  // namespace bulletnav::sim::internal
 
 // NOLINTBEGIN(bugprone-macro-parentheses): the operator cannot be parenthesised.
-#define CHECK(condition)                                                                \
-  do {                                                                                  \
-    if (!(condition)) {                                                                 \
-      ::bulletnav::sim::internal::CheckFailed(__FILE__, __LINE__, #condition, {});      \
-    }                                                                                   \
+#define CHECK(condition)                                                           \
+  do {                                                                             \
+    if (!(condition)) {                                                            \
+      ::bulletnav::sim::internal::CheckFailed(__FILE__, __LINE__, #condition, {}); \
+    }                                                                              \
   } while (false)
 
-#define BULLETNAV_CHECK_OP(a, op, b)                                                    \
-  do {                                                                                  \
-    const auto& check_a = (a);                                                          \
-    const auto& check_b = (b);                                                          \
-    if (!(check_a op check_b)) {                                                        \
-      ::bulletnav::sim::internal::CheckFailed(                                          \
-          __FILE__, __LINE__, #a " " #op " " #b,                                        \
-          ::bulletnav::sim::internal::BothValues(check_a, check_b));                    \
-    }                                                                                   \
+#define BULLETNAV_CHECK_OP(a, op, b)                                 \
+  do {                                                               \
+    const auto& check_a = (a);                                       \
+    const auto& check_b = (b);                                       \
+    if (!(check_a op check_b)) {                                     \
+      ::bulletnav::sim::internal::CheckFailed(                       \
+          __FILE__, __LINE__, #a " " #op " " #b,                     \
+          ::bulletnav::sim::internal::BothValues(check_a, check_b)); \
+    }                                                                \
   } while (false)
 // NOLINTEND(bugprone-macro-parentheses)
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "sim/base/files.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <atomic>
 #include <cerrno>
 #include <cstring>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "sim/base/error.h"
 
@@ -33,7 +33,9 @@ class Descriptor {
   int fd_;
 };
 
-std::string Reason() { return std::strerror(errno); }
+std::string Reason() {
+  return std::strerror(errno);
+}
 
 fs::path TemporaryName(const fs::path& file) {
   static std::atomic<unsigned> counter{0};
@@ -111,7 +113,9 @@ void WriteFileAtomically(const fs::path& file, const std::function<void(const fs
 }
 
 void WriteFileAtomically(const fs::path& file, std::span<const std::uint8_t> bytes) {
-  WriteFileAtomically(file, [&](const fs::path& temporary) { WriteAll(temporary, bytes); });
+  WriteFileAtomically(file, [&](const fs::path& temporary) {
+    WriteAll(temporary, bytes);
+  });
 }
 
 void WriteFileAtomically(const fs::path& file, std::string_view text) {

@@ -9,20 +9,20 @@ namespace bulletnav::sim {
 /// How an isolated piece of work ended.
 struct IsolatedResult {
   enum class End {
-    kDone,      // `bytes` is what it returned
-    kThrew,     // `bytes` is the exception's text
-    kCrashed,   // by a signal
+    kDone,     // `bytes` is what it returned
+    kThrew,    // `bytes` is the exception's text
+    kCrashed,  // by a signal
     kTimedOut,
-    kTooLarge   // ran out of the memory allowed
+    kTooLarge  // ran out of the memory allowed
   };
   End end = End::kDone;
   std::vector<std::uint8_t> bytes;
 };
 
-/// Runs `work` in a child process and returns what it returned: for libraries that may crash, hang or
-/// eat all memory on hostile input. The child is a copy of the calling thread alone; `work` must not
-/// wait for other threads. Costs about a millisecond and a copy of the bytes.
-/// Throws Error if no process can be made.
+/// Runs `work` in a child process and returns what it returned: for libraries that may crash, hang
+/// or eat all memory on hostile input. The child is a copy of the calling thread alone; `work` must
+/// not wait for other threads. Costs about a millisecond and a copy of the bytes. Throws Error if
+/// no process can be made.
 IsolatedResult RunIsolated(const std::function<std::vector<std::uint8_t>()>& work, int cpu_seconds,
                            std::uint64_t memory_bytes);
 

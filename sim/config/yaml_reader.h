@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <yaml-cpp/yaml.h>
-
 #include <array>
 #include <cstdint>
 #include <filesystem>
@@ -12,6 +10,8 @@
 #include <type_traits>
 #include <utility>
 #include <vector>
+
+#include <yaml-cpp/yaml.h>
 
 #include "sim/base/error.h"
 
@@ -47,9 +47,11 @@ class YamlNode {
 };
 
 /// Fills a struct from a YAML map. The struct lists its keys once:
-///   struct Foo { double width_m = 1; template <class V> void Visit(V& v) { v("width_m", width_m); } };
-/// Unknown, duplicate, missing-required and wrong-type keys are errors at the key's line; an unknown
-/// key is answered with the nearest known one. Values not named keep their in-class default.
+///   struct Foo { double width_m = 1; template <class V> void Visit(V& v) { v("width_m", width_m);
+///   } };
+/// Unknown, duplicate, missing-required and wrong-type keys are errors at the key's line; an
+/// unknown key is answered with the nearest known one. Values not named keep their in-class
+/// default.
 class YamlReader {
  public:
   explicit YamlReader(const YamlNode& map);

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <Eigen/Core>
 #include <array>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "sim/config/yaml_reader.h"
 
@@ -27,44 +30,83 @@ enum class RoomType {
 
 template <>
 struct EnumNames<RoomType> {
-  static constexpr std::array kNames = {
-      std::pair{"living_room", RoomType::kLivingRoom}, std::pair{"kitchen", RoomType::kKitchen},
-      std::pair{"dining_room", RoomType::kDiningRoom}, std::pair{"bedroom", RoomType::kBedroom},
-      std::pair{"kids_room", RoomType::kKidsRoom},     std::pair{"bathroom", RoomType::kBathroom},
-      std::pair{"toilet", RoomType::kToilet},          std::pair{"corridor", RoomType::kCorridor},
-      std::pair{"entry", RoomType::kEntry},            std::pair{"study", RoomType::kStudy},
-      std::pair{"laundry", RoomType::kLaundry},        std::pair{"storage", RoomType::kStorage}};
+  static constexpr std::array kNames = {std::pair{"living_room", RoomType::kLivingRoom},
+                                        std::pair{"kitchen", RoomType::kKitchen},
+                                        std::pair{"dining_room", RoomType::kDiningRoom},
+                                        std::pair{"bedroom", RoomType::kBedroom},
+                                        std::pair{"kids_room", RoomType::kKidsRoom},
+                                        std::pair{"bathroom", RoomType::kBathroom},
+                                        std::pair{"toilet", RoomType::kToilet},
+                                        std::pair{"corridor", RoomType::kCorridor},
+                                        std::pair{"entry", RoomType::kEntry},
+                                        std::pair{"study", RoomType::kStudy},
+                                        std::pair{"laundry", RoomType::kLaundry},
+                                        std::pair{"storage", RoomType::kStorage}};
 };
+
+/// As in EnumNames: "living_room".
+std::string_view RoomTypeName(RoomType type);
 
 /// Plan coordinates are the world's (x, z) in metres, seen from above with x right and z down.
 using PlanPoint = Eigen::Vector2f;
 
+/// The direction to the left of someone who walks along `direction`, seen from above.
+inline PlanPoint LeftOf(const PlanPoint& direction) {
+  return {direction.y(), -direction.x()};
+}
+
+/// Area of a simple polygon, in either order.
+float PolygonArea(std::span<const PlanPoint> outline);
+
+/// Whether a point lies in a simple polygon.
+bool IsInside(std::span<const PlanPoint> outline, const PlanPoint& point);
+
 struct Room {
   RoomType type = RoomType::kLivingRoom;
   std::string name;                // unique in the house: "bedroom_2"
-  std::vector<PlanPoint> outline;  // inner faces of its walls; rectilinear, no repeated points,
-                                   // the room on the left when walking along it in (x, z)
-  float area() const;
+  std::vector<PlanPoint> outline;  // inner faces of its walls; rectilinear, no repeated points; the
+                                   // room is to the left of someone walking along it (LeftOf)
+  float area() const { return PolygonArea(outline); }
 };
 
 enum class OpeningKind { kDoor, kArch, kWindow };
 
-/// A hole in a wall. `a` and `b` are its jambs on the wall's middle line.
+template <>
+struct EnumNames<OpeningKind> {
+  static constexpr std::array kNames = {std::pair{"door", OpeningKind::kDoor},
+                                        std::pair{"arch", OpeningKind::kArch},
+                                        std::pair{"window", OpeningKind::kWindow}};
+};
+
+/// A hole in a wall. `a` and `b` are its jambs on the wall's middle line; walking from a to b,
+/// room_a is to the left and room_b to the right.
 struct Opening {
   OpeningKind kind = OpeningKind::kDoor;
   PlanPoint a = PlanPoint::Zero();
   PlanPoint b = PlanPoint::Zero();
-  float bottom = 0.0f;         // of the hole above the floor: 0 for doors
+  float bottom = 0.0f;  // of the hole above the floor: 0 for doors
   float top = 2.05f;
-  int room_a = -1;             // rooms on its sides, -1 outside
-  int room_b = -1;
-  float door_angle = 0.0f;     // how far the leaf stands open, radians; 0 with has_leaf: shut
+  float wall_thickness = 0.12f;
+  int room_a = -1;          // index into FloorPlan::rooms
+  int room_b = -1;          // -1: outside, as for every window and the entry door
+  float door_angle = 0.0f;  // how far the leaf stands open, radians; 0 with has_leaf: shut
   bool has_leaf = false;
-  bool hinge_at_a = true;      // else at b
-  bool opens_into_a = true;    // the leaf swings into room_a, else into room_b
+  bool hinge_at_a = true;    // else at b
+  bool opens_into_a = true;  // the leaf swings into room_a, else into room_b
+
+  float width() const { return (b - a).norm(); }
+  bool IsPassage() const { return kind != OpeningKind::kWindow; }
 };
 
-/// A wall between two corners of its middle line.
+inline constexpr float kLeafThickness = 0.04f;
+
+/// Corners of a door's leaf seen from above, in order around it: the hinge edge on the face it
+/// swings to, then along that face to the free edge, then back along the other face. Expects:
+/// has_leaf (checked).
+std::array<PlanPoint, 4> LeafOutline(const Opening& door);
+
+/// A wall between two corners of its middle line. With its ends lengthened by half the thickness it
+/// closes the corners.
 struct Wall {
   PlanPoint a = PlanPoint::Zero();
   PlanPoint b = PlanPoint::Zero();
@@ -77,7 +119,10 @@ struct FloorPlan {
   std::vector<Room> rooms;
   std::vector<Wall> walls;
   std::vector<Opening> openings;
+  std::vector<PlanPoint>
+      footprint;  // outer faces of the outer walls, ordered like a room's outline
   float ceiling = 2.6f;
+
   float area() const;  // of the rooms together
 };
 

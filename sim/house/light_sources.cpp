@@ -12,11 +12,11 @@ namespace {
 using Vec = Eigen::Vector3f;
 
 constexpr float kSkyRadiance = 2.6f;
-constexpr float kLampPower = 0.62f;      // of one lamp, whatever its size
-constexpr float kLampReach = 0.6f;       // parts nearer than this belong to one lamp, metres
-constexpr float kLongestPatch = 0.8f;    // windows are cut down to this, metres
-constexpr float kFarthest = 9.0f;        // light from farther away is left out, metres
-constexpr float kStandOff = 0.12f;       // shadow rays stop short of a lamp's own shade, metres
+constexpr float kLampPower = 0.62f;    // of one lamp, whatever its size
+constexpr float kLampReach = 0.6f;     // parts nearer than this belong to one lamp, metres
+constexpr float kLongestPatch = 0.8f;  // windows are cut down to this, metres
+constexpr float kFarthest = 9.0f;      // light from farther away is left out, metres
+constexpr float kStandOff = 0.12f;     // shadow rays stop short of a lamp's own shade, metres
 const Vec kSkyColor(0.97f, 1.0f, 1.04f);
 const Vec kLampColor(1.05f, 0.99f, 0.90f);
 constexpr auto kPiF = static_cast<float>(kPi);
@@ -64,7 +64,8 @@ void LightSources::AddWindowTriangle(const Vec& a, const Vec& b, const Vec& c, i
     return;
   }
   const Vec n = (b - a).cross(c - a);
-  patches_.push_back({(a + b + c) / 3.0f, n.normalized(), 0.5f * n.norm() * kSkyRadiance * kSkyColor});
+  patches_.push_back(
+      {(a + b + c) / 3.0f, n.normalized(), 0.5f * n.norm() * kSkyRadiance * kSkyColor});
 }
 
 void LightSources::AddLampPart(const Vec& centre, float area) {

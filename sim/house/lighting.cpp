@@ -24,7 +24,7 @@ constexpr float kAmbient = 0.16f;       // light that has bounced more than once
 constexpr float kAmbientReach = 1.2f;   // occluders farther than this do not dim it, metres
 constexpr float kBounce = 1.25f;        // makes up for the bounces left out
 constexpr float kExposure = 2.3f;
-constexpr float kDarkest = 0.22f;       // of display brightness
+constexpr float kDarkest = 0.22f;  // of display brightness
 constexpr int kRefineRounds = 6;
 
 std::vector<std::array<Vec, 3>> Corners(const SceneMesh& mesh) {
@@ -62,7 +62,8 @@ std::array<Vec, 16 * kPackets> HemisphereDirections() {
   std::array<Vec, 16 * kPackets> directions;
   for (std::size_t i = 0; i < directions.size(); ++i) {
     const float u = (static_cast<float>(i) + 0.5f) / static_cast<float>(directions.size());
-    const float angle = static_cast<float>(i) * std::numbers::pi_v<float> * (3.0f - std::sqrt(5.0f));
+    const float angle =
+        static_cast<float>(i) * std::numbers::pi_v<float> * (3.0f - std::sqrt(5.0f));
     const float r = std::sqrt(u);
     directions[i] = Vec(r * std::cos(angle), r * std::sin(angle), std::sqrt(1.0f - u));
   }
@@ -95,7 +96,8 @@ class Baker {
 
   Place PlaceIn(std::size_t triangle, std::size_t k) const {
     const auto& t = mesh_.triangles[triangle];
-    const std::array corners = {mesh_.positions[t[0]], mesh_.positions[t[1]], mesh_.positions[t[2]]};
+    const std::array corners = {mesh_.positions[t[0]], mesh_.positions[t[1]],
+                                mesh_.positions[t[2]]};
     const Vec middle = (corners[0] + corners[1] + corners[2]) / 3.0f;
     const Vec way = middle - corners[k];
     const float inward = std::min(kInward, 0.5f * way.norm());
@@ -109,8 +111,9 @@ class Baker {
       const std::size_t before = mesh_.triangles.size();
       if (static_cast<int>(before) > spec_.max_triangles) return;
       FindNormals();
-      RefineEdges(&mesh_, &glow_, 1,
-                  [&](std::uint32_t a, std::uint32_t b) { return ShouldHalve(a, b); });
+      RefineEdges(&mesh_, &glow_, 1, [&](std::uint32_t a, std::uint32_t b) {
+        return ShouldHalve(a, b);
+      });
       if (mesh_.triangles.size() == before) return;
     }
   }
@@ -199,8 +202,8 @@ class Baker {
     return sum;
   }
 
-  /// Light that comes from other surfaces, and the ambient light that nearby things leave; absent at
-  /// vertices that lie inside something.
+  /// Light that comes from other surfaces, and the ambient light that nearby things leave; absent
+  /// at vertices that lie inside something.
   std::vector<std::optional<Vec>> GatheredLight(const std::vector<Vec>& direct) const {
     const std::vector<std::array<Vec, 3>> corners = Corners(mesh_);
     const Raycaster scene(corners);
@@ -218,7 +221,8 @@ class Baker {
     return light;
   }
 
-  std::optional<Vec> GatherAt(const Raycaster& scene, const std::vector<std::array<Vec, 3>>& corners,
+  std::optional<Vec> GatherAt(const Raycaster& scene,
+                              const std::vector<std::array<Vec, 3>>& corners,
                               const std::vector<Vec>& albedo, const std::vector<Vec>& direct,
                               const Place& place) const {
     Vec bounced = Vec::Zero();
@@ -235,8 +239,8 @@ class Baker {
       if (glow_[triangle] != static_cast<int>(Glow::kNone)) return;
       Vec e = Vec::Zero();
       for (const std::uint32_t v : mesh_.triangles[triangle]) e += direct[v] / 3.0f;
-      bounced += albedo[mesh_.triangle_materials[triangle]].cwiseProduct(
-          e + Vec::Constant(kAmbient));
+      bounced +=
+          albedo[mesh_.triangle_materials[triangle]].cwiseProduct(e + Vec::Constant(kAmbient));
     });
     constexpr float kCount = 16.0f * kPackets;
     if (inside > 16 * kPackets / 3) return std::nullopt;
@@ -248,7 +252,8 @@ class Baker {
     return kDarkest + (1.0f - kDarkest) * std::pow(mapped, 1.0f / 1.9f);
   }
 
-  void WriteColors(const std::vector<Vec>& direct, const std::vector<std::optional<Vec>>& gathered) {
+  void WriteColors(const std::vector<Vec>& direct,
+                   const std::vector<std::optional<Vec>>& gathered) {
     std::vector<std::optional<Vec>> light(gathered.size());
     for (std::size_t v = 0; v < light.size(); ++v) {
       if (gathered[v]) light[v] = direct[v] + *gathered[v];

@@ -8,15 +8,15 @@
 namespace bulletnav::sim {
 
 struct LightSpec {
-  float coarse_edge_m = 0.8f;     // longer edges are always halved
-  float fine_edge_m = 0.2f;       // edges are halved down to this where light changes along them
-  float change = 0.07f;           // by this share of full light
-  int max_triangles = 60'000;     // above this, no further round of halving
+  float coarse_edge_m = 0.8f;  // longer edges are always halved
+  float fine_edge_m = 0.2f;    // edges are halved down to this where light changes along them
+  float change = 0.07f;        // by this share of full light
+  int max_triangles = 60'000;  // above this, no further round of halving
 };
 
 /// Bakes soft light into a house's vertex colours: daylight from the windows (Glow::kSky), lamps
-/// (Glow::kLamp), one bounce off coloured surfaces, ambient occlusion. First halves edges so that the
-/// light's gradients have vertices to stand on. Parts that glow stay at full brightness.
+/// (Glow::kLamp), one bounce off coloured surfaces, ambient occlusion. First halves edges so that
+/// the light's gradients have vertices to stand on. Parts that glow stay at full brightness.
 /// `glows`: one a triangle, as from MeshBuilder.
 /// Source: radiosity gathered at vertices with Embree, tone-mapped; ours.
 void BakeLight(SceneMesh* mesh, std::span<const Glow> glows, const LightSpec& spec = {});

@@ -31,7 +31,9 @@ std::uint32_t AddMiddle(std::uint32_t a, std::uint32_t b, SceneMesh* mesh) {
 constexpr std::uint32_t kNone = ~0u;
 
 std::vector<Triangle> Parts(const Triangle& t, const Triangle& m) {
-  const auto halved = std::count_if(m.begin(), m.end(), [](auto v) { return v != kNone; });
+  const auto halved = std::count_if(m.begin(), m.end(), [](auto v) {
+    return v != kNone;
+  });
   if (halved == 0) return {t};
   if (halved == 3) {
     return {{t[0], m[0], m[2]}, {m[0], t[1], m[1]}, {m[2], m[1], t[2]}, {m[0], m[1], m[2]}};

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <cstdio>
 // jpeglib.h uses FILE and size_t without including them.
-#include <jpeglib.h>
-
 #include <csetjmp>
 #include <cstdlib>
+
+#include <jpeglib.h>
 
 #include "sim/base/check.h"
 #include "sim/image/codecs.h"
@@ -116,7 +116,9 @@ class JpegEncoder {
 
 }  // namespace
 
-Image DecodeJpeg(std::span<const std::uint8_t> bytes) { return JpegDecoder().Decode(bytes); }
+Image DecodeJpeg(std::span<const std::uint8_t> bytes) {
+  return JpegDecoder().Decode(bytes);
+}
 
 std::vector<std::uint8_t> EncodeJpeg(const Image& image, int quality) {
   CHECK_EQ(image.channels, 3);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <png.h>
-
 #include <csetjmp>
 #include <cstring>
+
+#include <png.h>
 
 #include "sim/base/check.h"
 #include "sim/image/codecs.h"
@@ -146,7 +146,9 @@ class PngWriter {
 
 }  // namespace
 
-Image DecodePng(std::span<const std::uint8_t> bytes) { return PngReader(bytes).ReadRgba(); }
+Image DecodePng(std::span<const std::uint8_t> bytes) {
+  return PngReader(bytes).ReadRgba();
+}
 
 std::vector<std::uint16_t> DecodePng16(std::span<const std::uint8_t> bytes, int* width,
                                        int* height) {

@@ -10,9 +10,13 @@ double WrapAngle(double angle) {
   return wrapped <= -kPi ? kPi : wrapped;
 }
 
-Eigen::Vector3d BodyPose::forward() const { return {-std::sin(yaw), 0.0, -std::cos(yaw)}; }
+Eigen::Vector3d BodyPose::forward() const {
+  return {-std::sin(yaw), 0.0, -std::cos(yaw)};
+}
 
-Eigen::Vector3d BodyPose::left() const { return {-std::cos(yaw), 0.0, std::sin(yaw)}; }
+Eigen::Vector3d BodyPose::left() const {
+  return {-std::cos(yaw), 0.0, std::sin(yaw)};
+}
 
 PlanarPose RelativePose(const BodyPose& X_WA, const BodyPose& X_WB) {
   const Eigen::Vector3d motion = X_WB.position - X_WA.position;

@@ -6,8 +6,12 @@ namespace bulletnav::sim {
 
 inline constexpr double kPi = 3.14159265358979323846;
 
-constexpr double DegToRad(double deg) { return deg * (kPi / 180.0); }
-constexpr double RadToDeg(double rad) { return rad * (180.0 / kPi); }
+constexpr double DegToRad(double deg) {
+  return deg * (kPi / 180.0);
+}
+constexpr double RadToDeg(double rad) {
+  return rad * (180.0 / kPi);
+}
 
 /// `angle` brought into (-pi, pi].
 double WrapAngle(double angle);

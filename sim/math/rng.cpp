@@ -58,8 +58,8 @@ Rng::Rng(std::uint64_t seed, std::string_view name)
       counter_{0, 0, 0, static_cast<std::uint32_t>(Stream::kHouse)} {}
 
 Rng Rng::Fork(std::string_view name, std::uint64_t index) const {
-  const std::uint64_t self = MixSeed(Join(key_), (static_cast<std::uint64_t>(counter_[2]) << 32) |
-                                                     counter_[3]);
+  const std::uint64_t self =
+      MixSeed(Join(key_), (static_cast<std::uint64_t>(counter_[2]) << 32) | counter_[3]);
   return {MixSeed(self, index), name};
 }
 
@@ -80,7 +80,9 @@ double Rng::Uniform() {
   return static_cast<double>((high << 26) | low) * 0x1.0p-53;
 }
 
-double Rng::Uniform(double low, double high) { return low + (high - low) * Uniform(); }
+double Rng::Uniform(double low, double high) {
+  return low + (high - low) * Uniform();
+}
 
 int Rng::Below(int n) {
   CHECK_GT(n, 0);
@@ -97,7 +99,9 @@ int Rng::Between(int low, int high) {
   return low + Below(high - low + 1);
 }
 
-bool Rng::Chance(double p) { return Uniform() < p; }
+bool Rng::Chance(double p) {
+  return Uniform() < p;
+}
 
 double Rng::Normal() {
   if (has_spare_normal_) {

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "sim/math/segment_triangle.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+
+#include <Eigen/Geometry>
 
 namespace bulletnav::sim {
 namespace {
 
 using Vec = Eigen::Vector3d;
 
-ClosestPoints Between(const Vec& a, const Vec& b) { return {a, b, (a - b).norm()}; }
+ClosestPoints Between(const Vec& a, const Vec& b) {
+  return {a, b, (a - b).norm()};
+}
 
 void KeepNearer(const ClosestPoints& candidate, ClosestPoints* best) {
   if (candidate.distance < best->distance) *best = candidate;
@@ -58,8 +61,8 @@ ClosestPoints PointToTriangle(const Vec& p, const Triangle3d& triangle) {
   double b1 = 0.0;
   double b2 = 0.0;
   if (Barycentric(p, triangle, &b1, &b2) && b1 >= 0.0 && b2 >= 0.0 && b1 + b2 <= 1.0) {
-    return Between(p, triangle[0] + b1 * (triangle[1] - triangle[0]) +
-                          b2 * (triangle[2] - triangle[0]));
+    return Between(
+        p, triangle[0] + b1 * (triangle[1] - triangle[0]) + b2 * (triangle[2] - triangle[0]));
   }
   ClosestPoints best = SegmentToSegment(p, p, triangle[0], triangle[1]);
   KeepNearer(SegmentToSegment(p, p, triangle[1], triangle[2]), &best);

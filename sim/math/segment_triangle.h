@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <Eigen/Core>
 #include <array>
+
+#include <Eigen/Core>
 
 namespace bulletnav::sim {
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "sim/navmesh/navmesh.h"
 
-#include <recastnavigation/DetourNavMesh.h>
-#include <recastnavigation/DetourNavMeshQuery.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
 #include <numeric>
+
+#include <recastnavigation/DetourNavMesh.h>
+#include <recastnavigation/DetourNavMeshQuery.h>
 
 #include "sim/base/check.h"
 #include "sim/base/error.h"
@@ -164,15 +164,24 @@ Navmesh::Navmesh(const SceneMesh& mesh, const NavmeshSpec& spec)
     : impl_(std::make_unique<Impl>(BuildDetourTile(mesh, spec))) {}
 
 Navmesh::Navmesh(std::span<const std::uint8_t> serialized)
-    : impl_(std::make_unique<Impl>(
-          std::vector<std::uint8_t>(serialized.begin(), serialized.end()))) {}
+    : impl_(
+          std::make_unique<Impl>(std::vector<std::uint8_t>(serialized.begin(), serialized.end()))) {
+}
 
 Navmesh::~Navmesh() = default;
 
-std::span<const std::uint8_t> Navmesh::serialized() const { return impl_->data; }
-const std::vector<Island>& Navmesh::islands() const { return impl_->islands; }
-const std::vector<Vec>& Navmesh::triangle_corners() const { return impl_->corners; }
-const std::vector<int>& Navmesh::triangle_islands() const { return impl_->islands_of_triangles; }
+std::span<const std::uint8_t> Navmesh::serialized() const {
+  return impl_->data;
+}
+const std::vector<Island>& Navmesh::islands() const {
+  return impl_->islands;
+}
+const std::vector<Vec>& Navmesh::triangle_corners() const {
+  return impl_->corners;
+}
+const std::vector<int>& Navmesh::triangle_islands() const {
+  return impl_->islands_of_triangles;
+}
 
 float Navmesh::area() const {
   float sum = 0.0f;
@@ -282,8 +291,8 @@ Vec NavmeshQuery::RandomPoint(Rng* rng, int island) const {
   const auto& sums = impl_->mesh.area_up_to[n];
   const auto target = static_cast<float>(rng->Uniform() * sums.back());
   const auto found = std::upper_bound(sums.begin(), sums.end(), target);
-  const auto index = std::min<std::size_t>(static_cast<std::size_t>(found - sums.begin()),
-                                           sums.size() - 1);
+  const auto index =
+      std::min<std::size_t>(static_cast<std::size_t>(found - sums.begin()), sums.size() - 1);
   const Vec* corner = &impl_->mesh.corners[3 * impl_->mesh.triangles_of_island[n][index]];
   // The square root spreads points evenly over the triangle.
   const auto s = static_cast<float>(std::sqrt(rng->Uniform()));

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <Eigen/Core>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "sim/config/yaml_reader.h"
 #include "sim/math/rng.h"
@@ -21,7 +22,7 @@ struct NavmeshSpec {
   float agent_radius = 0.1f;
   float max_climb = 0.2f;
   float max_slope_deg = 45.0f;
-  float region_min_size = 20.0f;    // cells, squared for the area
+  float region_min_size = 20.0f;  // cells, squared for the area
   float region_merge_size = 20.0f;
   float edge_max_length = 12.0f;
   float edge_max_error = 1.3f;
@@ -81,7 +82,8 @@ class Navmesh {
   const std::vector<Island>& islands() const;
   /// Walkable m2 of all islands.
   float area() const;
-  /// Triangles of the walkable surface, corner after corner, and each triangle's island; for drawing.
+  /// Triangles of the walkable surface, corner after corner, and each triangle's island; for
+  /// drawing.
   const std::vector<Eigen::Vector3f>& triangle_corners() const;
   const std::vector<int>& triangle_islands() const;
 
@@ -101,7 +103,8 @@ class NavmeshQuery {
   NavmeshQuery(NavmeshQuery&&) noexcept;
   NavmeshQuery& operator=(NavmeshQuery&&) = delete;
 
-  /// Nearest point of the walkable floor, within 2 m sideways and 4 m up or down like Habitat's snap.
+  /// Nearest point of the walkable floor, within 2 m sideways and 4 m up or down like Habitat's
+  /// snap.
   std::optional<Eigen::Vector3f> Snap(const Eigen::Vector3f& point) const;
   /// Island of the floor under a point; absent if there is none.
   std::optional<int> IslandOf(const Eigen::Vector3f& point) const;

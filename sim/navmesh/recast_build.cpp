@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "sim/navmesh/recast_build.h"
 
-#include <fmt/core.h>
-#include <recastnavigation/DetourNavMeshBuilder.h>
-#include <recastnavigation/Recast.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <memory>
+
+#include <fmt/core.h>
+#include <recastnavigation/DetourNavMeshBuilder.h>
+#include <recastnavigation/Recast.h>
 
 #include "sim/base/error.h"
 
@@ -100,9 +100,10 @@ class RecastBuilder {
     config_.width = std::max(1, config_.width);
     config_.height = std::max(1, config_.height);
     if (std::int64_t{config_.width} * config_.height > kMaxCells) {
-      throw Error(fmt::format("the scene is {:.0f} x {:.0f} m, too large for a navmesh of {} m cells; "
-                              "cut it up or use larger cells",
-                              box.sizes().x(), box.sizes().z(), cs));
+      throw Error(
+          fmt::format("the scene is {:.0f} x {:.0f} m, too large for a navmesh of {} m cells; "
+                      "cut it up or use larger cells",
+                      box.sizes().x(), box.sizes().z(), cs));
     }
   }
 
@@ -137,8 +138,7 @@ class RecastBuilder {
     heights_.reset();
     Require(rcErodeWalkableArea(&context_, config_.walkableRadius, *compact_), "erode");
     Require(rcBuildDistanceField(&context_, *compact_), "measure distances");
-    Require(rcBuildRegions(&context_, *compact_, 0, config_.minRegionArea,
-                           config_.mergeRegionArea),
+    Require(rcBuildRegions(&context_, *compact_, 0, config_.minRegionArea, config_.mergeRegionArea),
             "find regions");
   }
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "sim/noise/noise_model.h"
 
-#include <Eigen/Cholesky>
 #include <map>
 #include <string>
+
+#include <Eigen/Cholesky>
 
 #include "sim/base/check.h"
 #include "sim/base/error.h"

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <Eigen/Core>
 #include <array>
 #include <filesystem>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "sim/base/action.h"
 #include "sim/config/yaml_reader.h"
@@ -22,9 +23,10 @@ enum class NoiseMode { kNone, kAnsReleased, kAnsRadians, kPhysical };
 
 template <>
 struct EnumNames<NoiseMode> {
-  static constexpr std::array kNames = {
-      std::pair{"none", NoiseMode::kNone}, std::pair{"ans_released", NoiseMode::kAnsReleased},
-      std::pair{"ans_radians", NoiseMode::kAnsRadians}, std::pair{"physical", NoiseMode::kPhysical}};
+  static constexpr std::array kNames = {std::pair{"none", NoiseMode::kNone},
+                                        std::pair{"ans_released", NoiseMode::kAnsReleased},
+                                        std::pair{"ans_radians", NoiseMode::kAnsRadians},
+                                        std::pair{"physical", NoiseMode::kPhysical}};
 };
 
 /// Nominal motion of one action: 0.25 m forward, 10 deg, nothing for stop.
@@ -46,7 +48,8 @@ class GaussianMixture {
   };
 
   GaussianMixture() = default;
-  /// Throws Error if a weight is negative, none is positive, or a covariance is not positive definite.
+  /// Throws Error if a weight is negative, none is positive, or a covariance is not positive
+  /// definite.
   explicit GaussianMixture(const std::vector<Component>& components);
 
   /// Picks a component by weight, then mean + L z with L the lower Cholesky factor, z ~ N(0, I).
@@ -61,9 +64,9 @@ class GaussianMixture {
 /// Actuation and odometry noise of Active Neural SLAM.
 /// The mixtures' axes: dx forward (m), dy to the right (m), do clockwise (deg, modulo 360). An
 /// actuation draw is the whole executed motion, not an addition to the command; a sensor draw is
-/// added to the true motion of the step, in a frame whose y points left. Everything this class takes
-/// and returns is in the robot's frame before the action: x forward, y left, yaw counter-clockwise.
-/// Source: Neural-SLAM noise_models/, env/habitat/utils/noisy_actions.py.
+/// added to the true motion of the step, in a frame whose y points left. Everything this class
+/// takes and returns is in the robot's frame before the action: x forward, y left, yaw
+/// counter-clockwise. Source: Neural-SLAM noise_models/, env/habitat/utils/noisy_actions.py.
 class NoiseModel {
  public:
   /// The model compiled into the program.

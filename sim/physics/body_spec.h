@@ -4,12 +4,13 @@
 
 namespace bulletnav::sim {
 
-/// An upright capsule that stands on the floor. Metres. Source: ANS/Habitat defaults; LoCoBot's body.
+/// An upright capsule that stands on the floor. Metres. Source: ANS/Habitat defaults; LoCoBot's
+/// body.
 struct BodySpec {
   float radius = 0.10f;
   float height = 1.5f;
   float camera_height = 1.25f;
-  float max_climb = 0.2f;       // steps and thresholds up to this are walked over, deeper drops are not
+  float max_climb = 0.2f;  // steps and thresholds up to this are walked over, deeper drops are not
   float max_slope_deg = 45.0f;  // of the floor
   bool sliding = true;          // along walls; published results depend on it
 

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "sim/physics/capsule_body.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+
+#include <fmt/core.h>
 
 #include "sim/base/error.h"
 
 namespace bulletnav::sim {
 namespace {
 
-constexpr float kSkin = 0.002f;           // gap kept to whatever stops a sweep
-constexpr float kTouch = 0.001f;          // nearer than the radius by this is still free
-constexpr float kSettleReach = 0.5f;      // how far Reset looks for the floor
-constexpr int kMaxRounds = 6;  // of sweeping and sliding in one move
+constexpr float kSkin = 0.002f;       // gap kept to whatever stops a sweep
+constexpr float kTouch = 0.001f;      // nearer than the radius by this is still free
+constexpr float kSettleReach = 0.5f;  // how far Reset looks for the floor
+constexpr int kMaxRounds = 6;         // of sweeping and sliding in one move
 constexpr int kPushes = 12;
 constexpr int kLedgeHalvings = 5;
 constexpr float kShortest = 1e-5f;
@@ -143,8 +143,7 @@ bool CapsuleBody::Walk(const Eigen::Vector3f& motion, Eigen::Vector3f* foot) con
 MoveResult CapsuleBody::Move(const PlanarPose& motion) {
   MoveResult result;
   Eigen::Vector3f foot = pose_.position.cast<float>();
-  Eigen::Vector3f left =
-      (motion.x * pose_.forward() + motion.y * pose_.left()).cast<float>();
+  Eigen::Vector3f left = (motion.x * pose_.forward() + motion.y * pose_.left()).cast<float>();
   Eigen::Vector3f last_normal = Eigen::Vector3f::Zero();
   for (int round = 0; round < kMaxRounds && left.norm() > kShortest; ++round) {
     const float length = left.norm();

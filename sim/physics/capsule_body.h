@@ -15,18 +15,18 @@ struct MoveResult {
 };
 
 /// One upright body that walks in a scene: swept, never teleported, so no step is too long for a
-/// wall. It climbs steps up to max_climb, stops at deeper drops as at a wall, slides if its spec says
-/// so. Several bodies share a world and do not meet.
-/// Source: SPEC of the body [ANS/HAB]; the step-slide-drop scheme of character controllers, on
-/// Bullet's convex sweep, with every accepted position checked exactly.
+/// wall. It climbs steps up to max_climb, stops at deeper drops as at a wall, slides if its spec
+/// says so. Several bodies share a world and do not meet. Source: SPEC of the body [ANS/HAB]; the
+/// step-slide-drop scheme of character controllers, on Bullet's convex sweep, with every accepted
+/// position checked exactly.
 class CapsuleBody {
  public:
   /// The world must outlive the body. Throws Error on a bad spec.
   CapsuleBody(const PhysicsWorld& world, const BodySpec& spec);
 
-  /// Puts the body at `pose`, lowered or raised onto the floor within 0.5 m and pushed out of walls it
-  /// touches by up to a radius. Throws PoseError, and leaves the body where it was, if the place is
-  /// inside something, has no floor, or no head room.
+  /// Puts the body at `pose`, lowered or raised onto the floor within 0.5 m and pushed out of walls
+  /// it touches by up to a radius. Throws PoseError, and leaves the body where it was, if the place
+  /// is inside something, has no floor, or no head room.
   void Reset(const BodyPose& pose);
 
   /// Moves by a vector in the body's frame (x forward, y left), metres, then turns by its yaw; the

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "sim/physics/physics_world.h"
 
-#include <btBulletCollisionCommon.h>
-
 #include <algorithm>
 #include <functional>
 #include <vector>
+
+#include <btBulletCollisionCommon.h>
 
 #include "sim/base/check.h"
 #include "sim/math/segment_triangle.h"
@@ -16,9 +16,15 @@ namespace {
 // Bullet thickens triangles by its collision margin, 4 cm by default; the capsule has its radius.
 constexpr float kMargin = 0.0f;
 
-btVector3 ToBullet(const Eigen::Vector3f& v) { return {v.x(), v.y(), v.z()}; }
-Eigen::Vector3f FromBullet(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
-Eigen::Vector3d ToDouble(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
+btVector3 ToBullet(const Eigen::Vector3f& v) {
+  return {v.x(), v.y(), v.z()};
+}
+Eigen::Vector3f FromBullet(const btVector3& v) {
+  return {v.x(), v.y(), v.z()};
+}
+Eigen::Vector3d ToDouble(const btVector3& v) {
+  return {v.x(), v.y(), v.z()};
+}
 
 /// Keeps the first contact that the motion runs against; grazing ones are not obstacles.
 class FirstAgainst : public btCollisionWorld::ConvexResultCallback {
@@ -122,8 +128,8 @@ std::optional<SweepHit> PhysicsWorld::Sweep(const Capsule& capsule,
   const btTransform to(btQuaternion::getIdentity(), ToBullet(centre + motion));
   FirstAgainst result(ToBullet(motion));
   btCollisionWorld::objectQuerySingle(&shape, from, to,
-                                      const_cast<btCollisionObject*>(&impl_->object),
-                                      &impl_->shape, btTransform::getIdentity(), result, 0.0f);
+                                      const_cast<btCollisionObject*>(&impl_->object), &impl_->shape,
+                                      btTransform::getIdentity(), result, 0.0f);
   if (result.m_closestHitFraction >= 1.0f) return std::nullopt;
   return SweepHit{result.m_closestHitFraction, FromBullet(result.normal())};
 }
@@ -136,8 +142,8 @@ std::optional<NearestPoint> PhysicsWorld::Nearest(const Capsule& capsule, float 
     const ClosestPoints c =
         SegmentToTriangle(capsule.low.cast<double>(), high.cast<double>(), triangle);
     if (c.distance >= (nearest ? nearest->distance : reach)) return;
-    nearest = NearestPoint{c.on_a.cast<float>(), c.on_b.cast<float>(),
-                           static_cast<float>(c.distance)};
+    nearest =
+        NearestPoint{c.on_a.cast<float>(), c.on_b.cast<float>(), static_cast<float>(c.distance)};
   });
   return nearest;
 }
@@ -150,11 +156,11 @@ bool PhysicsWorld::AxisCrosses(const Capsule& capsule, const Eigen::Vector3f& mo
   const Eigen::Vector3f end = capsule.low + motion;
   const Eigen::Vector3f rise(0, capsule.length, 0);
   bool crosses = false;
-  impl_->ForTrianglesIn(capsule.low.cwiseMin(end), capsule.low.cwiseMax(end) + rise,
-                        [&](const Triangle3d& triangle) {
-                          crosses = crosses || TrianglesCross(triangle, swept[0]) ||
-                                    TrianglesCross(triangle, swept[1]);
-                        });
+  impl_->ForTrianglesIn(
+      capsule.low.cwiseMin(end), capsule.low.cwiseMax(end) + rise, [&](const Triangle3d& triangle) {
+        crosses =
+            crosses || TrianglesCross(triangle, swept[0]) || TrianglesCross(triangle, swept[1]);
+      });
   return crosses;
 }
 

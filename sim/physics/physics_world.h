@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <Eigen/Core>
 #include <memory>
 #include <optional>
+
+#include <Eigen/Core>
 
 #include "sim/scene/mesh.h"
 
@@ -10,7 +11,7 @@ namespace bulletnav::sim {
 
 /// First contact of a moving shape or ray with the scene.
 struct SweepHit {
-  float fraction = 1.0f;  // of the way from start to end
+  float fraction = 1.0f;                             // of the way from start to end
   Eigen::Vector3f normal = Eigen::Vector3f::Zero();  // unit, towards the moving shape
 };
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <Eigen/Core>
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
+
+#include <Eigen/Core>
 
 #include "sim/config/yaml_reader.h"
 #include "sim/render/projection.h"

@@ -45,16 +45,16 @@ struct PanoramaSpec {
 };
 
 /// Ray directions of every pixel centre for a camera that looks along -z, not normalised:
-/// d(row, col) = (x[col], y[row], z[col]). All three projections have this form, because a direction
-/// may be scaled freely; hypot(x, z) is 1 but for cube strips (up to sqrt 2).
+/// d(row, col) = (x[col], y[row], z[col]). All three projections have this form, because a
+/// direction may be scaled freely; hypot(x, z) is 1 but for cube strips (up to sqrt 2).
 struct RayGrid {
   explicit RayGrid(const PanoramaSpec& spec);
 
   std::vector<float> x;  // [cols]
   std::vector<float> z;  // [cols]
   std::vector<float> y;  // [rows], from the top, falling
-  /// [rows]; a pixel's footprint on a surface it meets at parameter t is area[row] * t^2 / |n.d| m2,
-  /// n the unit normal.
+  /// [rows]; a pixel's footprint on a surface it meets at parameter t is area[row] * t^2 / |n.d|
+  /// m2, n the unit normal.
   std::vector<float> area;
 };
 

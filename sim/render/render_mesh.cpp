@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "sim/render/render_mesh.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <bit>
 #include <cmath>
+
+#include <Eigen/Geometry>
 
 #include "sim/base/check.h"
 
@@ -47,8 +48,8 @@ std::uint32_t PackColor(const Rgb8& a, const Rgb8& b) {
   return packed;
 }
 
-/// Makes the barycentric planes of a triangle with edges `u` and `v` from corner `a`, in double: the
-/// weights of a sliver's corners change quickly.
+/// Makes the barycentric planes of a triangle with edges `u` and `v` from corner `a`, in double:
+/// the weights of a sliver's corners change quickly.
 void FillPlanes(const std::array<Eigen::Vector3f, 3>& corner, TriangleShading* out) {
   const Eigen::Vector3d a = corner[0].cast<double>();
   const Eigen::Vector3d u = corner[1].cast<double>() - a;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <Eigen/Core>
 #include <array>
 #include <cstdint>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "sim/render/triangle_shading.h"
 #include "sim/scene/mesh.h"

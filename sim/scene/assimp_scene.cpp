@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "sim/scene/assimp_scene.h"
 
-#include <assimp/material.h>
-#include <assimp/postprocess.h>
-#include <assimp/scene.h>
-
-#include <assimp/Importer.hpp>
 #include <cmath>
 #include <map>
 #include <new>
 #include <optional>
+
+#include <assimp/Importer.hpp>
+#include <assimp/material.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
 
 #include "sim/base/error.h"
 #include "sim/base/files.h"
@@ -132,9 +132,8 @@ class Converter {
       throw FileError(file_, "", "has more than 100 million triangles; cut it up");
     }
     AddVertices(source, transform);
-    const std::uint32_t material =
-        std::min<std::uint32_t>(source.mMaterialIndex,
-                                static_cast<std::uint32_t>(mesh_.materials.size()) - 1);
+    const std::uint32_t material = std::min<std::uint32_t>(
+        source.mMaterialIndex, static_cast<std::uint32_t>(mesh_.materials.size()) - 1);
     for (unsigned f = 0; f < source.mNumFaces; ++f) {
       const aiFace& face = source.mFaces[f];
       if (face.mNumIndices != 3) {
@@ -179,7 +178,8 @@ class Converter {
 
 SceneMesh ReadWithAssimp(const std::filesystem::path& file, ImportReport* report) {
   Assimp::Importer importer;
-  importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+  importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
+                              aiPrimitiveType_POINT | aiPrimitiveType_LINE);
   const aiScene* scene = nullptr;
   try {
     scene = importer.ReadFile(file.string(), aiProcess_Triangulate | aiProcess_SortByPType);
@@ -189,7 +189,8 @@ SceneMesh ReadWithAssimp(const std::filesystem::path& file, ImportReport* report
     throw FileError(file, "", std::string("is damaged: ") + e.what());
   }
   if (scene == nullptr) {
-    throw FileError(file, "", std::string("cannot be read as a mesh: ") + importer.GetErrorString());
+    throw FileError(file, "",
+                    std::string("cannot be read as a mesh: ") + importer.GetErrorString());
   }
   if (scene->mRootNode == nullptr || scene->mNumMeshes == 0) {
     throw FileError(file, "", "holds no triangles; is it a point cloud?");

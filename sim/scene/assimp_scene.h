@@ -8,9 +8,9 @@
 
 namespace bulletnav::sim {
 
-/// The file as assimp reads it, in the file's own axes and units, not cleaned: indices are in range,
-/// coordinates may be anything. Fills the report's textures and skipped lines.
-/// Throws FileError.
+/// The file as assimp reads it, in the file's own axes and units, not cleaned: indices are in
+/// range, coordinates may be anything. Fills the report's textures and skipped lines. Throws
+/// FileError.
 SceneMesh ReadWithAssimp(const std::filesystem::path& file, ImportReport* report);
 
 }  // namespace bulletnav::sim

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "sim/scene/clean.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +8,8 @@
 #include <functional>
 #include <string>
 #include <unordered_set>
+
+#include <fmt/core.h>
 
 #include "sim/base/error.h"
 
@@ -48,8 +48,9 @@ void Note(std::size_t count, const char* what, ImportReport* report) {
 void DropNonFinite(const std::filesystem::path& file, SceneMesh* mesh, ImportReport* report) {
   const std::size_t before = mesh->triangles.size();
   const std::size_t bad = Filter(mesh, [&](const Triangle& t) {
-    return std::all_of(t.begin(), t.end(),
-                       [&](std::uint32_t v) { return mesh->positions[v].allFinite(); });
+    return std::all_of(t.begin(), t.end(), [&](std::uint32_t v) {
+      return mesh->positions[v].allFinite();
+    });
   });
   if (static_cast<double>(bad) > kMaxBadShare * static_cast<double>(before)) {
     throw FileError(file, "",
@@ -94,7 +95,10 @@ void DropStray(SceneMesh* mesh, ImportReport* report) {
   const auto nearly_all = reaches.begin() + static_cast<std::ptrdiff_t>(reaches.size() * 99 / 100);
   std::nth_element(reaches.begin(), nearly_all, reaches.end());
   const float limit = std::max(kMinStrayDistance, kStrayFactor * *nearly_all);
-  Note(Filter(mesh, [&](const Triangle& t) { return Reach(*mesh, t, centre) <= limit; }),
+  Note(Filter(mesh,
+              [&](const Triangle& t) {
+                return Reach(*mesh, t, centre) <= limit;
+              }),
        "stray triangles far away", report);
 }
 
@@ -165,16 +169,18 @@ void CheckExtent(const std::filesystem::path& file, const SceneMesh& mesh) {
   const float extent = box.sizes().maxCoeff();
   const float offset = box.center().cwiseAbs().maxCoeff();
   if (offset > kMaxOffset) {
-    throw FileError(file, "",
-                    fmt::format("lies {:.3g} m from the origin, where single precision cannot place "
-                                "a wall; move it there",
-                                offset));
+    throw FileError(
+        file, "",
+        fmt::format("lies {:.3g} m from the origin, where single precision cannot place "
+                    "a wall; move it there",
+                    offset));
   }
   if (extent >= kMinExtent && extent <= kMaxExtent) return;
-  throw FileError(file, "",
-                  fmt::format("is {:.3g} m wide, which no building is; if it is not in metres, give "
-                              "--scale (0.001 for millimetres)",
-                              extent));
+  throw FileError(
+      file, "",
+      fmt::format("is {:.3g} m wide, which no building is; if it is not in metres, give "
+                  "--scale (0.001 for millimetres)",
+                  extent));
 }
 
 }  // namespace

@@ -3,8 +3,9 @@
 
 #include <cmath>
 #include <cstring>
-#include <nlohmann/json.hpp>
 #include <unordered_map>
+
+#include <nlohmann/json.hpp>
 
 namespace bulletnav::sim {
 namespace {
@@ -121,8 +122,8 @@ class GlbEncoder {
     const int color = AddAccessor(colors, kUnsignedShort, "VEC4", n, kArrayBuffer);
     json_["accessors"][static_cast<std::size_t>(color)]["normalized"] = true;
     attributes["COLOR_0"] = color;
-    const int indices = AddAccessor(part.indices, kUnsignedInt, "SCALAR", part.indices.size(),
-                                    kElementArrayBuffer);
+    const int indices =
+        AddAccessor(part.indices, kUnsignedInt, "SCALAR", part.indices.size(), kElementArrayBuffer);
     return {{"attributes", attributes}, {"indices", indices}, {"material", material}};
   }
 
@@ -177,6 +178,8 @@ class GlbEncoder {
 
 }  // namespace
 
-std::vector<std::uint8_t> EncodeGlb(const SceneMesh& mesh) { return GlbEncoder(mesh).Encode(); }
+std::vector<std::uint8_t> EncodeGlb(const SceneMesh& mesh) {
+  return GlbEncoder(mesh).Encode();
+}
 
 }  // namespace bulletnav::sim

@@ -3,10 +3,11 @@
 
 #include <cstring>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include <nlohmann/json.hpp>
 
 #include "sim/base/error.h"
 #include "sim/base/files.h"
@@ -173,7 +174,8 @@ class GltfChecker {
 
   std::size_t Components(const Json& accessor, const std::string& place) const {
     static const std::map<std::string, std::size_t> kComponents = {
-        {"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT2", 4}, {"MAT3", 9}, {"MAT4", 16}};
+        {"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4},
+        {"MAT2", 4},   {"MAT3", 9}, {"MAT4", 16}};
     const auto type = accessor.find("type");
     if (type == accessor.end() || !type->is_string()) Fail(place, "has no 'type'");
     const auto found = kComponents.find(type->get<std::string>());

@@ -70,9 +70,11 @@ ImportedScene ImportScene(const std::filesystem::path& file, const ImportOptions
   const UpAxis usual = CheckMeshFile(file);
   // assimp crashes and hangs on some damaged files, and a library must not take its user with it.
   const auto megabytes = static_cast<int>(std::filesystem::file_size(file) >> 20);
-  const IsolatedResult result =
-      RunIsolated([&] { return ToBlob(ReadScene(file, options, usual)); },
-                  kImportSeconds + kImportSecondsAMegabyte * megabytes, kImportMemory);
+  const IsolatedResult result = RunIsolated(
+      [&] {
+        return ToBlob(ReadScene(file, options, usual));
+      },
+      kImportSeconds + kImportSecondsAMegabyte * megabytes, kImportMemory);
   switch (result.end) {
     case IsolatedResult::End::kDone:
       return FromBlob(result.bytes);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <Eigen/Core>
-#include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include "sim/image/image.h"
 
@@ -20,7 +21,8 @@ struct Texture {
   Image image;  // RGBA; wraps around in both directions
 };
 
-/// Seen colour = base_color * texture (if any) * vertex colour, in display values; no light is added.
+/// Seen colour = base_color * texture (if any) * vertex colour, in display values; no light is
+/// added.
 struct Material {
   std::string name;
   Rgb8 base_color = kWhite;

@@ -11,9 +11,9 @@ namespace {
 
 /// Types whose bytes are their value, alone or in arrays.
 template <class T>
-inline constexpr bool kIsPlain = std::is_trivially_copyable_v<T> ||
-                                 std::is_same_v<T, Eigen::Vector3f> ||
-                                 std::is_same_v<T, Eigen::Vector2f>;
+inline constexpr bool kIsPlain =
+    std::is_trivially_copyable_v<T> || std::is_same_v<T, Eigen::Vector3f> ||
+    std::is_same_v<T, Eigen::Vector2f>;
 static_assert(sizeof(Eigen::Vector3f) == 12 && sizeof(Eigen::Vector2f) == 8);
 
 class Writer {

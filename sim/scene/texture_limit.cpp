@@ -22,9 +22,8 @@ std::vector<double> TurnsAMetre(const SceneMesh& mesh) {
     const Eigen::Vector2f v = mesh.uvs[c] - mesh.uvs[a];
     const auto i = static_cast<std::size_t>(texture);
     uv_area[i] += std::abs(double{u.x()} * v.y() - double{u.y()} * v.x());
-    area[i] += (mesh.positions[b] - mesh.positions[a])
-                   .cross(mesh.positions[c] - mesh.positions[a])
-                   .norm();
+    area[i] +=
+        (mesh.positions[b] - mesh.positions[a]).cross(mesh.positions[c] - mesh.positions[a]).norm();
   }
   std::vector<double> turns;
   for (std::size_t i = 0; i < area.size(); ++i) {

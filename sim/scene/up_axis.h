@@ -5,8 +5,8 @@
 namespace bulletnav::sim {
 
 /// Which way up a mesh is, judged by its floors and ceilings: the axis along which the area of the
-/// faces perpendicular to it is gathered in few thin layers, and along which the mesh is low. `usual` (the format's convention) wins
-/// unless the other axis is clearly better.
+/// faces perpendicular to it is gathered in few thin layers, and along which the mesh is low.
+/// `usual` (the format's convention) wins unless the other axis is clearly better.
 UpAxis DetectUpAxis(const SceneMesh& mesh, UpAxis usual);
 
 /// Turns a z-up mesh y-up: (x, y, z) -> (x, z, -y).

@@ -9,7 +9,9 @@ WorkerPool::WorkerPool(int workers)
     : workers_(workers >= 1 ? workers
                             : std::max(1, static_cast<int>(std::thread::hardware_concurrency()))) {
   for (int worker = 1; worker < workers_; ++worker) {
-    threads_.emplace_back([this, worker] { Loop(worker); });
+    threads_.emplace_back([this, worker] {
+      Loop(worker);
+    });
   }
 }
 
@@ -35,7 +37,9 @@ void WorkerPool::ForEach(int count, const std::function<void(int, int)>& task) {
   start_.notify_all();
   Work(0);
   std::unique_lock lock(mutex_);
-  finished_.wait(lock, [this] { return busy_ == 0; });
+  finished_.wait(lock, [this] {
+    return busy_ == 0;
+  });
   task_ = nullptr;
   if (failure_) std::rethrow_exception(failure_);
 }
@@ -45,7 +49,9 @@ void WorkerPool::Loop(int worker) {
   while (true) {
     {
       std::unique_lock lock(mutex_);
-      start_.wait(lock, [&] { return closing_ || round_ != seen; });
+      start_.wait(lock, [&] {
+        return closing_ || round_ != seen;
+      });
       if (closing_) return;
       seen = round_;
     }

@@ -9,8 +9,8 @@
 
 namespace bulletnav::sim {
 
-/// Threads that share out numbered tasks. Which thread does which task is left to chance; tasks must
-/// not depend on it.
+/// Threads that share out numbered tasks. Which thread does which task is left to chance; tasks
+/// must not depend on it.
 class WorkerPool {
  public:
   /// `workers` < 1: one a processor. One worker means the calling thread itself.
@@ -23,8 +23,9 @@ class WorkerPool {
 
   int workers() const { return workers_; }
 
-  /// Calls task(i, worker) once for each i in [0, count), worker in [0, workers()), and returns when
-  /// all are done. The first exception, by task number, is thrown then. Not to be called from a task.
+  /// Calls task(i, worker) once for each i in [0, count), worker in [0, workers()), and returns
+  /// when all are done. The first exception, by task number, is thrown then. Not to be called from
+  /// a task.
   void ForEach(int count, const std::function<void(int task, int worker)>& task);
 
  private:

@@ -30,8 +30,12 @@ std::vector<std::shared_ptr<const World>> Worlds(Backend backend) {
   return {a, a, a, b, b};
 }
 
-BodyPose Start(int lane) { return {{1.0 + 0.2 * lane, 0, -1.5}, 0.4 * lane}; }
-EpisodeKey Key(int lane) { return {3, static_cast<std::uint64_t>(lane)}; }
+BodyPose Start(int lane) {
+  return {{1.0 + 0.2 * lane, 0, -1.5}, 0.4 * lane};
+}
+EpisodeKey Key(int lane) {
+  return {3, static_cast<std::uint64_t>(lane)};
+}
 Action Choice(int lane, int step) {
   return kAllActions[static_cast<std::size_t>(1 + (lane + step * step) % 3)];
 }
@@ -76,7 +80,8 @@ TEST_P(BatchSimulatorTest, EveryLaneIsASimulatorOfItsOwn) {
       if (step == 6 && lane == 1) single.Reset(Start(4), Key(9));
       const Observation& o = single.Step(Choice(lane, step));
       const Result& r = batch[static_cast<std::size_t>(step)];
-      EXPECT_TRUE(std::equal(o.color.begin(), o.color.end(), r.color.begin() + long(3 * pixels * l)));
+      EXPECT_TRUE(
+          std::equal(o.color.begin(), o.color.end(), r.color.begin() + long(3 * pixels * l)));
       EXPECT_TRUE(std::equal(o.depth.begin(), o.depth.end(), r.depth.begin() + long(pixels * l)));
       EXPECT_EQ(o.sensors.odometry.x, r.sensors[l].odometry.x);
       EXPECT_EQ(o.sensors.odometry.yaw, r.sensors[l].odometry.yaw);
@@ -97,8 +102,7 @@ TEST_P(BatchSimulatorTest, TheNumberOfWorkersDoesNotMatter) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Backends, BatchSimulatorTest,
-                         testing::Values(Backend::kEmbree, Backend::kEgl),
-                         [](const auto& backend) {
+                         testing::Values(Backend::kEmbree, Backend::kEgl), [](const auto& backend) {
                            return backend.param == Backend::kEgl ? "egl" : "embree";
                          });
 

@@ -23,8 +23,8 @@ SimulatorSpec Small(NoiseMode noise) {
   return spec;
 }
 
-constexpr std::array kWalk = {Action::kMoveForward, Action::kTurnLeft,  Action::kMoveForward,
-                              Action::kTurnRight,   Action::kTurnRight, Action::kMoveForward,
+constexpr std::array kWalk = {Action::kMoveForward, Action::kTurnLeft,   Action::kMoveForward,
+                              Action::kTurnRight,   Action::kTurnRight,  Action::kMoveForward,
                               Action::kStop,        Action::kMoveForward};
 
 TEST(Simulator, WithoutNoiseStepsAndOdometryAreExact) {
@@ -52,8 +52,8 @@ TEST(Simulator, TheCameraLooksFromItsHeightAlongTheBodysHeading) {
 }
 
 TEST(Simulator, OdometryDriftsFromTheTruthWithNoiseOnly) {
-  for (const NoiseMode mode : {NoiseMode::kNone, NoiseMode::kAnsReleased, NoiseMode::kAnsRadians,
-                               NoiseMode::kPhysical}) {
+  for (const NoiseMode mode :
+       {NoiseMode::kNone, NoiseMode::kAnsReleased, NoiseMode::kAnsRadians, NoiseMode::kPhysical}) {
     Simulator simulator(Room(), Small(mode));
     const BodyPose start{{2, 0, -1}, 0.0};
     simulator.Reset(start);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <gtest/gtest.h>
-
 #include <string>
+
+#include <gtest/gtest.h>
 
 #include "sim/base/error.h"
 #include "sim/math/rng.h"
@@ -52,7 +52,8 @@ void Walk(const std::shared_ptr<const World>& world, const BodySpec& spec) {
                         spec.height - spec.max_climb - 2 * spec.radius, spec.radius};
     const auto nearest = world->physics().Nearest(torso, spec.radius - 0.0015f);
     ASSERT_FALSE(nearest) << "inside something at step " << step << ": " << foot.transpose();
-    ASSERT_FALSE(world->physics().AxisCrosses(torso, before - foot)) << "through a wall at " << step;
+    ASSERT_FALSE(world->physics().AxisCrosses(torso, before - foot))
+        << "through a wall at " << step;
     const Eigen::Vector3f up(0, 0.3f, 0);
     ASSERT_TRUE(world->physics().RayTest(foot + up, foot - up) ||
                 world->physics().Nearest({foot, 0.0f, 0.0f}, 2 * spec.radius))

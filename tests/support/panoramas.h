@@ -26,8 +26,8 @@ struct Panorama {
 Panorama RenderPanorama(const sim::RenderScene& scene, const sim::PanoramaSpec& spec,
                         const sim::CameraPose& camera);
 
-/// How well two renderers agree over some pictures: depth within 1 cm or 1% at pixels away from depth
-/// edges, colour within 8 of 255 at all pixels.
+/// How well two renderers agree over some pictures: depth within 1 cm or 1% at pixels away from
+/// depth edges, colour within 8 of 255 at all pixels.
 class Agreement {
  public:
   void Add(const Panorama& a, const Panorama& b);

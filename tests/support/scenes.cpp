@@ -51,12 +51,12 @@ sim::SceneMesh BoxRoom(float width, float height, float depth) {
   const float w = width;
   const float h = height;
   const float d = -depth;
-  AddQuad({0, 0, 0}, {w, 0, 0}, {w, 0, d}, {0, 0, d}, {120, 90, 60}, &mesh);     // floor
-  AddQuad({0, h, d}, {w, h, d}, {w, h, 0}, {0, h, 0}, {240, 240, 240}, &mesh);   // ceiling
-  AddQuad({0, 0, d}, {w, 0, d}, {w, h, d}, {0, h, d}, {200, 60, 60}, &mesh);     // ahead, -z
-  AddQuad({w, 0, 0}, {0, 0, 0}, {0, h, 0}, {w, h, 0}, {60, 200, 60}, &mesh);     // behind
-  AddQuad({0, 0, 0}, {0, 0, d}, {0, h, d}, {0, h, 0}, {60, 60, 200}, &mesh);     // left
-  AddQuad({w, 0, d}, {w, 0, 0}, {w, h, 0}, {w, h, d}, {200, 200, 60}, &mesh);    // right
+  AddQuad({0, 0, 0}, {w, 0, 0}, {w, 0, d}, {0, 0, d}, {120, 90, 60}, &mesh);    // floor
+  AddQuad({0, h, d}, {w, h, d}, {w, h, 0}, {0, h, 0}, {240, 240, 240}, &mesh);  // ceiling
+  AddQuad({0, 0, d}, {w, 0, d}, {w, h, d}, {0, h, d}, {200, 60, 60}, &mesh);    // ahead, -z
+  AddQuad({w, 0, 0}, {0, 0, 0}, {0, h, 0}, {w, h, 0}, {60, 200, 60}, &mesh);    // behind
+  AddQuad({0, 0, 0}, {0, 0, d}, {0, h, d}, {0, h, 0}, {60, 60, 200}, &mesh);    // left
+  AddQuad({w, 0, d}, {w, 0, 0}, {w, h, 0}, {w, h, d}, {200, 200, 60}, &mesh);   // right
   return mesh;
 }
 

@@ -13,7 +13,8 @@ namespace bulletnav::tests {
 sim::SceneMesh BoxRoom(float width, float height, float depth);
 
 /// L-shaped corridor of one width without ceiling: from (0, 0) along +x to x = a, and from there
-/// along -z to z = -b; walls all around. Geodesics bend around the one inner corner (a - width, -width).
+/// along -z to z = -b; walls all around. Geodesics bend around the one inner corner (a - width,
+/// -width).
 sim::SceneMesh LCorridor(float a, float b, float width, float height);
 
 /// Appends the 12 triangles of a box; faces outwards.

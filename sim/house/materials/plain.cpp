@@ -41,7 +41,7 @@ Image Rubber() {
 Image Paper() {
   return Shaded(
       [](Point p) {
-        return Hex(0xf4f2ec) * (1.0f + 0.012f * Fbm(p, {12, 12, 1}, 3));
+        return Hex(0xf4f0e4) * (1.0f + 0.015f * Fbm(p, {12, 12, 1}, 3));
       },
       kCoarse);
 }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "sim/render/egl/chunks.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+
+#include <Eigen/Geometry>
 
 namespace bulletnav::sim {
 namespace {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <Eigen/Core>
 #include <array>
 #include <span>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "sim/render/egl/views.h"
 
@@ -30,8 +31,8 @@ struct ChunkInView {
 std::vector<ChunkInView> ChunksInView(std::span<const Chunk> chunks, const CameraPose& camera,
                                       const FlatView& view);
 
-/// Coarse picture of the farthest depths drawn so far, to leave out what lies behind them. Depths are
-/// reversed: near plane / distance along the view, 0 = nothing.
+/// Coarse picture of the farthest depths drawn so far, to leave out what lies behind them. Depths
+/// are reversed: near plane / distance along the view, 0 = nothing.
 class DepthTiles {
  public:
   /// Rows from below, as OpenGL returns them.

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "sim/render/egl/egl_context.h"
 
-#include <epoxy/gl.h>
-
 #include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <mutex>
 #include <vector>
+
+#include <epoxy/gl.h>
 
 #include "sim/base/error.h"
 
@@ -26,7 +26,9 @@ constexpr std::array<EGLint, 7> kContextAttributes = {EGL_CONTEXT_MAJOR_VERSION,
 /// reads the variable when the first screen is made.
 void KeepSoftwareDriverSingleThreaded() {
   static std::once_flag once;
-  std::call_once(once, [] { ::setenv("LP_NUM_THREADS", "0", /*overwrite=*/0); });
+  std::call_once(once, [] {
+    ::setenv("LP_NUM_THREADS", "0", /*overwrite=*/0);
+  });
 }
 
 /// The displays worth trying: each device that EGL enumerates, then Mesa without a surface.
@@ -39,8 +41,8 @@ std::vector<EGLDisplay> Displays() {
     EGLint count = 0;
     if (eglQueryDevicesEXT(static_cast<EGLint>(devices.size()), devices.data(), &count)) {
       for (int i = 0; i < count; ++i) {
-        displays.push_back(eglGetPlatformDisplayEXT(
-            EGL_PLATFORM_DEVICE_EXT, devices[static_cast<std::size_t>(i)], nullptr));
+        displays.push_back(eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT,
+                                                    devices[static_cast<std::size_t>(i)], nullptr));
       }
     }
   }
@@ -84,7 +86,9 @@ EglContext::EglContext(EGLDisplay display, const EglContext& shared_with) {
   if (!Open(display, shared_with.context_)) throw RenderError("EGL cannot make another context");
 }
 
-EglContext::~EglContext() { Close(); }
+EglContext::~EglContext() {
+  Close();
+}
 
 std::unique_ptr<EglContext> EglContext::Share() const {
   return std::unique_ptr<EglContext>(new EglContext(display_, *this));
@@ -125,7 +129,9 @@ EglContext::Current::Current(const EglContext& context) : context_(context) {
   }
 }
 
-EglContext::Current::~Current() { context_.Release(); }
+EglContext::Current::~Current() {
+  context_.Release();
+}
 
 void EglContext::Release() const {
   eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);

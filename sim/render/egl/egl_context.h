@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <epoxy/egl.h>
-
 #include <memory>
 #include <string>
+
+#include <epoxy/egl.h>
 
 namespace bulletnav::sim {
 
@@ -24,8 +24,8 @@ class EglContext {
 
   std::unique_ptr<EglContext> Share() const;
 
-  /// While one lives, the context is the calling thread's. Released at the end, so that a renderer can
-  /// be used and destroyed in any thread.
+  /// While one lives, the context is the calling thread's. Released at the end, so that a renderer
+  /// can be used and destroyed in any thread.
   class Current {
    public:
     /// Throws RenderError if the device is lost.

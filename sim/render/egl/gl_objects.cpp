@@ -54,7 +54,9 @@ GlBuffer NewBuffer(std::span<const std::byte> content) {
   return Store(content.size(), content.data(), 0);
 }
 
-GlBuffer NewReadBuffer(std::size_t bytes) { return Store(bytes, nullptr, GL_MAP_READ_BIT); }
+GlBuffer NewReadBuffer(std::size_t bytes) {
+  return Store(bytes, nullptr, GL_MAP_READ_BIT);
+}
 
 GlTexture NewTarget(GLenum format, int width, int height, int layers) {
   GLuint name = 0;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <epoxy/gl.h>
-
 #include <span>
 #include <string_view>
 #include <utility>
+
+#include <epoxy/gl.h>
 
 namespace bulletnav::sim {
 

@@ -10,9 +10,9 @@
 namespace bulletnav::sim {
 
 /// Draws triangle numbers + 1 into the flat views around some cameras: a layer of
-/// [layout.height, layout.width] ids for each, 0 where there is nothing. Layers, not one large picture:
-/// drivers round a triangle's place differently in another part of a picture, and a camera must see
-/// the same in any place of a batch. Its context must be current.
+/// [layout.height, layout.width] ids for each, 0 where there is nothing. Layers, not one large
+/// picture: drivers round a triangle's place differently in another part of a picture, and a camera
+/// must see the same in any place of a batch. Its context must be current.
 class IdPass {
  public:
   IdPass(const SceneBuffers& scene, const ViewLayout& layout, int batch);

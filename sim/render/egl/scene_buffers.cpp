@@ -9,8 +9,8 @@
 namespace bulletnav::sim {
 namespace {
 
-/// Puts triangles into the order in which the hierarchy's leaves hold them: neighbours in space become
-/// neighbours in memory, and chunks of the list are compact.
+/// Puts triangles into the order in which the hierarchy's leaves hold them: neighbours in space
+/// become neighbours in memory, and chunks of the list are compact.
 RenderMesh InSpatialOrder(const SceneMesh& scene) {
   RenderMesh mesh(scene);
   std::vector<std::array<Eigen::Vector3f, 3>> corners;
@@ -46,8 +46,8 @@ GlBuffer Upload(const std::vector<T>& values) {
 
 SceneBuffers::SceneBuffers(const SceneMesh& scene, GlDevice device, ResolveOn resolve)
     : context(device), mesh(InSpatialOrder(scene)), chunks(MakeChunks(mesh.corners)) {
-  shade_on_device = resolve == ResolveOn::kDevice ||
-                    (resolve == ResolveOn::kAuto && context.is_hardware());
+  shade_on_device =
+      resolve == ResolveOn::kDevice || (resolve == ResolveOn::kAuto && context.is_hardware());
   const EglContext::Current current(context);
   corners = Upload(mesh.corners);
   if (shade_on_device) {

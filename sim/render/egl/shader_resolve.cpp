@@ -15,16 +15,7 @@ constexpr int kGroupSize = 64;  // of the shader
 constexpr std::size_t kBytesAPixel = 3 + sizeof(float);
 
 /// Binding points of the shader.
-enum Binding : GLuint {
-  kCorners,
-  kShading,
-  kTexels,
-  kTextures,
-  kRays,
-  kViews,
-  kCameras,
-  kOutput
-};
+enum Binding : GLuint { kCorners, kShading, kTexels, kTextures, kRays, kViews, kCameras, kOutput };
 
 /// Structs as the shader reads them.
 struct ViewBlock {
@@ -90,17 +81,20 @@ void ShaderResolve::Dispatch(std::span<const CameraPose> cameras, GLuint ids) {
   std::vector<CameraBlock> blocks;
   for (const CameraPose& camera : cameras) {
     const Eigen::Vector3f& p = camera.position;
-    blocks.push_back({{p.x(), p.y(), p.z(), 0.0f},
-                      {std::cos(camera.yaw), std::sin(camera.yaw), 0.0f, 0.0f}});
+    blocks.push_back(
+        {{p.x(), p.y(), p.z(), 0.0f}, {std::cos(camera.yaw), std::sin(camera.yaw), 0.0f, 0.0f}});
   }
   glNamedBufferSubData(cameras_.get(), 0,
-                       static_cast<GLsizeiptr>(blocks.size() * sizeof(CameraBlock)),
-                       blocks.data());
+                       static_cast<GLsizeiptr>(blocks.size() * sizeof(CameraBlock)), blocks.data());
   glUseProgram(program_.get());
-  const std::pair<Binding, const GlBuffer*> bindings[] = {
-      {kCorners, &scene_.corners},   {kShading, &scene_.shading}, {kTexels, &scene_.texels},
-      {kTextures, &scene_.textures}, {kRays, &rays_},             {kViews, &views_},
-      {kCameras, &cameras_},         {kOutput, &output_}};
+  const std::pair<Binding, const GlBuffer*> bindings[] = {{kCorners, &scene_.corners},
+                                                          {kShading, &scene_.shading},
+                                                          {kTexels, &scene_.texels},
+                                                          {kTextures, &scene_.textures},
+                                                          {kRays, &rays_},
+                                                          {kViews, &views_},
+                                                          {kCameras, &cameras_},
+                                                          {kOutput, &output_}};
   for (const auto& [binding, buffer] : bindings) {
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffer->get());
   }
@@ -118,8 +112,8 @@ void ShaderResolve::Dispatch(std::span<const CameraPose> cameras, GLuint ids) {
 void ShaderResolve::ReadBack(std::size_t cameras, std::span<std::uint8_t> color,
                              std::span<float> depth) const {
   const std::size_t bytes = kBytesAPixel * padded_pixels_ * cameras;
-  const auto* mapped = static_cast<const std::uint8_t*>(glMapNamedBufferRange(
-      output_.get(), 0, static_cast<GLsizeiptr>(bytes), GL_MAP_READ_BIT));
+  const auto* mapped = static_cast<const std::uint8_t*>(
+      glMapNamedBufferRange(output_.get(), 0, static_cast<GLsizeiptr>(bytes), GL_MAP_READ_BIT));
   if (mapped == nullptr) throw RenderError("the OpenGL context is lost; restart the program");
   const std::size_t pixels = spec_.pixels();
   const std::uint8_t* depths = mapped + 3 * padded_pixels_ * cameras;

@@ -8,8 +8,8 @@
 
 namespace bulletnav::sim {
 
-/// Turns id pictures into panoramas on the device, with kResolveShader, and brings a whole batch back
-/// with one readback. Its context must be current.
+/// Turns id pictures into panoramas on the device, with kResolveShader, and brings a whole batch
+/// back with one readback. Its context must be current.
 class ShaderResolve {
  public:
   ShaderResolve(const SceneBuffers& scene, const ViewLayout& layout, const PanoramaSpec& spec,

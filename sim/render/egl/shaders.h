@@ -26,9 +26,9 @@ layout(location = 0) out uint color;
 void main() { color = id; }
 )";
 
-/// Resolve pass: for each pixel of the panorama, the triangles seen at the four nearest pixels of the
-/// id pass are met with the pixel's own ray, and the nearest hit is shaded with the arithmetic of the
-/// CPU's kernels. Four pixels an invocation, because four RGB are three words.
+/// Resolve pass: for each pixel of the panorama, the triangles seen at the four nearest pixels of
+/// the id pass are met with the pixel's own ray, and the nearest hit is shaded with the arithmetic
+/// of the CPU's kernels. Four pixels an invocation, because four RGB are three words.
 inline constexpr const char* kResolveShader = R"(#version 450 core
 layout(local_size_x = 64) in;
 

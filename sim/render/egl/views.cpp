@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "sim/render/egl/views.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+
+#include <Eigen/Geometry>
 
 #include "sim/math/pose.h"
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <Eigen/Core>
 #include <cstdint>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "sim/render/panorama_renderer.h"
 
@@ -11,7 +12,7 @@ namespace bulletnav::sim {
 /// One flat view of the id pass. A panorama is covered by a ring of upright views, plus one up and
 /// one down for projections that see the poles.
 struct FlatView {
-  Eigen::Vector3f right = Eigen::Vector3f::Zero();    // in the camera's frame, unit
+  Eigen::Vector3f right = Eigen::Vector3f::Zero();  // in the camera's frame, unit
   Eigen::Vector3f up = Eigen::Vector3f::Zero();
   Eigen::Vector3f forward = Eigen::Vector3f::Zero();
   float tan_x = 1.0f;  // half extents at distance 1

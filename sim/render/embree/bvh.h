@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <Eigen/Core>
 #include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "sim/render/kernels/bvh_layout.h"
 

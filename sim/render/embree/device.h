@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <embree3/rtcore.h>
-
 #include <memory>
+
+#include <embree3/rtcore.h>
 
 namespace bulletnav::sim {
 

@@ -9,7 +9,7 @@ namespace bulletnav::sim {
 
 /// A scene for the CPU renderer: Embree builds the hierarchy, the kernels walk it. All kernels draw
 /// the same bits; the choice is for tests.
-std::unique_ptr<const RenderScene> MakeEmbreeScene(
-    const SceneMesh& mesh, const Kernels& kernels = *SupportedKernels()[0]);
+std::unique_ptr<const RenderScene> MakeEmbreeScene(const SceneMesh& mesh,
+                                                   const Kernels& kernels = *SupportedKernels()[0]);
 
 }  // namespace bulletnav::sim

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <Eigen/Core>
 #include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "sim/render/embree/device.h"
 
@@ -16,8 +17,9 @@ struct RayHit {
   std::int32_t triangle = -1;
 };
 
-/// Plain Embree: rays of any origin and direction against triangles. For baking light, as the oracle
-/// of the panorama renderers, and as the bound they are measured by. Queries are thread-safe.
+/// Plain Embree: rays of any origin and direction against triangles. For baking light, as the
+/// oracle of the panorama renderers, and as the bound they are measured by. Queries are
+/// thread-safe.
 class Raycaster {
  public:
   explicit Raycaster(std::span<const std::array<Eigen::Vector3f, 3>> triangles);
@@ -25,8 +27,10 @@ class Raycaster {
   RayHit Cast(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction) const;
   /// Whether anything stands between two points.
   bool IsBlocked(const Eigen::Vector3f& from, const Eigen::Vector3f& to) const;
-  /// Sixteen rays at once from one origin, the fastest way Embree has: directions as x, y, z arrays.
-  void CastPacket(const Eigen::Vector3f& origin, const std::array<std::array<float, 16>, 3>& directions,
+  /// Sixteen rays at once from one origin, the fastest way Embree has: directions as x, y, z
+  /// arrays.
+  void CastPacket(const Eigen::Vector3f& origin,
+                  const std::array<std::array<float, 16>, 3>& directions,
                   std::array<RayHit, 16>* hits) const;
 
  private:

@@ -27,7 +27,6 @@ void Shade(const KernelScene& scene, const KernelGrid& grid, const KernelFrame& 
 
 }  // namespace
 
-const Kernels BULLETNAV_KERNELS = {BULLETNAV_KERNELS_NAME, FindVisible, Resolve,
-                                   Shade};
+const Kernels BULLETNAV_KERNELS = {BULLETNAV_KERNELS_NAME, FindVisible, Resolve, Shade};
 
 }  // namespace bulletnav::sim

@@ -9,7 +9,8 @@
 /// The inner loops that run on the CPU, compiled once for each instruction set and chosen when the
 /// program starts. Plain structs of pointers: these files must not pull in code from std that the
 /// linker could then use elsewhere on a processor without that instruction set.
-/// All variants compute the same bits: no fused multiply-add, no approximate reciprocals in results.
+/// All variants compute the same bits: no fused multiply-add, no approximate reciprocals in
+/// results.
 namespace bulletnav::sim {
 
 inline constexpr int kRowPadding = 16;   // rows of the buffers are a multiple of this long
@@ -20,9 +21,9 @@ inline constexpr float kBucketsPerMetre = 8.0f;
 
 /// The scene, as in RenderMesh and Bvh.
 struct KernelScene {
-  const BvhNode* nodes;    // for find_visible
+  const BvhNode* nodes;  // for find_visible
   const BvhLeaf* leaves;
-  const float* corners;    // for resolve: [triangles, 3, 3]
+  const float* corners;  // for resolve: [triangles, 3, 3]
   const TriangleShading* shading;
   const std::uint32_t* texels;
   const TextureInfo* textures;
@@ -32,9 +33,9 @@ struct KernelScene {
 struct KernelGrid {
   int rows;
   int cols;
-  int stride;             // cols rounded up to a multiple of kRowPadding
-  int tile_row_shift;     // row >> shift is a row of tiles
-  int tile_column_shift;  // column >> shift is a column of tiles
+  int stride;              // cols rounded up to a multiple of kRowPadding
+  int tile_row_shift;      // row >> shift is a row of tiles
+  int tile_column_shift;   // column >> shift is a column of tiles
   const float* y;          // [rows]
   const float* y_squared;  // [rows]
   const float* area;       // [rows], see RayGrid
@@ -55,7 +56,7 @@ struct KernelFrame {
   float origin[3];
   float cos_yaw;
   float sin_yaw;
-  const float* x;           // [stride] world directions of the columns
+  const float* x;  // [stride] world directions of the columns
   const float* z;
   const float* xz_squared;  // [stride]
 };
@@ -67,7 +68,7 @@ struct QueueEntry {
   std::uint32_t tile_columns;  // a bit for each tile column it may cover
   std::int16_t first_row;
   std::int16_t last_row;
-  std::int32_t next;           // in the same bucket, -1 ends
+  std::int32_t next;  // in the same bucket, -1 ends
 };
 
 /// What each pixel sees.
@@ -78,18 +79,19 @@ struct KernelHits {
 
 /// Working memory of find_visible.
 struct KernelScratch {
-  float* tile_farthest;  // [kTileRows, kTileColumns] least inverse_t in a tile
-  std::uint32_t* dirty;  // [kTileRows] tiles whose farthest pixel may have come nearer
-  QueueEntry* entries;   // room for every node and leaf
-  std::int32_t* buckets; // [kBuckets] first entry, -1 = none
+  float* tile_farthest;   // [kTileRows, kTileColumns] least inverse_t in a tile
+  std::uint32_t* dirty;   // [kTileRows] tiles whose farthest pixel may have come nearer
+  QueueEntry* entries;    // room for every node and leaf
+  std::int32_t* buckets;  // [kBuckets] first entry, -1 = none
 };
 
 /// A rasteriser's picture of triangle numbers + 1, 0 where there is none.
 struct KernelIdPicture {
   const std::uint32_t* ids;
   int width;
-  const std::int32_t* place;  // [rows, stride] 4 * the lower left of the four ids around a pixel's ray
-                              // + which of them is nearest (1: right, 2: above)
+  const std::int32_t*
+      place;  // [rows, stride] 4 * the lower left of the four ids around a pixel's ray
+              // + which of them is nearest (1: right, 2: above)
 };
 
 struct Kernels {
@@ -98,7 +100,8 @@ struct Kernels {
   /// leaves out what is hidden behind what is already drawn or falls between the pixels' centres.
   void (*find_visible)(const KernelScene&, const KernelGrid&, const KernelFrame&,
                        const KernelScratch&, const KernelHits&);
-  /// Does the same from a rasteriser's picture: meets each pixel's ray with the triangles around it.
+  /// Does the same from a rasteriser's picture: meets each pixel's ray with the triangles around
+  /// it.
   void (*resolve)(const KernelScene&, const KernelGrid&, const KernelFrame&, const KernelIdPicture&,
                   const KernelHits&);
   /// Colours [rows, cols, 3] and depths [rows, cols] of the hits; either may be null.

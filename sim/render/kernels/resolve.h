@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Kernels::resolve. A rasteriser samples flat views, the panorama its own rays; the four ids around a
-// ray hold what it meets, up to things thinner than a pixel, which the twelve around those mostly hold.
-// Each of them is met with the ray itself; the twelve only where the four do not agree. Of a mesh finer
-// than pixels the one triangle that the ray meets may have been sampled nowhere: there the id nearest to
-// the ray is believed although the ray just misses its triangle.
+// Kernels::resolve. A rasteriser samples flat views, the panorama its own rays; the four ids around
+// a ray hold what it meets, up to things thinner than a pixel, which the twelve around those mostly
+// hold. Each of them is met with the ray itself; the twelve only where the four do not agree. Of a
+// mesh finer than pixels the one triangle that the ray meets may have been sampled nowhere: there
+// the id nearest to the ray is believed although the ray just misses its triangle.
 #include "sim/render/kernels/kernels.h"
 #include "sim/render/kernels/simd.h"
 
@@ -47,10 +47,10 @@ class Resolver {
     const IW encoded = Load<IW>(picture_.place + at);
     const IW place = encoded >> 2;
     const IW nearest = encoded & 3;
-    Look look = {{Load<FW>(frame_.x + column), Splat<FW>(grid_.y[row]),
-                  Load<FW>(frame_.z + column)},
-                 IdsAt(place + (nearest & 1) + (nearest >> 1) * picture_.width),
-                 grid_.area[row]};
+    Look look = {
+        {Load<FW>(frame_.x + column), Splat<FW>(grid_.y[row]), Load<FW>(frame_.z + column)},
+        IdsAt(place + (nearest & 1) + (nearest >> 1) * picture_.width),
+        grid_.area[row]};
     BestHit best;
     best.miss = Splat<FW>(-1e30f);
     best.id = Splat<IW>(-1);
@@ -73,8 +73,7 @@ class Resolver {
   }
 
   /// The twelve ids around the four.
-  void MeetRing(IW place, IW unsure, const IW (&around)[4], const Look& look,
-                BestHit* best) const {
+  void MeetRing(IW place, IW unsure, const IW (&around)[4], const Look& look, BestHit* best) const {
     IW last = IW{};
     for (int y = -1; y <= 2; ++y) {
       for (int x = -1; x <= 2; ++x) {

@@ -76,8 +76,9 @@ Sampling::Sampling(const PanoramaSpec& spec) : spec_(spec), rays_(spec) {
 void Sampling::FillGrid() {
   const int column_cells = std::max(16384, 32 * spec_.cols);
   const int row_cells = std::max(8192, 64 * spec_.rows);
-  columns_ = Tabulate(
-      column_cells, [&](double p) { return ColumnOfTurns(spec_, TurnsOfDiamond(4.0 * p)); });
+  columns_ = Tabulate(column_cells, [&](double p) {
+    return ColumnOfTurns(spec_, TurnsOfDiamond(4.0 * p));
+  });
   rows_ = Tabulate(row_cells, [&](double p) {
     const double s = 2.0 * p - 1.0;
     return RowOfSlope(spec_, s / std::max(1e-9, 1.0 - std::abs(s)));

@@ -9,8 +9,9 @@
 
 namespace bulletnav::sim {
 
-/// A panorama's sampling pattern in the kernels' form, with the memory it points to, and the buffers
-/// that one renderer keeps from picture to picture. Not copyable: the kernels' structs point into it.
+/// A panorama's sampling pattern in the kernels' form, with the memory it points to, and the
+/// buffers that one renderer keeps from picture to picture. Not copyable: the kernels' structs
+/// point into it.
 class Sampling {
  public:
   /// Throws Error on a bad spec.
@@ -30,8 +31,8 @@ class Sampling {
   KernelFrame Frame(const CameraPose& camera);
 
  private:
-  /// The least value of a monotonic function on each cell of its range, in fixed point, and how much
-  /// larger it can get within a cell.
+  /// The least value of a monotonic function on each cell of its range, in fixed point, and how
+  /// much larger it can get within a cell.
   struct Table {
     std::vector<std::int32_t> least;
     std::int32_t slack = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Kernels::shade. A vector of pixels at a time; neighbours mostly see the same triangle, so its record is
-// read once for all lanes that do, and only the texels are gathered lane by lane.
+// Kernels::shade. A vector of pixels at a time; neighbours mostly see the same triangle, so its
+// record is read once for all lanes that do, and only the texels are gathered lane by lane.
 #include "sim/render/kernels/kernels.h"
 #include "sim/render/kernels/simd.h"
 
@@ -24,23 +24,24 @@ inline float Channel(std::uint32_t packed, int c) {
   return static_cast<float>((packed >> (8 * c)) & 255u);
 }
 
-inline FW Clamp(FW v, FW low, FW high) { return Min(Max(v, low), high); }
+inline FW Clamp(FW v, FW low, FW high) {
+  return Min(Max(v, low), high);
+}
 
 /// Blends the attributes of one triangle into the lanes of `mask`.
 inline void Interpolate(const TriangleShading& t, const TextureInfo& info, const FW (&point)[3],
                         FW footprint, float height, IW mask, Fragment* out) {
   const FW zero = {};
   const FW one = Splat<FW>(1.0f);
-  const FW b1 = Clamp(
-      point[0] * t.g1[0] + point[1] * t.g1[1] + point[2] * t.g1[2] + t.h1, zero, one);
-  const FW b2 = Clamp(
-      point[0] * t.g2[0] + point[1] * t.g2[1] + point[2] * t.g2[2] + t.h2, zero, one - b1);
+  const FW b1 =
+      Clamp(point[0] * t.g1[0] + point[1] * t.g1[1] + point[2] * t.g1[2] + t.h1, zero, one);
+  const FW b2 =
+      Clamp(point[0] * t.g2[0] + point[1] * t.g2[1] + point[2] * t.g2[2] + t.h2, zero, one - b1);
   out->u = mask ? t.uv0[0] + b1 * t.duv1[0] + b2 * t.duv2[0] : out->u;
   out->v = mask ? t.uv0[1] + b1 * t.duv1[1] + b2 * t.duv2[1] : out->v;
   for (int c = 0; c < 3; ++c) {
     const float c0 = Channel(t.color[0], c);
-    const FW value =
-        c0 + b1 * (Channel(t.color[1], c) - c0) + b2 * (Channel(t.color[2], c) - c0);
+    const FW value = c0 + b1 * (Channel(t.color[1], c) - c0) + b2 * (Channel(t.color[2], c) - c0);
     out->color[c] = mask ? value : out->color[c];
   }
   out->texels = mask ? footprint * (t.texel_density / height) : out->texels;
@@ -135,8 +136,8 @@ class Shader {
   void WriteColor(int row, int column, FW t, int lanes, std::uint8_t* out) const {
     const IW ids = Load<IW>(hits_.id + row * grid_.stride + column);
     const FW point[3] = {frame_.origin[0] + t * Load<FW>(frame_.x + column),
-                          frame_.origin[1] + t * grid_.y[row],
-                          frame_.origin[2] + t * Load<FW>(frame_.z + column)};
+                         frame_.origin[1] + t * grid_.y[row],
+                         frame_.origin[2] + t * Load<FW>(frame_.z + column)};
     const FW footprint = t * t * t * grid_.area[row];
     Fragment fragment;
     std::uint32_t left = Bits(ids >= 0) & ((2u << (lanes - 1)) - 1u);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Vectors on the compiler's vector extension, so that one kernel source compiles for any instruction
-// set: F8 and I8 for the eight children of a node, FW and IW as wide as the processor's registers for
-// pixels. Only kernel files include this: each of them is compiled several times with different flags,
-// so everything here is in an unnamed namespace and nothing from std is used.
+// Vectors on the compiler's vector extension, so that one kernel source compiles for any
+// instruction set: F8 and I8 for the eight children of a node, FW and IW as wide as the processor's
+// registers for pixels. Only kernel files include this: each of them is compiled several times with
+// different flags, so everything here is in an unnamed namespace and nothing from std is used.
 #include <cstdint>
 #include <cstring>
 #ifdef __x86_64__
@@ -54,10 +54,16 @@ inline V Splat(S s) {
   return V{} + s;
 }
 
-inline F8 Abs(F8 v) { return reinterpret_cast<F8>(reinterpret_cast<I8>(v) & 0x7fffffff); }
+inline F8 Abs(F8 v) {
+  return reinterpret_cast<F8>(reinterpret_cast<I8>(v) & 0x7fffffff);
+}
 
-inline I8 ToInt(F8 v) { return __builtin_convertvector(v, I8); }
-inline F8 ToFloat(I8 v) { return __builtin_convertvector(v, F8); }
+inline I8 ToInt(F8 v) {
+  return __builtin_convertvector(v, I8);
+}
+inline F8 ToFloat(I8 v) {
+  return __builtin_convertvector(v, F8);
+}
 
 /// A bit for each lane whose comparison result is true.
 inline std::uint32_t Bits(I8 mask) {
@@ -92,8 +98,12 @@ inline I8 Gather(const std::int32_t* table, I8 index) {
 
 // With AVX2 alone, FW is F8 and the functions above serve; otherwise it needs its own.
 #if defined(__AVX512F__) || !defined(__AVX2__)
-inline IW ToInt(FW v) { return __builtin_convertvector(v, IW); }
-inline FW ToFloat(IW v) { return __builtin_convertvector(v, FW); }
+inline IW ToInt(FW v) {
+  return __builtin_convertvector(v, IW);
+}
+inline FW ToFloat(IW v) {
+  return __builtin_convertvector(v, FW);
+}
 #endif
 
 #if defined(__AVX512F__)
@@ -117,8 +127,8 @@ inline FW Sqrt(FW v) {
 
 inline UW Gather(const std::uint32_t* table, IW index) {
 #if defined(__AVX512F__)
-  return reinterpret_cast<UW>(_mm512_mask_i32gather_epi32(
-      __m512i{}, 0xffff, reinterpret_cast<__m512i>(index), table, 4));
+  return reinterpret_cast<UW>(
+      _mm512_mask_i32gather_epi32(__m512i{}, 0xffff, reinterpret_cast<__m512i>(index), table, 4));
 #elif defined(__AVX2__)
   return reinterpret_cast<UW>(_mm256_i32gather_epi32(reinterpret_cast<const int*>(table),
                                                      reinterpret_cast<__m256i>(index), 4));

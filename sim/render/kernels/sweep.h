@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // Kernels::find_visible. All rays of a panorama start in one point, so instead of walking the
-// hierarchy once a ray it is walked once a picture: nodes wait in buckets by distance; each, when its
-// turn comes, is compared with a coarse grid of the farthest depths drawn so far, and dropped if it
-// lies behind them or between the pixels' centres. What remains of the triangles is drawn with
-// homogeneous edge functions: corner vectors a, b, c from the camera, a pixel's ray d lies inside if
-// d.(b x c), d.(c x a) and d.(a x b) have one sign, and 1/t = d.n / a.n. No clipping is needed, and
-// two triangles that share an edge leave no gap, since the edge's function is the same but for sign.
+// hierarchy once a ray it is walked once a picture: nodes wait in buckets by distance; each, when
+// its turn comes, is compared with a coarse grid of the farthest depths drawn so far, and dropped
+// if it lies behind them or between the pixels' centres. What remains of the triangles is drawn
+// with homogeneous edge functions: corner vectors a, b, c from the camera, a pixel's ray d lies
+// inside if d.(b x c), d.(c x a) and d.(a x b) have one sign, and 1/t = d.n / a.n. No clipping is
+// needed, and two triangles that share an edge leave no gap, since the edge's function is the same
+// but for sign.
 #include "sim/render/kernels/kernels.h"
 #include "sim/render/kernels/simd.h"
 
@@ -14,10 +15,10 @@ namespace bulletnav::sim {
 namespace {
 
 constexpr float kTiny = 1e-12f;
-constexpr float kNearest = 1e-6f;    // metres; nearer boxes count as around the camera
-constexpr int kFixedBits = 8;        // of KernelGrid's fixed point
-constexpr int kHalf = 128;           // centre of a pixel
-constexpr int kTallRows = 8;         // triangles at least as tall get their rows cut per vector
+constexpr float kNearest = 1e-6f;  // metres; nearer boxes count as around the camera
+constexpr int kFixedBits = 8;      // of KernelGrid's fixed point
+constexpr int kHalf = 128;         // centre of a pixel
+constexpr int kTallRows = 8;       // triangles at least as tall get their rows cut per vector
 constexpr float kRowTolerance = 1e-4f;
 
 /// Columns [first, last] with last >= cols where the range runs through the seam; rows
@@ -68,8 +69,8 @@ inline void SetRows(const KernelGrid& grid, F8 highest, F8 lowest, PixelRect8* r
   const F8 top = Max(highest, highest * grid.xz_max);
   const F8 bottom = Min(lowest, lowest * grid.xz_max);
   rect->first_row = Max((RowOf(grid, top) + 255) >> kFixedBits, I8{});
-  rect->last_row = Min((RowOf(grid, bottom) + grid.row_slack) >> kFixedBits,
-                       Splat<I8>(grid.rows - 1));
+  rect->last_row =
+      Min((RowOf(grid, bottom) + grid.row_slack) >> kFixedBits, Splat<I8>(grid.rows - 1));
 }
 
 /// Columns whose centres lie in [low, high], fixed point, low in [-circle, circle).
@@ -92,8 +93,7 @@ inline std::uint32_t TileColumns(const KernelGrid& grid, int first, int last) {
   const int shift = grid.tile_column_shift;
   if (last < grid.cols) return BitsBetween(first >> shift, last >> shift);
   const int wrapped = last - grid.cols < grid.cols ? last - grid.cols : grid.cols - 1;
-  return BitsBetween(first >> shift, (grid.cols - 1) >> shift) |
-         BitsBetween(0, wrapped >> shift);
+  return BitsBetween(first >> shift, (grid.cols - 1) >> shift) | BitsBetween(0, wrapped >> shift);
 }
 
 /// One sweep over one picture.
@@ -220,7 +220,8 @@ class Sweep {
             ly * (ly > 0.0f ? inverse_far : inverse_near), &rect);
     SetBoxColumns(lx, lz, hx, hz, around, &rect);
     const I8 seen = (rect.first_row <= rect.last_row) & (rect.first_col <= rect.last_col);
-    const I8 in_bucket = ToInt(Min(near * kBucketsPerMetre, Splat<F8>(static_cast<float>(kBuckets - 1))));
+    const I8 in_bucket =
+        ToInt(Min(near * kBucketsPerMetre, Splat<F8>(static_cast<float>(kBuckets - 1))));
     std::uint32_t left = Bits(seen) & ((1u << node.count) - 1u);
     for (; left != 0; left &= left - 1) {
       const int i = __builtin_ctz(left);
@@ -258,8 +259,8 @@ class Sweep {
 
   /// The triangles of a leaf as seen from the camera, side by side.
   struct Setup {
-    F8 edge[3][3];     // [edge][axis] normals of the planes through the camera and an edge
-    F8 inverse_t[3];   // n / (a.n): 1 / t = d . inverse_t
+    F8 edge[3][3];    // [edge][axis] normals of the planes through the camera and an edge
+    F8 inverse_t[3];  // n / (a.n): 1 / t = d . inverse_t
     PixelRect8 rect;
     I8 usable;
   };
@@ -331,8 +332,8 @@ class Sweep {
     for (int k = 0; k < 3; ++k) squared[k] = v[k][0] * v[k][0] + v[k][2] * v[k][2];
     const F8 tx = w[0] - u[0];
     const F8 tz = w[2] - u[2];
-    const F8 longest = Max(Max(u[0] * u[0] + u[2] * u[2], w[0] * w[0] + w[2] * w[2]),
-                           tx * tx + tz * tz);
+    const F8 longest =
+        Max(Max(u[0] * u[0] + u[2] * u[2], w[0] * w[0] + w[2] * w[2]), tx * tx + tz * tz);
     // An edge comes nearer to the axis than its ends, but not by more than this.
     const F8 nearest = Min(Min(squared[0], squared[1]), squared[2]) - 0.25f * longest;
     const F8 farthest = Max(Max(squared[0], squared[1]), squared[2]);
@@ -393,7 +394,7 @@ class Sweep {
       float* inverse_t = hits_.inverse_t + r * grid_.stride + column;
       std::int32_t* ids = hits_.id + r * grid_.stride + column;
       const FW inside = Min(Min(base[0] + triangle.plane[1] * y, base[1] + triangle.plane[4] * y),
-                             base[2] + triangle.plane[7] * y);
+                            base[2] + triangle.plane[7] * y);
       const FW hit = inside >= 0.0f ? base[3] + triangle.plane[10] * y : FW{};
       const FW old = Load<FW>(inverse_t);
       Store(inverse_t, hit > old ? hit : old);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "sim/base/files.h"
 
-#include <gtest/gtest.h>
-#include <sys/resource.h>
-
 #include <csignal>
 #include <functional>
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include "sim/base/error.h"
 #include "tests/support/temporary_folder.h"
@@ -42,10 +42,18 @@ TEST(Files, WhatIsWrittenIsRead) {
 
 TEST(Files, ReadingWhatCannotBeReadSaysWhy) {
   const TemporaryFolder folder;
-  EXPECT_NE(ErrorOf([&] { ReadFile(folder.path() / "none"); }).find("No such file"),
+  EXPECT_NE(ErrorOf([&] {
+              ReadFile(folder.path() / "none");
+            }).find("No such file"),
             std::string::npos);
-  EXPECT_NE(ErrorOf([&] { ReadFile(folder.path()); }).find("is a directory"), std::string::npos);
-  EXPECT_NE(ErrorOf([&] { ReadFile("/dev/zero"); }).find("regular file"), std::string::npos);
+  EXPECT_NE(ErrorOf([&] {
+              ReadFile(folder.path());
+            }).find("is a directory"),
+            std::string::npos);
+  EXPECT_NE(ErrorOf([&] {
+              ReadFile("/dev/zero");
+            }).find("regular file"),
+            std::string::npos);
 }
 
 TEST(Files, AFailedWriteLeavesTheOldContentAndNoRubbish) {
@@ -69,8 +77,9 @@ TEST(Files, ADiskThatIsFullIsSaidAndNothingIsLeft) {
   const auto handler = std::signal(SIGXFSZ, SIG_IGN);
   const rlimit small{1000, saved.rlim_max};
   ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
-  const std::string error =
-      ErrorOf([&] { WriteFileAtomically(file, std::string_view(std::string(5000, 'x'))); });
+  const std::string error = ErrorOf([&] {
+    WriteFileAtomically(file, std::string_view(std::string(5000, 'x')));
+  });
   ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &saved), 0);
   std::signal(SIGXFSZ, handler);
   EXPECT_NE(error.find("cannot be written"), std::string::npos) << error;
@@ -81,13 +90,17 @@ TEST(Files, ADiskThatIsFullIsSaidAndNothingIsLeft) {
 TEST(Files, PlacesThatCannotBeWrittenAreNamed) {
   const TemporaryFolder folder;
   folder.Write("file", "x");
-  EXPECT_NE(ErrorOf([&] { MakeFolder(folder.path() / "file" / "sub"); }).find("file/sub"),
+  EXPECT_NE(ErrorOf([&] {
+              MakeFolder(folder.path() / "file" / "sub");
+            }).find("file/sub"),
             std::string::npos);
-  EXPECT_NE(ErrorOf([&] { WriteFileAtomically(folder.path(), std::string_view("x")); })
-                .find("is a directory"),
+  EXPECT_NE(ErrorOf([&] {
+              WriteFileAtomically(folder.path(), std::string_view("x"));
+            }).find("is a directory"),
             std::string::npos);
-  EXPECT_NE(ErrorOf([&] { WriteFileAtomically("/proc/nothing/here", std::string_view("x")); })
-                .find("/proc/nothing"),
+  EXPECT_NE(ErrorOf([&] {
+              WriteFileAtomically("/proc/nothing/here", std::string_view("x"));
+            }).find("/proc/nothing"),
             std::string::npos);
 }
 

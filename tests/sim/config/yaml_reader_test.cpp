@@ -55,7 +55,9 @@ struct Config {
   }
 };
 
-Config Read(const std::string& text) { return LoadYamlText<Config>(text, "c.yaml"); }
+Config Read(const std::string& text) {
+  return LoadYamlText<Config>(text, "c.yaml");
+}
 
 std::string ErrorOf(const std::string& text) {
   try {
@@ -96,7 +98,9 @@ struct BadInput {
 
 class BadInputTest : public testing::TestWithParam<BadInput> {};
 
-TEST_P(BadInputTest, IsAnErrorAtItsPlace) { EXPECT_EQ(ErrorOf(GetParam().text), GetParam().error); }
+TEST_P(BadInputTest, IsAnErrorAtItsPlace) {
+  EXPECT_EQ(ErrorOf(GetParam().text), GetParam().error);
+}
 
 INSTANTIATE_TEST_SUITE_P(
     All, BadInputTest,
@@ -118,7 +122,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"list_for_map", "inner: [1]\n",
                  "c.yaml:1:8: expected a block of 'key: value' lines here"},
         BadInput{"invalid", "inner: {width: -1}\n", "c.yaml:1:8: width must not be negative"}),
-    [](const auto& bad) { return bad.param.name; });
+    [](const auto& bad) {
+      return bad.param.name;
+    });
 
 TEST(YamlReader, BrokenSyntaxIsAnErrorAtItsPlace) {
   const std::string error = ErrorOf("count: [1, 2\nname: }\n");

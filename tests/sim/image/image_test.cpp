@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "sim/image/image.h"
 
-#include <gtest/gtest.h>
-
 #include <cstdlib>
+
+#include <gtest/gtest.h>
 
 #include "sim/math/rng.h"
 
@@ -65,12 +65,12 @@ TEST(Image, JpegComesNear) {
 
 TEST(Image, BmpAndTgaAreRead) {
   // 2 x 1 pixels, blue then red, 24 bits.
-  const std::vector<std::uint8_t> bmp = {
-      'B', 'M', 62, 0, 0, 0, 0, 0, 0, 0, 54, 0, 0, 0, 40, 0, 0, 0, 2, 0, 0, 0, 1, 0, 0, 0, 1, 0, 24,
-      0, 0, 0, 0, 0, 8, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-      255, 0, 0, 0, 0, 255, 0, 0};
-  const std::vector<std::uint8_t> tga = {0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 1, 0, 24, 0,
-                                         255, 0, 0, 0, 0, 255};
+  const std::vector<std::uint8_t> bmp = {'B', 'M', 62, 0, 0, 0, 0,   0, 0, 0, 54, 0,   0,  0, 40, 0,
+                                         0,   0,   2,  0, 0, 0, 1,   0, 0, 0, 1,  0,   24, 0, 0,  0,
+                                         0,   0,   8,  0, 0, 0, 0,   0, 0, 0, 0,  0,   0,  0, 0,  0,
+                                         0,   0,   0,  0, 0, 0, 255, 0, 0, 0, 0,  255, 0,  0};
+  const std::vector<std::uint8_t> tga = {0, 0, 2, 0, 0,  0, 0,   0, 0, 0, 0, 0,
+                                         2, 0, 1, 0, 24, 0, 255, 0, 0, 0, 0, 255};
   for (const auto& bytes : {bmp, tga}) {
     const Image image = DecodeImage(bytes);
     ASSERT_EQ(image.width, 2);
@@ -84,8 +84,8 @@ TEST(Image, DamagedFilesThrow) {
   const std::vector<std::uint8_t> png = EncodePng(Noise(40, 40, 3));
   const std::vector<std::uint8_t> jpeg = EncodeJpeg(Noise(40, 40, 3), 90);
   for (const auto& good : {png, jpeg}) {
-    for (const std::size_t length : {std::size_t{0}, std::size_t{3}, std::size_t{20},
-                                     good.size() / 2, good.size() - 40}) {
+    for (const std::size_t length :
+         {std::size_t{0}, std::size_t{3}, std::size_t{20}, good.size() / 2, good.size() - 40}) {
       EXPECT_THROW(DecodeImage(std::span(good).first(length)), ImageError) << length;
     }
   }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "sim/math/pose.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "sim/math/rng.h"
 

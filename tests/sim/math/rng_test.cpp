@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "sim/math/rng.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <set>
+
+#include <gtest/gtest.h>
 
 namespace bulletnav::sim {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "sim/navmesh/navmesh.h"
 
-#include <gtest/gtest.h>
-
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
 
 #include "sim/base/error.h"
 #include "tests/support/grid_path.h"
@@ -70,8 +70,9 @@ TEST(Navmesh, AgreesWithAFineGridAmongRandomBoxes) {
       return [&boxes, clearance](double x, double y) {
         const Eigen::Vector2d p(x, y);
         if (std::min({x, y, 6 - x, 6 - y}) < clearance) return false;
-        return std::all_of(boxes.begin(), boxes.end(),
-                           [&](const auto& box) { return box.exteriorDistance(p) >= clearance; });
+        return std::all_of(boxes.begin(), boxes.end(), [&](const auto& box) {
+          return box.exteriorDistance(p) >= clearance;
+        });
       };
     };
     const Navmesh navmesh(mesh, {});

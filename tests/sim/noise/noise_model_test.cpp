@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "sim/noise/noise_model.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <functional>
+
+#include <gtest/gtest.h>
 
 #include "tests/support/temporary_folder.h"
 
@@ -69,11 +69,14 @@ TEST(GaussianMixture, MillionDrawsHaveTheMixturesMeanAndCovariance) {
   b.covariance = {{{0.1, 0.0, 0.05}, {0.0, 0.2, 0.0}, {0.05, 0.0, 0.9}}};
   const GaussianMixture mixture({a, b});
   Rng rng(1, "mixture");
-  ExpectNear(MomentsOf([&] { return mixture.Sample(rng); }), MomentsOf({a, b}));
+  ExpectNear(MomentsOf([&] {
+               return mixture.Sample(rng);
+             }),
+             MomentsOf({a, b}));
 }
 
-/// Means and standard deviations that the noise files state, in the robot's frame: x forward, y left,
-/// yaw counter-clockwise in degrees.
+/// Means and standard deviations that the noise files state, in the robot's frame: x forward, y
+/// left, yaw counter-clockwise in degrees.
 struct Published {
   Action action;
   Eigen::Vector3d mean;
@@ -168,7 +171,8 @@ std::string ErrorOf(const std::string& text) {
 }
 
 TEST(NoiseModel, BadFilesAreErrorsAtTheirPlace) {
-  const std::string mixture = "[{weight: 1, mean: [0, 0, 0], covariance: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}]";
+  const std::string mixture =
+      "[{weight: 1, mean: [0, 0, 0], covariance: [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}]";
   const std::string family =
       "{forward: " + mixture + ", turn_left: " + mixture + ", turn_right: " + mixture + "}\n";
   const std::string head = "schema: bulletnav_noise/1\n";

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "sim/physics/capsule_body.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "sim/base/error.h"
 #include "sim/math/rng.h"
@@ -89,8 +89,8 @@ TEST(CapsuleBody, StepsOverAThresholdAndOntoAStairButNotOntoATable) {
     float height;
     bool passes;
   };
-  for (const Case& c : {Case{0.02f, true}, Case{0.18f, true}, Case{0.3f, false},
-                        Case{0.7f, false}}) {
+  for (const Case& c :
+       {Case{0.02f, true}, Case{0.18f, true}, Case{0.3f, false}, Case{0.7f, false}}) {
     SceneMesh mesh = BoxRoom(4, 2.6f, 6);
     AddBox({0, 0, -3.0f}, {4, c.height, -2.0f}, kGrey, &mesh);
     Walker walker(mesh, 2, -1);
@@ -131,9 +131,9 @@ TEST(CapsuleBody, StopsAtALedge) {
 
 TEST(CapsuleBody, IsStoppedByADoorLeafAndGoesUnderALintel) {
   SceneMesh mesh = BoxRoom(4, 2.6f, 6);
-  AddBox({0, 0, -3.1f}, {1.6f, 2.6f, -3}, kGrey, &mesh);        // wall left of a doorway
-  AddBox({2.4f, 0, -3.1f}, {4, 2.6f, -3}, kGrey, &mesh);        // and right of it
-  AddBox({1.6f, 2.05f, -3.1f}, {2.4f, 2.6f, -3}, kGrey, &mesh);  // lintel
+  AddBox({0, 0, -3.1f}, {1.6f, 2.6f, -3}, kGrey, &mesh);           // wall left of a doorway
+  AddBox({2.4f, 0, -3.1f}, {4, 2.6f, -3}, kGrey, &mesh);           // and right of it
+  AddBox({1.6f, 2.05f, -3.1f}, {2.4f, 2.6f, -3}, kGrey, &mesh);    // lintel
   AddBox({1.6f, 0, -3.85f}, {1.64f, 2.05f, -3.1f}, kGrey, &mesh);  // leaf standing open
   Walker walker(mesh, 2, -1);
   EXPECT_EQ(walker.Ahead(14), 0);
@@ -151,13 +151,13 @@ TEST(CapsuleBody, ResetPushesOutOfAWallItTouches) {
 
 TEST(CapsuleBody, ResetRefusesWhatIsNoPlaceAndKeepsTheOldPose) {
   SceneMesh mesh = BoxRoom(4, 2.6f, 6);
-  AddBox({1, 0, -3.12f}, {3, 2.6f, -3}, kGrey, &mesh);     // a wall
-  AddBox({3, 0.6f, -6}, {4, 0.7f, -5}, kGrey, &mesh);      // a table
+  AddBox({1, 0, -3.12f}, {3, 2.6f, -3}, kGrey, &mesh);  // a wall
+  AddBox({3, 0.6f, -6}, {4, 0.7f, -5}, kGrey, &mesh);   // a table
   Walker walker(mesh, 2, -1);
-  for (const Eigen::Vector3d& bad : {Eigen::Vector3d(2, 0, -3.06),    // inside the wall
-                                     Eigen::Vector3d(3.5, 0, -5.5),   // under the table
-                                     Eigen::Vector3d(9, 0, -3),       // outside
-                                     Eigen::Vector3d(2, 1.5, -1),     // in the air
+  for (const Eigen::Vector3d& bad : {Eigen::Vector3d(2, 0, -3.06),   // inside the wall
+                                     Eigen::Vector3d(3.5, 0, -5.5),  // under the table
+                                     Eigen::Vector3d(9, 0, -3),      // outside
+                                     Eigen::Vector3d(2, 1.5, -1),    // in the air
                                      Eigen::Vector3d(2, NAN, -1)}) {
     EXPECT_THROW(walker.body.Reset({bad, 0.0}), PoseError) << bad.transpose();
     EXPECT_NEAR(walker.at().z(), -1.0, 1e-6);

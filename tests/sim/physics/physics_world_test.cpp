@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "sim/physics/physics_world.h"
 
-#include <gtest/gtest.h>
-
 #include <thread>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 #include "sim/math/rng.h"
 #include "tests/support/scenes.h"
@@ -20,8 +20,9 @@ using Vec = Eigen::Vector3f;
 TEST(PhysicsWorld, RaysMeetTheWallsOfABoxRoomWhereTheyStand) {
   const PhysicsWorld world(BoxRoom(4, 2.6f, 6));
   const Vec eye(1, 1.25f, -2);
-  const std::pair<Vec, float> rays[] = {{{10, 0, 0}, 3.0f}, {{-10, 0, 0}, 1.0f}, {{0, 0, -10}, 4.0f},
-                                        {{0, 0, 10}, 2.0f}, {{0, 10, 0}, 1.35f}, {{0, -10, 0}, 1.25f}};
+  const std::pair<Vec, float> rays[] = {{{10, 0, 0}, 3.0f},  {{-10, 0, 0}, 1.0f},
+                                        {{0, 0, -10}, 4.0f}, {{0, 0, 10}, 2.0f},
+                                        {{0, 10, 0}, 1.35f}, {{0, -10, 0}, 1.25f}};
   for (const auto& [ray, distance] : rays) {
     const auto hit = world.RayTest(eye, eye + ray);
     ASSERT_TRUE(hit);
@@ -48,7 +49,8 @@ TEST(PhysicsWorld, SweepAgreesWithTheExactDistanceInRandomDirections) {
   for (int i = 0; i < 500; ++i) {
     const Capsule capsule{{static_cast<float>(rng.Uniform(1.8, 3.6)), 0.3f,
                            static_cast<float>(-rng.Uniform(0.4, 5.6))},
-                          1.1f, 0.1f};
+                          1.1f,
+                          0.1f};
     const double angle = rng.Uniform(0, 6.28);
     const Vec motion(static_cast<float>(3 * std::cos(angle)), 0,
                      static_cast<float>(3 * std::sin(angle)));
@@ -89,8 +91,12 @@ TEST(PhysicsWorld, ManyThreadsGetTheSameAnswers) {
   };
   std::vector<float> a;
   std::vector<float> b;
-  std::thread first([&] { a = walk(); });
-  std::thread second([&] { b = walk(); });
+  std::thread first([&] {
+    a = walk();
+  });
+  std::thread second([&] {
+    b = walk();
+  });
   first.join();
   second.join();
   EXPECT_EQ(a, b);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <thread>
+
+#include <gtest/gtest.h>
 
 #include "sim/base/error.h"
 #include "sim/math/pose.h"
@@ -203,8 +203,7 @@ TEST(Render, TheSweepFindsWhatEmbreesRaysFind) {
       const Panorama picture = RenderPanorama(*scene, spec, camera);
       for (int r = 0; r < spec.rows; ++r) {
         for (int c = 0; c < spec.cols; ++c) {
-          const RayHit hit =
-              raycaster.Cast(camera.position, Direction(spec, r, c, camera.yaw));
+          const RayHit hit = raycaster.Cast(camera.position, Direction(spec, r, c, camera.yaw));
           const float expected = hit.triangle < 0 ? 0.0f : hit.t;
           const float error = std::abs(picture.depth_at(r, c) - expected);
           wrong += error > 1e-3f * expected + 1e-3f ? 1 : 0;
@@ -225,9 +224,9 @@ TEST(Render, BothBackendsDrawTheSamePicture) {
     for (const Projection projection : kProjections) {
       tests::Agreement agreement;
       for (int i = 0; i < 4; ++i) {
-        const CameraPose camera{{static_cast<float>(rng.Uniform(1, 5)), 1.25f,
-                                 static_cast<float>(-rng.Uniform(1, 7))},
-                                static_cast<float>(rng.Uniform(-3, 3))};
+        const CameraPose camera{
+            {static_cast<float>(rng.Uniform(1, 5)), 1.25f, static_cast<float>(-rng.Uniform(1, 7))},
+            static_cast<float>(rng.Uniform(-3, 3))};
         const PanoramaSpec spec = Spec(projection, 128, 512);
         agreement.Add(RenderPanorama(*embree, spec, camera), RenderPanorama(*egl, spec, camera));
       }
@@ -260,7 +259,9 @@ TEST(Render, ABatchIsTheSameAsOneByOneAndThreadsDoNotMatter) {
   for (const auto& scene : AllScenes(mesh)) {
     std::vector<std::uint8_t> color(3 * spec.pixels() * cameras.size());
     std::vector<float> depth(spec.pixels() * cameras.size());
-    std::thread elsewhere([&] { scene->MakeRenderer(spec)->Render(cameras, color, depth); });
+    std::thread elsewhere([&] {
+      scene->MakeRenderer(spec)->Render(cameras, color, depth);
+    });
     std::vector<Panorama> single;
     for (const CameraPose& camera : cameras) single.push_back(RenderPanorama(*scene, spec, camera));
     elsewhere.join();
@@ -292,8 +293,8 @@ TEST(Render, ColourOrDepthAlone) {
 
 TEST(Render, BadSizesAreRefused) {
   const auto scene = MakeRenderScene(BoxRoom(4, 2.6f, 6), Backend::kEmbree);
-  for (const auto& [rows, cols] : {std::pair{0, 512}, {128, 0}, {128, 100000}, {-1, 512},
-                                   {100000, 512}}) {
+  for (const auto& [rows, cols] :
+       {std::pair{0, 512}, {128, 0}, {128, 100000}, {-1, 512}, {100000, 512}}) {
     EXPECT_THROW(scene->MakeRenderer(Spec(Projection::kCylindrical, rows, cols)), Error);
   }
   EXPECT_THROW(scene->MakeRenderer(Spec(Projection::kCubeStrip, 128, 510)), Error);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "sim/scene/import.h"
 
+#include <cstring>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include <cstring>
 
 #include "sim/base/error.h"
 #include "sim/base/files.h"
@@ -80,9 +80,9 @@ TEST(Import, ObjWithMaterialsAndTexture) {
   folder.Write("room.mtl",
                "newmtl wood\nKd 1 1 1\nmap_Kd textures\\my%20wood.PNG\nnewmtl gone\n"
                "map_Kd nowhere.png\nnewmtl blue\nKd 0 0 0.5\n");
-  const auto file = folder.Write("room.obj",
-                                 "mtllib room.mtl\nvt 0 0\nvt 1 0\nvt 1 1\nusemtl wood\n" + kRoomObj +
-                                     "usemtl gone\nf 1 3 7\nusemtl blue\nf 1/1 3/2 8/3\n");
+  const auto file =
+      folder.Write("room.obj", "mtllib room.mtl\nvt 0 0\nvt 1 0\nvt 1 1\nusemtl wood\n" + kRoomObj +
+                                   "usemtl gone\nf 1 3 7\nusemtl blue\nf 1/1 3/2 8/3\n");
   const ImportedScene scene = ImportScene(file);
   EXPECT_EQ(scene.report.triangles, 14u);
   EXPECT_EQ(scene.report.textures_found, 1u);
@@ -178,7 +178,7 @@ TEST(Import, AGroundPlaneCarriesWhatHasNoFloor) {
 TEST(Import, CleansAndSaysWhatItSkipped) {
   const TemporaryFolder folder;
   std::string obj = kRoomObj + "f 1 1 2\nf 3 2 1\n";  // no area; repeated in another winding
-  for (int i = 0; i < 20; ++i) {                      // enough good faces around one bad and one stray
+  for (int i = 0; i < 20; ++i) {  // enough good faces around one bad and one stray
     obj += "v 0 0." + std::to_string(i + 10) + " 0\nv 4 0." + std::to_string(i + 10) +
            " 0\nv 4 0." + std::to_string(i + 10) + " -1\nf -1 -2 -3\n";
   }
@@ -188,9 +188,9 @@ TEST(Import, CleansAndSaysWhatItSkipped) {
   const ImportedScene scene = ImportScene(folder.Write("messy.obj", obj));
   EXPECT_EQ(scene.report.triangles, 12u + 20u + 100u);
   EXPECT_THAT(scene.report.skipped,
-              testing::UnorderedElementsAre(
-                  "1 triangles with NaN or infinite corners", "1 stray triangles far away",
-                  "1 triangles without area", "1 repeated triangles"));
+              testing::UnorderedElementsAre("1 triangles with NaN or infinite corners",
+                                            "1 stray triangles far away",
+                                            "1 triangles without area", "1 repeated triangles"));
   EXPECT_LT(scene.report.extent_m.maxCoeff(), 10.0f);
 }
 
@@ -252,12 +252,13 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{"far_away", "a.obj", "v 1e8 0 0\nv 1.0000001e8 0 0\nv 1e8 0 80\nf 1 2 3\n",
                 "from the origin"},
         BadFile{"ply_cut", "a.ply", kAsciiPly.substr(0, 260), "a.ply"},
-        BadFile{"ply_count", "a.ply",
-                PlyText("binary_little_endian", std::string(20, 'x')), "cut off or damaged"},
+        BadFile{"ply_count", "a.ply", PlyText("binary_little_endian", std::string(20, 'x')),
+                "cut off or damaged"},
         BadFile{"ply_header", "a.ply", "ply\nformat ascii 1.0\n", "the header does not end"},
         BadFile{"ply_points", "a.ply",
                 "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
-                "property float z\nend_header\n0 0 0\n", "a.ply"},
+                "property float z\nend_header\n0 0 0\n",
+                "a.ply"},
         BadFile{"unknown_format", "a.xyz", "hello", "is not a .glb, .gltf, .obj, .ply or .dae"},
         BadFile{"gltf_buffer", "a.gltf",
                 R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":8,"uri":"gone.bin"}]})",
@@ -265,7 +266,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{"gltf_cycle", "a.gltf",
                 R"({"asset":{"version":"2.0"},"nodes":[{"children":[1]},{"children":[0]}]})",
                 "is its own ancestor"}),
-    [](const auto& bad) { return bad.param.name; });
+    [](const auto& bad) {
+      return bad.param.name;
+    });
 
 TEST(Import, MissingFilesAndFoldersAreSaid) {
   const TemporaryFolder folder;
@@ -316,7 +319,9 @@ TEST_P(SharedSceneTest, RealScenesLoad) {
 
 INSTANTIATE_TEST_SUITE_P(All, SharedSceneTest,
                          testing::Values("aws_small_house", "turtlebot3_house"),
-                         [](const auto& name) { return name.param; });
+                         [](const auto& name) {
+                           return name.param;
+                         });
 
 }  // namespace
 }  // namespace bulletnav::sim

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#include "sim/house/architecture.h"
+
+#include "sim/base/check.h"
+#include "sim/house/shell/door_leaf.h"
+#include "sim/house/shell/openings.h"
+#include "sim/house/shell/room_shell.h"
+
+namespace bulletnav::sim {
+
+void BuildArchitecture(const FloorPlan& plan, const HouseStyle& style, MeshBuilder* builder) {
+  CHECK_EQ(plan.rooms.size(), style.rooms.size());
+  CHECK_EQ(plan.openings.size(), style.thresholds.size());
+  for (int room = 0; room < static_cast<int>(plan.rooms.size()); ++room) {
+    shell::AddFloorAndCeiling(plan, style, room, builder);
+    shell::AddWalls(plan, style, room, builder);
+  }
+  for (std::size_t i = 0; i < plan.openings.size(); ++i) {
+    const Opening& opening = plan.openings[i];
+    if (opening.IsPassage()) {
+      shell::AddPassage(plan, style, i, builder);
+    } else {
+      shell::AddWindow(style, opening, builder);
+    }
+    if (opening.has_leaf) shell::AddLeaf(style, opening, builder);
+  }
+}
+
+}  // namespace bulletnav::sim
