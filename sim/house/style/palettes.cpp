@@ -14,13 +14,13 @@ constexpr std::array<std::string_view, 3> kKidsBedding = {"dotted_fabric", "stri
                                                           "checked_bedding"};
 constexpr std::array<std::string_view, 4> kCushions = {"linen", "velvet", "wool_knit", "canvas"};
 
-constexpr std::array kAppliances = {Surface{"brushed_steel"}, Surface{"painted_metal"},
-                                    Surface{"painted_metal", {52, 54, 58}}};
+constexpr std::array kAppliances = {Surface{"brushed_steel"}, Surface{"white_enamel"},
+                                    Surface{"white_enamel", {58, 60, 64}}};
 
 /// What hangs on the wall above a worktop.
 Surface DrawBacksplash(const StyleBook& book, const Palette& palette, Rng* rng) {
   if (rng->Chance(0.6)) return rng->Pick(book.bath_tiles);
-  return rng->Chance(0.5) ? palette.counter : Surface{"subway_tiles"};
+  return rng->Chance(0.5) ? palette.counter : Surface{"white_subway_tile"};
 }
 
 /// The colours every child knows.

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "sim/house/floor_plan.h"
+#include "sim/house/house_style.h"
+#include "sim/house/mesh_builder.h"
+#include "sim/math/rng.h"
+
+namespace bulletnav::sim {
+
+/// Furnishes every room of a house by its type: the pieces that tell what the room is, against the
+/// walls where people put them, then rugs, curtains, lamps, pictures and small things.
+/// Frame: the world; the floor is y = 0, the plan's (x, z).
+/// Promises: pieces stand inside their rooms, not in each other, clear of doors and their swing and
+/// not before windows; a body 0.4 m wide gets from every door of a room to every other.
+/// Rooms are independent: one room's furniture does not depend on another's.
+void FurnishHouse(const FloorPlan& plan, const HouseStyle& style, const Rng& rng,
+                  MeshBuilder* builder);
+
+}  // namespace bulletnav::sim

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+
+#include "sim/house/furnish/programs.h"
+#include "sim/house/shell/faces.h"
+
+namespace bulletnav::sim::furnish {
+namespace {
+
+constexpr float kDepth = 0.66f;
+constexpr float kCounterHeight = 0.92f;
+constexpr float kBefore = 0.85f;  // free floor
+constexpr float kStep = 0.05f;
+constexpr float kLongest = 4.6f;
+constexpr std::array<std::string_view, 9> kClutter = {
+    "kettle", "toaster", "coffee_machine", "knife_block", "cutting_board",
+    "pot",    "plates",  "bowl_of_fruit",  "bottles"};
+
+/// A stretch of wall where worktops can stand.
+struct Stretch {
+  const shell::Side* side = nullptr;
+  float x0 = 0.0f;
+  float x1 = 0.0f;
+  float length() const { return x1 - x0; }
+};
+
+Box SliceAt(const shell::Side& side, float x, float depth) {
+  const Eigen::Affine3f face = shell::FaceFrame(side.left, side.right);
+  Box slice(face * Eigen::Vector3f(x, 0.0f, 0.02f));
+  slice.extend(face * Eigen::Vector3f(x + kStep, kCounterHeight, depth));
+  return slice;
+}
+
+bool IsUsable(const RoomSpace& space, const shell::Side& side, float x) {
+  const Box counter = SliceAt(side, x, kDepth);
+  const Box floor = SliceAt(side, x, kDepth + kBefore);
+  return space.Contains(FootOf(floor)) && space.IsFree(floor) && !space.HidesOpening(counter) &&
+         !space.MeetsDoorway(FootOf(counter)) && !space.MeetsClearance(FootOf(counter));
+}
+
+/// The longest stretch of any wall.
+Stretch FindStretch(const RoomSpace& space) {
+  Stretch best;
+  for (const shell::Side& side : space.sides()) {
+    Stretch now{&side, 0.02f, 0.02f};
+    for (float x = 0.02f; x + kStep < side.length() - 0.01f; x += kStep) {
+      if (!IsUsable(space, side, x)) {
+        now = {&side, x + kStep, x + kStep};
+        continue;
+      }
+      now.x1 = x + kStep;
+      if (now.length() > best.length()) best = now;
+    }
+  }
+  return best;
+}
+
+/// Sill of the lowest window above a part of the wall, 0 if there is none.
+float SillAbove(const shell::Side& side, float x0, float x1) {
+  float sill = 0.0f;
+  for (const shell::Hole& hole : side.holes) {
+    if (hole.bottom < 0.0f || hole.x1 + 0.1f < x0 || hole.x0 - 0.1f > x1) continue;
+    sill = sill > 0.0f ? std::min(sill, hole.bottom) : hole.bottom;
+  }
+  return sill;
+}
+
+struct Module {
+  std::string_view kind;
+  float width = 0.0f;
+};
+
+/// What stands side by side in a stretch this long: first what no kitchen is without, then worktop
+/// between.
+std::vector<Module> PlanModules(float length, Rng* rng) {
+  const bool has_dishwasher = length > 3.4f && rng->Chance(0.7);
+  const float sink = length > 3.0f ? 1.2f : 0.8f;
+  const float fixed = 0.64f + 0.61f + sink + (has_dishwasher ? 0.61f : 0.0f);
+  const float left = std::max(0.0f, length - fixed);
+  const int counters = left > 1.6f ? 2 : (left > 0.3f ? 1 : 0);
+  const float width = counters > 0 ? left / static_cast<float>(counters) - 0.01f : 0.0f;
+  std::vector<Module> modules = {{"refrigerator", 0.64f}};
+  if (counters > 0) modules.push_back({"kitchen_counter", width});
+  modules.push_back({"stove", 0.61f});
+  if (counters > 1) modules.push_back({"kitchen_counter", width});
+  modules.push_back({"kitchen_sink_counter", sink});
+  if (has_dishwasher) modules.push_back({"dishwasher", 0.61f});
+  if (length < fixed) modules.erase(modules.begin());  // the refrigerator goes elsewhere
+  if (rng->Chance(0.5)) std::reverse(modules.begin(), modules.end());
+  return modules;
+}
+
+}  // namespace
+
+void FurnishWorktops(RoomFurnisher* room) {
+  Stretch stretch = FindStretch(room->space());
+  if (stretch.length() < 1.2f) return;
+  // Into a corner, where the wall is longer than what is needed.
+  const float length = std::min(stretch.length(), kLongest);
+  if (stretch.length() > length && room->Chance(0.5)) stretch.x0 = stretch.x1 - length;
+  const Placed* last = nullptr;
+  bool has_fridge = false;
+  float x = stretch.x0;
+  for (const Module& module : PlanModules(length, &room->rng())) {
+    const float sill = SillAbove(*stretch.side, x, x + module.width);
+    const Wish wish{.width = module.width, .height = sill > 0.0f ? sill - 0.03f : 0.0f};
+    const Placed* placed = room->AtWall(*stretch.side, x + 0.5f * module.width, module.kind, wish);
+    x += module.width;
+    if (placed == nullptr) continue;
+    last = placed;
+    has_fridge |= module.kind == "refrigerator";
+    if (module.kind == "kitchen_counter") room->OnTops(*placed, kClutter, 3);
+  }
+  if (!has_fridge && last != nullptr) {
+    room->AgainstWall("refrigerator", {.anchor = Anchor::kEnd, .near = last});
+  }
+}
+
+}  // namespace bulletnav::sim::furnish
