@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: MIT
+#include <filesystem>
 #include <memory>
+#include <system_error>
+#include <vector>
 
 #include <fmt/core.h>
 
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/scene_options.h"
+#include "benchmark/report/room_labels.h"
 #include "benchmark/report/scene_report.h"
 #include "benchmark/report/top_down.h"
+#include "sim/base/error.h"
+#include "sim/house/house_json.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -17,13 +23,27 @@ struct InspectOptions {
   std::filesystem::path topdown;
 };
 
+/// Names for the rooms of a house that has its description beside it and is shown in its own size.
+std::vector<MapLabel> LabelsFor(const SceneOptions& scene) {
+  std::filesystem::path description = scene.file;
+  description.replace_extension(".json");
+  std::error_code unreadable;
+  if (scene.scale != 1.0 || !std::filesystem::exists(description, unreadable)) return {};
+  try {
+    return RoomLabels(sim::ReadHouseJson(description).plan);
+  } catch (const sim::Error& e) {
+    fmt::print(stderr, "bulletnav: warning: the plan gets no room names: {}\n", e.what());
+    return {};
+  }
+}
+
 void Inspect(const InspectOptions& options) {
   const sim::ImportedScene scene = sim::ImportScene(options.scene.file, options.scene.import());
   const sim::Navmesh navmesh(scene.mesh, {});
   const SceneReport report = InspectScene(scene.report, navmesh);
   fmt::print("{}", options.json ? ToJson(report) : ToText(report));
   if (!options.topdown.empty()) {
-    sim::WritePng(options.topdown, DrawTopDown(scene.mesh, navmesh, {}));
+    sim::WritePng(options.topdown, DrawTopDown(scene.mesh, navmesh, LabelsFor(options.scene)));
   }
   sim::RequireFloor(options.scene.file.string(), scene.report, navmesh);
 }
@@ -35,7 +55,8 @@ void AddInspect(CLI::App* scenes) {
   options->scene.AddTo(command);
   command->add_flag("--json", options->json, "Print JSON");
   command->add_option("--topdown", options->topdown,
-                      "Draw the floor plan with the walkable area into this PNG");
+                      "Draw the floor plan with the walkable area into this PNG, with room names "
+                      "if the house's description is beside it (FILE's name with .json)");
   command->callback([options] {
     Inspect(*options);
   });

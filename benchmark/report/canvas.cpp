@@ -26,6 +26,15 @@ struct Canvas::Impl {
     cairo_set_source_rgba(context.get(), paint.red, paint.green, paint.blue, paint.alpha);
   }
 
+  cairo_text_extents_t Measure(const std::string& text, double size) const {
+    cairo_select_font_face(context.get(), "sans-serif", CAIRO_FONT_SLANT_NORMAL,
+                           CAIRO_FONT_WEIGHT_BOLD);
+    cairo_set_font_size(context.get(), size);
+    cairo_text_extents_t extents;
+    cairo_text_extents(context.get(), text.c_str(), &extents);
+    return extents;
+  }
+
   std::uint32_t* row(int y) const {
     unsigned char* data = cairo_image_surface_get_data(surface.get());
     return reinterpret_cast<std::uint32_t*>(data +
@@ -88,12 +97,14 @@ void Canvas::Line(const Point& a, const Point& b, double width, const Paint& pai
   cairo_stroke(c);
 }
 
+Canvas::Point Canvas::TextSize(const std::string& text, double size) const {
+  const cairo_text_extents_t extents = impl_->Measure(text, size);
+  return {extents.width, extents.height};
+}
+
 void Canvas::Text(const Point& at, const std::string& text, double size, const Paint& paint) {
   cairo_t* c = impl_->context.get();
-  cairo_select_font_face(c, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_BOLD);
-  cairo_set_font_size(c, size);
-  cairo_text_extents_t extents;
-  cairo_text_extents(c, text.c_str(), &extents);
+  const cairo_text_extents_t extents = impl_->Measure(text, size);
   cairo_move_to(c, at.x() - extents.x_bearing - 0.5 * extents.width,
                 at.y() - extents.y_bearing - 0.5 * extents.height);
   cairo_text_path(c, text.c_str());

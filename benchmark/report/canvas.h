@@ -38,6 +38,8 @@ class Canvas {
   void Line(const Point& a, const Point& b, double width, const Paint& paint);
   /// Many triangles in one go, without seams between them.
   void FillTriangles(std::span<const Point> corners, const Paint& paint);
+  /// Width and height of the ink of a text.
+  Point TextSize(const std::string& text, double size) const;
   /// Centred on `at`; drawn over a soft halo so that it reads on any ground.
   void Text(const Point& at, const std::string& text, double size, const Paint& paint);
 

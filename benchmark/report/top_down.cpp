@@ -21,6 +21,8 @@ constexpr Paint kOtherIsland = {0.95, 0.6, 0.1, 0.3};
 constexpr float kMargin = 0.5f;  // metres around the scene
 constexpr double kWallLine = 2.0;
 constexpr double kLabelSize = 15.0;
+constexpr double kSmallestLabel = 10.0;
+constexpr double kLabelMargin = 3.0;  // pixels
 
 /// Median height of the largest island; the lowest point of the mesh if nothing is walkable.
 float FloorHeight(const sim::SceneMesh& mesh, const sim::Navmesh& navmesh) {
@@ -100,6 +102,14 @@ class Drawing {
     }
   }
 
+  void Label(const MapLabel& label, Canvas* canvas) const {
+    for (double size = kLabelSize; size >= kSmallestLabel; size -= 1.0) {
+      if (!Fits(label, canvas->TextSize(label.text, size))) continue;
+      canvas->Text(frame_.pixel(label.at), label.text, size, kWall);
+      return;
+    }
+  }
+
   void ScaleBar(Canvas* canvas) const {
     const double metres = frame_.pixel_m * static_cast<float>(width_) > 30.0f ? 5.0 : 1.0;
     const Canvas::Point a(12.0, height_ - 12.0);
@@ -108,9 +118,21 @@ class Drawing {
     canvas->Text(0.5 * (a + b) - Canvas::Point(0, 12), fmt::format("{} m", metres), 13.0, kWall);
   }
 
-  const MapFrame& frame() const { return frame_; }
-
  private:
+  bool Fits(const MapLabel& label, const Canvas::Point& text_size) const {
+    const Eigen::Vector2f half =
+        0.5f * frame_.pixel_m *
+        (text_size + Canvas::Point::Constant(2.0 * kLabelMargin)).cast<float>();
+    const Eigen::AlignedBox2f text(label.at - half, label.at + half);
+    const std::size_t n = label.inside.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      Eigen::AlignedBox2f side(label.inside[i]);
+      side.extend(label.inside[(i + 1) % n]);
+      if (side.intersects(text)) return false;
+    }
+    return true;
+  }
+
   const sim::SceneMesh& mesh_;
   const sim::Navmesh& navmesh_;
   MapFrame frame_;
@@ -135,9 +157,7 @@ sim::Image DrawTopDown(const sim::SceneMesh& mesh, const sim::Navmesh& navmesh,
   Canvas canvas(drawing.Colors());
   if (spec.walkable) drawing.Walkable(&canvas);
   drawing.Sections(&canvas);
-  for (const MapLabel& label : labels) {
-    canvas.Text(drawing.frame().pixel(label.at), label.text, kLabelSize, kWall);
-  }
+  for (const MapLabel& label : labels) drawing.Label(label, &canvas);
   drawing.ScaleBar(&canvas);
   return canvas.ToImage();
 }

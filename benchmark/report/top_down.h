@@ -16,10 +16,12 @@ struct TopDownSpec {
   bool walkable = true;       // tint the walkable floor
 };
 
-/// A name to print on the map, at a place in the world.
+/// A name to print on the map, centred at a place in the world.
 struct MapLabel {
   std::string text;
   Eigen::Vector2f at = Eigen::Vector2f::Zero();  // world x, z
+  std::vector<Eigen::Vector2f> inside;  // rectilinear outline to stay in, printed smaller or left
+                                        // out where it does not fit; empty: no limit
 };
 
 /// Where the world is in a map: pixel = (world - origin) / metres a pixel; x right, z down.

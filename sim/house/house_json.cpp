@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: MIT
+#include "sim/house/house_json.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <span>
+
+#include "sim/base/files.h"
+#include "sim/house/json_node.h"
+
+namespace bulletnav::sim {
+namespace {
+
+using Json = FloatJson;
+
+constexpr float kAreaSlack = 0.01f;  // square metres; areas are said for people and checked
+
+template <class E>
+std::string NameOf(E value) {
+  for (const auto& [name, enumerator] : EnumNames<E>::kNames) {
+    if (enumerator == value) return name;
+  }
+  return {};
+}
+
+/// The openings one can walk through into a room.
+std::vector<int> DoorsOf(const FloorPlan& plan, int room) {
+  std::vector<int> doors;
+  for (std::size_t i = 0; i < plan.openings.size(); ++i) {
+    const Opening& opening = plan.openings[i];
+    if (opening.IsPassage() && (opening.room_a == room || opening.room_b == room)) {
+      doors.push_back(static_cast<int>(i));
+    }
+  }
+  return doors;
+}
+
+Json PointJson(const PlanPoint& p) {
+  return {p.x(), p.y()};
+}
+
+Json PolygonJson(std::span<const PlanPoint> outline) {
+  Json json = Json::array();
+  for (const PlanPoint& p : outline) json.push_back(PointJson(p));
+  return json;
+}
+
+Json RoomIndexJson(int room) {
+  return room < 0 ? Json(nullptr) : Json(room);
+}
+
+Json RoomsJson(const FloorPlan& plan) {
+  Json json = Json::array();
+  for (std::size_t i = 0; i < plan.rooms.size(); ++i) {
+    const Room& room = plan.rooms[i];
+    json.push_back({{"name", room.name},
+                    {"type", RoomTypeName(room.type)},
+                    {"area_m2", room.area()},
+                    {"doors", DoorsOf(plan, static_cast<int>(i))},
+                    {"polygon", PolygonJson(room.outline)}});
+  }
+  return json;
+}
+
+Json LeafJson(const Opening& o) {
+  if (!o.has_leaf) return nullptr;
+  return {{"angle", o.door_angle},
+          {"hinge", o.hinge_at_a ? "a" : "b"},
+          {"opens_into", RoomIndexJson(o.opens_into_a ? o.room_a : o.room_b)}};
+}
+
+Json OpeningsJson(const FloorPlan& plan) {
+  Json json = Json::array();
+  for (const Opening& o : plan.openings) {
+    json.push_back({{"kind", NameOf(o.kind)},
+                    {"a", PointJson(o.a)},
+                    {"b", PointJson(o.b)},
+                    {"bottom", o.bottom},
+                    {"top", o.top},
+                    {"wall_thickness", o.wall_thickness},
+                    {"rooms", {RoomIndexJson(o.room_a), RoomIndexJson(o.room_b)}},
+                    {"leaf", LeafJson(o)}});
+  }
+  return json;
+}
+
+Json WallsJson(const FloorPlan& plan) {
+  Json json = Json::array();
+  for (const Wall& wall : plan.walls) {
+    json.push_back({{"a", PointJson(wall.a)},
+                    {"b", PointJson(wall.b)},
+                    {"thickness", wall.thickness},
+                    {"is_outer", wall.is_outer}});
+  }
+  return json;
+}
+
+/// Lists of objects get a line an object, all else a line a key.
+std::string Lines(const Json& json) {
+  std::string text = "{";
+  for (const auto& [key, value] : json.items()) {
+    text += (text.size() > 1 ? ",\n \"" : "\n \"") + key + "\": ";
+    if (!value.is_array() || value.empty() || !value[0].is_object()) {
+      text += value.dump(-1, ' ', false, Json::error_handler_t::replace);
+      continue;
+    }
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      text += (i == 0 ? "[\n  " : ",\n  ") +
+              value[i].dump(-1, ' ', false, Json::error_handler_t::replace);
+    }
+    text += "]";
+  }
+  return text + "\n}\n";
+}
+
+PlanPoint ReadPoint(const JsonNode& node) {
+  if (node.size() != 2) node.Fail("is not a pair [x, z]");
+  return {node[0].ToFloat(), node[1].ToFloat()};
+}
+
+std::vector<PlanPoint> ReadPolygon(const JsonNode& node) {
+  std::vector<PlanPoint> outline;
+  const std::size_t n = node.size(3);
+  for (std::size_t i = 0; i < n; ++i) outline.push_back(ReadPoint(node[i]));
+  if (!(PolygonArea(outline) > 0.0f)) node.Fail("encloses nothing");
+  return outline;
+}
+
+void CheckArea(const JsonNode& node, float area) {
+  if (!(std::abs(node.ToFloat() - area) <= kAreaSlack)) {
+    node.Fail("is not the area of the shape, " + std::to_string(area));
+  }
+}
+
+int ReadRoomIndex(const JsonNode& node, std::size_t rooms) {
+  return node.IsNull() ? -1 : node.ToIndex(rooms, "rooms");
+}
+
+void ReadEnds(const JsonNode& node, PlanPoint* a, PlanPoint* b) {
+  *a = ReadPoint(node["a"]);
+  *b = ReadPoint(node["b"]);
+  if (*a == *b) node.Fail("has no length: a and b are the same point");
+}
+
+std::vector<Room> ReadRooms(const JsonNode& node) {
+  std::vector<Room> rooms;
+  std::set<std::string> names;
+  const std::size_t n = node.size(1);
+  for (std::size_t i = 0; i < n; ++i) {
+    const JsonNode item = node[i];
+    Room room;
+    room.name = item["name"].ToString();
+    if (!names.insert(room.name).second) item["name"].Fail("'" + room.name + "' is there twice");
+    room.type = item["type"].ToEnum<RoomType>();
+    room.outline = ReadPolygon(item["polygon"]);
+    CheckArea(item["area_m2"], room.area());
+    rooms.push_back(std::move(room));
+  }
+  return rooms;
+}
+
+void ReadLeaf(const JsonNode& node, std::size_t rooms, Opening* opening) {
+  if (node.IsNull()) return;
+  if (!opening->IsPassage()) node.Fail("belongs to a window, which has none");
+  opening->has_leaf = true;
+  opening->door_angle = node["angle"].ToFloat();
+  const std::string hinge = node["hinge"].ToString();
+  if (hinge != "a" && hinge != "b") node["hinge"].Fail("'" + hinge + "' is not one of: a, b");
+  opening->hinge_at_a = hinge == "a";
+  const int into = ReadRoomIndex(node["opens_into"], rooms);
+  if (into != opening->room_a && into != opening->room_b) {
+    node["opens_into"].Fail("is none of the two rooms of the door");
+  }
+  opening->opens_into_a = into == opening->room_a;
+}
+
+std::vector<Opening> ReadOpenings(const JsonNode& node, std::size_t rooms) {
+  std::vector<Opening> openings;
+  const std::size_t n = node.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const JsonNode item = node[i];
+    Opening opening;
+    opening.kind = item["kind"].ToEnum<OpeningKind>();
+    ReadEnds(item, &opening.a, &opening.b);
+    opening.bottom = item["bottom"].ToFloat();
+    opening.top = item["top"].ToFloat();
+    if (!(opening.bottom < opening.top)) item["top"].Fail("is not above the bottom");
+    opening.wall_thickness = item["wall_thickness"].ToPositive();
+    const JsonNode sides = item["rooms"];
+    if (sides.size() != 2) sides.Fail("is not a pair of rooms");
+    opening.room_a = sides[0].ToIndex(rooms, "rooms");
+    opening.room_b = ReadRoomIndex(sides[1], rooms);
+    if (opening.room_a == opening.room_b) sides.Fail("are the same room twice");
+    ReadLeaf(item["leaf"], rooms, &opening);
+    openings.push_back(opening);
+  }
+  return openings;
+}
+
+std::vector<Wall> ReadWalls(const JsonNode& node) {
+  std::vector<Wall> walls;
+  const std::size_t n = node.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    Wall wall;
+    ReadEnds(node[i], &wall.a, &wall.b);
+    wall.thickness = node[i]["thickness"].ToPositive();
+    wall.is_outer = node[i]["is_outer"].ToBool();
+    walls.push_back(wall);
+  }
+  return walls;
+}
+
+/// The rooms' doors follow from the openings: they are said for people and checked.
+void CheckDoors(const JsonNode& rooms, const FloorPlan& plan) {
+  for (std::size_t i = 0; i < plan.rooms.size(); ++i) {
+    const JsonNode doors = rooms[i]["doors"];
+    std::vector<int> found;
+    const std::size_t n = doors.size();
+    for (std::size_t k = 0; k < n; ++k) {
+      found.push_back(doors[k].ToIndex(plan.openings.size(), "openings"));
+    }
+    if (found != DoorsOf(plan, static_cast<int>(i))) {
+      doors.Fail("are not the doors and arches that name this room, in order");
+    }
+  }
+}
+
+}  // namespace
+
+std::string ToJson(const HouseDescription& house) {
+  const FloorPlan& plan = house.plan;
+  return Lines({{"seed", house.seed},
+                {"style", house.style},
+                {"ceiling", plan.ceiling},
+                {"area_m2", plan.area()},
+                {"rooms", RoomsJson(plan)},
+                {"openings", OpeningsJson(plan)},
+                {"walls", WallsJson(plan)},
+                {"footprint", PolygonJson(plan.footprint)}});
+}
+
+HouseDescription ReadHouseJson(const std::filesystem::path& file) {
+  const JsonNode root =
+      JsonNode::Parse(ReadTextFile(file), file, "generate the house again, or delete this file");
+  HouseDescription house;
+  house.seed = root["seed"].ToUint();
+  house.style = root["style"].ToString();
+  house.plan.ceiling = root["ceiling"].ToPositive();
+  house.plan.rooms = ReadRooms(root["rooms"]);
+  CheckArea(root["area_m2"], house.plan.area());
+  house.plan.openings = ReadOpenings(root["openings"], house.plan.rooms.size());
+  CheckDoors(root["rooms"], house.plan);
+  house.plan.walls = ReadWalls(root["walls"]);
+  house.plan.footprint = ReadPolygon(root["footprint"]);
+  return house;
+}
+
+}  // namespace bulletnav::sim

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "sim/house/floor_plan.h"
+
+namespace bulletnav::sim {
+
+/// What is written beside a generated house, for those who want to know its rooms.
+struct HouseDescription {
+  std::uint64_t seed = 0;
+  std::string style;  // as in EnumNames<StyleKind>; any text
+  FloorPlan plan;
+};
+
+/// JSON, a line for each room, opening and wall; metres, radians, points as the world's [x, z].
+/// Keys: seed, style, ceiling, area_m2;
+///   rooms [{name, type, area_m2, doors, polygon}], doors: indices of the room's passages;
+///   openings [{kind, a, b, bottom, top, wall_thickness, rooms, leaf}], rooms: [room to the left of
+///   the way from a to b, room to the right or null for outside], leaf: null or {angle, hinge: "a"
+///   or "b", opens_into: index of a room or null for outside};
+///   walls [{a, b, thickness, is_outer}]; footprint.
+/// Everything reads back equal; of openings without a leaf nothing about a leaf is kept.
+std::string ToJson(const HouseDescription& house);
+
+/// Reads what ToJson wrote; further keys are no error. Throws FileError, naming file, place in it
+/// and remedy, on bad syntax, missing keys, wrong types, unknown names, indices of nothing, empty
+/// shapes, and where areas or doors contradict the shapes.
+HouseDescription ReadHouseJson(const std::filesystem::path& file);
+
+}  // namespace bulletnav::sim
