@@ -8,6 +8,8 @@ namespace bulletnav::bench {
 /// trouble by throwing sim::Error.
 void AddBenchCommand(CLI::App* program);
 void AddRenderCommand(CLI::App* program);
+/// Adds "generate" to the "scenes" command.
+void AddGenerateCommand(CLI::App* scenes);
 void AddScenesCommand(CLI::App* program);
 
 }  // namespace bulletnav::bench

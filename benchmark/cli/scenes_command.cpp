@@ -67,6 +67,7 @@ void AddInspect(CLI::App* scenes) {
 void AddScenesCommand(CLI::App* program) {
   CLI::App* scenes = program->add_subcommand("scenes", "Make and inspect scenes");
   scenes->require_subcommand(1);
+  AddGenerateCommand(scenes);
   AddInspect(scenes);
 }
 

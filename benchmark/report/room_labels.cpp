@@ -54,7 +54,7 @@ Point PoleOfInaccessibility(std::span<const Point> outline) {
 std::vector<MapLabel> RoomLabels(const sim::FloorPlan& plan) {
   std::vector<MapLabel> labels;
   for (const sim::Room& room : plan.rooms) {
-    std::string text(sim::RoomTypeName(room.type));
+    std::string text(sim::NameOf(room.type));
     std::replace(text.begin(), text.end(), '_', ' ');
     labels.push_back({std::move(text), PoleOfInaccessibility(room.outline), room.outline});
   }

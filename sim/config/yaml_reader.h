@@ -14,15 +14,9 @@
 #include <yaml-cpp/yaml.h>
 
 #include "sim/base/error.h"
+#include "sim/config/enum_names.h"
 
 namespace bulletnav::sim {
-
-/// Names of an enum's values in YAML. Specialise next to the enum:
-///   template <> struct EnumNames<Mode> {
-///     static constexpr std::array kNames = {std::pair{"fast", Mode::kFast}, ...};
-///   };
-template <class E>
-struct EnumNames;
 
 /// A node together with the file it came from, so that every complaint can say where.
 class YamlNode {

@@ -7,13 +7,6 @@
 
 namespace bulletnav::sim {
 
-std::string_view RoomTypeName(RoomType type) {
-  for (const auto& [name, value] : EnumNames<RoomType>::kNames) {
-    if (value == type) return name;
-  }
-  CHECK(false);
-}
-
 float PolygonArea(std::span<const PlanPoint> outline) {
   float twice = 0.0f;
   for (std::size_t i = 0; i < outline.size(); ++i) {

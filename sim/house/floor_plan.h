@@ -44,9 +44,6 @@ struct EnumNames<RoomType> {
                                         std::pair{"storage", RoomType::kStorage}};
 };
 
-/// As in EnumNames: "living_room".
-std::string_view RoomTypeName(RoomType type);
-
 /// Plan coordinates are the world's (x, z) in metres, seen from above with x right and z down.
 using PlanPoint = Eigen::Vector2f;
 

@@ -16,14 +16,6 @@ using Json = FloatJson;
 
 constexpr float kAreaSlack = 0.01f;  // square metres; areas are said for people and checked
 
-template <class E>
-std::string NameOf(E value) {
-  for (const auto& [name, enumerator] : EnumNames<E>::kNames) {
-    if (enumerator == value) return name;
-  }
-  return {};
-}
-
 /// The openings one can walk through into a room.
 std::vector<int> DoorsOf(const FloorPlan& plan, int room) {
   std::vector<int> doors;
@@ -55,7 +47,7 @@ Json RoomsJson(const FloorPlan& plan) {
   for (std::size_t i = 0; i < plan.rooms.size(); ++i) {
     const Room& room = plan.rooms[i];
     json.push_back({{"name", room.name},
-                    {"type", RoomTypeName(room.type)},
+                    {"type", NameOf(room.type)},
                     {"area_m2", room.area()},
                     {"doors", DoorsOf(plan, static_cast<int>(i))},
                     {"polygon", PolygonJson(room.outline)}});

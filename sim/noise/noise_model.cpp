@@ -63,13 +63,6 @@ struct NoiseConfig {
   }
 };
 
-std::string ModeName(NoiseMode mode) {
-  for (const auto& [name, value] : EnumNames<NoiseMode>::kNames) {
-    if (value == mode) return name;
-  }
-  CHECK(false);
-}
-
 }  // namespace
 
 template <>
@@ -152,9 +145,9 @@ void NoiseModel::Parse(const std::string& text, const std::filesystem::path& nam
   sensor_ = mixtures(config.sensor);
   sensor_level_ = config.noise_level;
   if (mode_ == NoiseMode::kNone) return;
-  const auto found = config.modes.find(ModeName(mode_));
+  const auto found = config.modes.find(std::string(NameOf(mode_)));
   if (found == config.modes.end()) {
-    throw FileError(name, "modes", "has no mode '" + ModeName(mode_) + "'");
+    throw FileError(name, "modes", "has no mode '" + std::string(NameOf(mode_)) + "'");
   }
   const bool in_radians = found->second.forward_do_unit == RotationUnit::kRad;
   forward_rotation_scale_ = in_radians ? RadToDeg(1.0) : 1.0;

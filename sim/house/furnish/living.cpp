@@ -33,7 +33,9 @@ const Placed* PlaceSofa(RoomFurnisher* room, const Placed* screen) {
       sofa = room->At(*screen, "sofa", {0.0f, distance, 2.0f * kQuarter}, {.width = 2.0f});
     }
   }
-  return sofa != nullptr ? sofa : room->AgainstWall("sofa", wish);
+  if (sofa == nullptr) sofa = room->AgainstWall("sofa", wish);
+  if (sofa == nullptr) sofa = room->AgainstWall("sofa", {.width = 1.4f});
+  return sofa != nullptr ? sofa : room->InTheOpen("sofa", {.width = 1.5f, .near = screen});
 }
 
 void FurnishSeats(RoomFurnisher* room, const Placed& sofa) {

@@ -8,9 +8,10 @@
 namespace bulletnav::sim::furnish {
 namespace {
 
-constexpr float kDepth = 0.66f;
+constexpr float kDepth = 0.72f;
 constexpr float kCounterHeight = 0.92f;
-constexpr float kBefore = 0.85f;  // free floor
+constexpr float kBefore = 0.9f;  // free floor
+constexpr float kFridgeHeight = 1.95f;
 constexpr float kStep = 0.05f;
 constexpr float kLongest = 4.6f;
 constexpr std::array<std::string_view, 9> kClutter = {
@@ -25,16 +26,17 @@ struct Stretch {
   float length() const { return x1 - x0; }
 };
 
-Box SliceAt(const shell::Side& side, float x, float depth) {
+/// From x to x + width, from the floor up, `depth` into the room.
+Box SliceAt(const shell::Side& side, float x, const Eigen::Vector3f& size) {
   const Eigen::Affine3f face = shell::FaceFrame(side.left, side.right);
   Box slice(face * Eigen::Vector3f(x, 0.0f, 0.02f));
-  slice.extend(face * Eigen::Vector3f(x + kStep, kCounterHeight, depth));
+  slice.extend(face * Eigen::Vector3f(x + size.x(), size.y(), size.z()));
   return slice;
 }
 
 bool IsUsable(const RoomSpace& space, const shell::Side& side, float x) {
-  const Box counter = SliceAt(side, x, kDepth);
-  const Box floor = SliceAt(side, x, kDepth + kBefore);
+  const Box counter = SliceAt(side, x, {kStep, kCounterHeight, kDepth});
+  const Box floor = SliceAt(side, x, {kStep, kCounterHeight, kDepth + kBefore});
   return space.Contains(FootOf(floor)) && space.IsFree(floor) && !space.HidesOpening(counter) &&
          !space.MeetsDoorway(FootOf(counter)) && !space.MeetsClearance(FootOf(counter));
 }
@@ -86,9 +88,23 @@ std::vector<Module> PlanModules(float length, Rng* rng) {
   if (counters > 1) modules.push_back({"kitchen_counter", width});
   modules.push_back({"kitchen_sink_counter", sink});
   if (has_dishwasher) modules.push_back({"dishwasher", 0.61f});
-  if (length < fixed) modules.erase(modules.begin());  // the refrigerator goes elsewhere
-  if (rng->Chance(0.5)) std::reverse(modules.begin(), modules.end());
   return modules;
+}
+
+/// Puts the refrigerator, which is planned first, at the end where no window is; where there is no
+/// place for it, it goes elsewhere.
+void ArrangeModules(const RoomSpace& space, const Stretch& stretch, Rng* rng,
+                    std::vector<Module>* modules) {
+  float width = 0.0f;
+  for (const Module& module : *modules) width += module.width;
+  const float fridge = modules->front().width;
+  const auto fits_at = [&](float x) {
+    return !space.HidesOpening(SliceAt(*stretch.side, x, {fridge, kFridgeHeight, kDepth}));
+  };
+  const bool at_start = fits_at(stretch.x0);
+  const bool at_end = fits_at(stretch.x0 + width - fridge);
+  if (width > stretch.length() + 0.02f || (!at_start && !at_end)) modules->erase(modules->begin());
+  if (!at_start || (at_end && rng->Chance(0.5))) std::reverse(modules->begin(), modules->end());
 }
 
 }  // namespace
@@ -102,7 +118,9 @@ void FurnishWorktops(RoomFurnisher* room) {
   const Placed* last = nullptr;
   bool has_fridge = false;
   float x = stretch.x0;
-  for (const Module& module : PlanModules(length, &room->rng())) {
+  std::vector<Module> modules = PlanModules(length, &room->rng());
+  ArrangeModules(room->space(), stretch, &room->rng(), &modules);
+  for (const Module& module : modules) {
     const float sill = SillAbove(*stretch.side, x, x + module.width);
     const Wish wish{.width = module.width, .height = sill > 0.0f ? sill - 0.03f : 0.0f};
     const Placed* placed = room->AtWall(*stretch.side, x + 0.5f * module.width, module.kind, wish);

@@ -64,7 +64,7 @@ void NameRooms(FloorPlan* plan) {
   for (const Room& room : plan->rooms) ++count[room.type];
   std::map<RoomType, int> used;
   for (Room& room : plan->rooms) {
-    room.name = RoomTypeName(room.type);
+    room.name = NameOf(room.type);
     if (count[room.type] > 1) room.name.append("_").append(std::to_string(++used[room.type]));
   }
 }

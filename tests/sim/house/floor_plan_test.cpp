@@ -27,9 +27,9 @@ TEST(LeftOf, IsTheNorthOfSomeoneGoingEast) {
   EXPECT_TRUE(LeftOf({1, 0}).isApprox(PlanPoint(0, -1)));
 }
 
-TEST(RoomTypeName, IsTheOneFilesUse) {
-  EXPECT_EQ(RoomTypeName(RoomType::kKidsRoom), "kids_room");
-  EXPECT_EQ(RoomTypeName(RoomType::kStorage), "storage");
+TEST(RoomTypeNames, IsTheOneFilesUse) {
+  EXPECT_EQ(NameOf(RoomType::kKidsRoom), "kids_room");
+  EXPECT_EQ(NameOf(RoomType::kStorage), "storage");
 }
 
 /// A door in a wall along x; room_a lies north of it (smaller z).

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#include "sim/house/house.h"
+
+#include "sim/house/architecture.h"
+#include "sim/house/furnish.h"
+
+namespace bulletnav::sim {
+
+House GenerateHouse(std::uint64_t seed, TextureCache* textures, const PlanOptions& plan,
+                    const LightSpec& light) {
+  const Rng rng(seed, "house");
+  House house;
+  house.seed = seed;
+  house.plan = GenerateFloorPlan(rng.Fork("plan"), plan);
+  house.style = DrawHouseStyle(house.plan, rng.Fork("style"));
+  MeshBuilder builder;
+  BuildArchitecture(house.plan, house.style, &builder);
+  FurnishHouse(house.plan, house.style, rng.Fork("furnish"), &builder);
+  house.mesh = builder.Finish(textures);
+  BakeLight(&house.mesh, builder.glows(), light);
+  return house;
+}
+
+}  // namespace bulletnav::sim

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+
+#include "sim/house/floor_plan_generator.h"
+#include "sim/house/house_style.h"
+#include "sim/house/lighting.h"
+#include "sim/scene/mesh.h"
+
+namespace bulletnav::sim {
+
+/// A furnished home: its shell, furniture by room type, light baked into its vertex colours.
+struct House {
+  std::uint64_t seed = 0;
+  FloorPlan plan;
+  HouseStyle style;
+  SceneMesh mesh;
+};
+
+/// Draws a house from its seed. Frame: the world's, the floor at y = 0, about the origin. The same
+/// seed gives the same house to the last bit on every machine.
+/// `textures`: pictures to share between calls; one a thread. Cost: seconds, most of them light.
+House GenerateHouse(std::uint64_t seed, TextureCache* textures, const PlanOptions& plan = {},
+                    const LightSpec& light = {});
+
+}  // namespace bulletnav::sim
