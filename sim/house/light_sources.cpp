@@ -16,6 +16,7 @@ constexpr float kLampPower = 0.62f;    // of one lamp, whatever its size
 constexpr float kLampReach = 0.6f;     // parts nearer than this belong to one lamp, metres
 constexpr float kLongestPatch = 0.8f;  // windows are cut down to this, metres
 constexpr float kFarthest = 9.0f;      // light from farther away is left out, metres
+constexpr float kFaintest = 0.004f;    // light that would not be seen is not looked for
 constexpr float kStandOff = 0.12f;     // shadow rays stop short of a lamp's own shade, metres
 const Vec kSkyColor(0.97f, 1.0f, 1.04f);
 const Vec kLampColor(1.05f, 0.99f, 0.90f);
@@ -91,11 +92,13 @@ Vec LightSources::Irradiance(const Raycaster& scene, const Vec& point, const Vec
     const bool is_window = !light.normal.isZero();
     const float facing = is_window ? -light.normal.dot(way) / distance : 1.0f;
     if (facing <= 0.0f) continue;
-    const float stop = is_window ? 0.02f : std::min(kStandOff, 0.5f * distance);
-    if (scene.IsBlocked(point, light.centre - stop / distance * way)) continue;
     // Close to a patch the point formula overshoots; its size bounds it.
     const float spread = squared + 0.1f;
-    sum += light.power * (cosine * facing / (is_window ? kPiF * spread : spread));
+    const Vec given = light.power * (cosine * facing / (is_window ? kPiF * spread : spread));
+    if (given.y() < kFaintest) continue;
+    const float stop = is_window ? 0.02f : std::min(kStandOff, 0.5f * distance);
+    if (scene.IsBlocked(point, light.centre - stop / distance * way)) continue;
+    sum += given;
   }
   return sum;
 }

@@ -16,7 +16,7 @@ namespace {
 
 using Vec = Eigen::Vector3f;
 
-constexpr int kPackets = 4;             // of 16 directions a gathering
+constexpr int kPackets = 2;             // of 16 directions a gathering
 constexpr float kLift = 0.004f;         // sample points stand off their surface, metres
 constexpr float kInward = 0.06f;        // and are drawn in towards their triangle's middle
 constexpr float kNearBackFace = 0.12f;  // a back face this near: the point is inside something
