@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/report/canvas.h"
 
+#include <cstddef>
+
 #include <cairo/cairo.h>
 
 #include "sim/base/check.h"
@@ -37,8 +39,8 @@ struct Canvas::Impl {
 
   std::uint32_t* row(int y) const {
     unsigned char* data = cairo_image_surface_get_data(surface.get());
-    return reinterpret_cast<std::uint32_t*>(data +
-                                            cairo_image_surface_get_stride(surface.get()) * y);
+    return reinterpret_cast<std::uint32_t*>(
+        data + std::ptrdiff_t{cairo_image_surface_get_stride(surface.get())} * y);
   }
 
   std::unique_ptr<cairo_surface_t, Destroy> surface;

@@ -20,8 +20,8 @@ constexpr Paint kWalkable = {0.1, 0.75, 0.35, 0.25};
 constexpr Paint kOtherIsland = {0.95, 0.6, 0.1, 0.3};
 constexpr float kMargin = 0.5f;  // metres around the scene
 constexpr double kWallLine = 2.0;
-constexpr double kLabelSize = 15.0;
-constexpr double kSmallestLabel = 10.0;
+constexpr int kLabelSize = 15;  // pixels
+constexpr int kSmallestLabel = 10;
 constexpr double kLabelMargin = 3.0;  // pixels
 
 /// Median height of the largest island; the lowest point of the mesh if nothing is walkable.
@@ -103,7 +103,7 @@ class Drawing {
   }
 
   void Label(const MapLabel& label, Canvas* canvas) const {
-    for (double size = kLabelSize; size >= kSmallestLabel; size -= 1.0) {
+    for (int size = kLabelSize; size >= kSmallestLabel; --size) {
       if (!Fits(label, canvas->TextSize(label.text, size))) continue;
       canvas->Text(frame_.pixel(label.at), label.text, size, kWall);
       return;
