@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/perf/subdivide.h"
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <utility>
@@ -33,8 +34,15 @@ sim::SceneMesh Subdivided(const sim::SceneMesh& mesh, std::size_t triangles) {
     };
     const auto before = std::exchange(fine.triangles, {});
     const auto materials = std::exchange(fine.triangle_materials, {});
-    for (std::size_t t = 0; t < before.size(); ++t) {
+    const std::size_t n = before.size();
+    const std::size_t cut = std::min(n, (triangles - n + 2) / 3);
+    for (std::size_t t = 0; t < n; ++t) {
       const auto [a, b, c] = before[t];
+      if ((t + 1) * cut / n == t * cut / n) {
+        fine.triangles.push_back(before[t]);
+        fine.triangle_materials.push_back(materials[t]);
+        continue;
+      }
       const std::uint32_t ab = middle(a, b);
       const std::uint32_t bc = middle(b, c);
       const std::uint32_t ca = middle(c, a);

@@ -4,8 +4,8 @@
 
 namespace bulletnav::bench {
 
-/// The same surface in at least `triangles` triangles: every triangle is cut into four, as often as
-/// it takes.
+/// The same surface in about `triangles` triangles, if it has fewer: triangles are cut into four,
+/// all of them as often as that goes and then an even share.
 sim::SceneMesh Subdivided(const sim::SceneMesh& mesh, std::size_t triangles);
 
 }  // namespace bulletnav::bench

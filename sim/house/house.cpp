@@ -3,6 +3,7 @@
 
 #include "sim/house/architecture.h"
 #include "sim/house/furnish.h"
+#include "sim/house/hidden.h"
 
 namespace bulletnav::sim {
 
@@ -17,7 +18,9 @@ House GenerateHouse(std::uint64_t seed, TextureCache* textures, const PlanOption
   BuildArchitecture(house.plan, house.style, &builder);
   FurnishHouse(house.plan, house.style, rng.Fork("furnish"), &builder);
   house.mesh = builder.Finish(textures);
-  BakeLight(&house.mesh, builder.glows(), light);
+  std::vector<Glow> glows = builder.glows();
+  RemoveHidden(&house.mesh, &glows);
+  BakeLight(&house.mesh, glows, light);
   return house;
 }
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
+#include "sim/house/hemisphere.h"
 #include "sim/house/light_sources.h"
 #include "sim/house/refine.h"
 #include "sim/render/embree/raycaster.h"
@@ -55,19 +55,6 @@ std::vector<Vec> Albedos(const SceneMesh& mesh) {
     albedos.push_back((color / 255.0f).array().pow(1.8f));
   }
   return albedos;
-}
-
-/// Cosine-weighted directions about +z, the same for all points, so that neighbours agree.
-std::array<Vec, 16 * kPackets> HemisphereDirections() {
-  std::array<Vec, 16 * kPackets> directions;
-  for (std::size_t i = 0; i < directions.size(); ++i) {
-    const float u = (static_cast<float>(i) + 0.5f) / static_cast<float>(directions.size());
-    const float angle =
-        static_cast<float>(i) * std::numbers::pi_v<float> * (3.0f - std::sqrt(5.0f));
-    const float r = std::sqrt(u);
-    directions[i] = Vec(r * std::cos(angle), r * std::sin(angle), std::sqrt(1.0f - u));
-  }
-  return directions;
 }
 
 /// Light at the vertices of a mesh whose vertices are not shared between faces of other directions.
@@ -129,7 +116,7 @@ class Baker {
     const float at_q = Sketch(q, normal);
     const float between = Sketch(0.5f * (p + q), normal);
     return std::abs(between - 0.5f * (at_p + at_q)) > spec_.change ||
-           std::abs(at_p - at_q) > 3.0f * spec_.change;
+           std::abs(at_p - at_q) > 6.0f * spec_.change;
   }
 
   void FindNormals() {
@@ -149,30 +136,12 @@ class Baker {
     return Display(direct.mean() + kAmbient * Openness(*coarse_, point, n));
   }
 
-  static Vec Turned(const Vec& direction, const Vec& n) {
-    const Vec helper = std::abs(n.y()) < 0.9f ? Vec::UnitY() : Vec::UnitX();
-    const Vec u = helper.cross(n).normalized();
-    const Vec v = n.cross(u);
-    return direction.x() * u + direction.y() * v + direction.z() * n;
-  }
-
   /// Hits of the directions about n, packet by packet.
   template <class Visit>
   void Gather(const Raycaster& scene, const Vec& point, const Vec& n, int packets,
               const Visit& visit) const {
     for (int p = 0; p < packets; ++p) {
-      std::array<std::array<float, 16>, 3> rays;
-      for (std::size_t i = 0; i < 16; ++i) {
-        // Every packet takes directions from the whole hemisphere.
-        const std::size_t index = i * kPackets + static_cast<std::size_t>(p);
-        const Vec d = Turned(directions_[index], n);
-        for (int axis = 0; axis < 3; ++axis) rays[static_cast<std::size_t>(axis)][i] = d[axis];
-      }
-      std::array<RayHit, 16> hits;
-      scene.CastPacket(point, rays, &hits);
-      for (std::size_t i = 0; i < 16; ++i) {
-        visit(hits[i], Vec(rays[0][i], rays[1][i], rays[2][i]));
-      }
+      CastHemisphere(scene, directions_, static_cast<std::size_t>(p), point, n, visit);
     }
   }
 
@@ -297,7 +266,7 @@ class Baker {
   LightSpec spec_;
   std::vector<int> glow_;
   std::vector<Vec> normals_;
-  const std::array<Vec, 16 * kPackets> directions_ = HemisphereDirections();
+  const std::array<Vec, 16 * kPackets> directions_ = HemisphereDirections<16 * kPackets>();
   std::optional<LightSources> sources_;
   std::optional<Raycaster> coarse_;
 };

@@ -8,9 +8,9 @@
 namespace bulletnav::sim {
 
 struct LightSpec {
-  float coarse_edge_m = 0.8f;  // longer edges are always halved
-  float fine_edge_m = 0.2f;    // edges are halved down to this where light changes along them
-  float change = 0.07f;        // by this share of full light
+  float coarse_edge_m = 1.4f;  // longer edges are always halved
+  float fine_edge_m = 0.35f;   // edges are halved down to this where light changes along them
+  float change = 0.1f;         // by this share of full light
   int max_triangles = 60'000;  // above this, no further round of halving
 };
 
