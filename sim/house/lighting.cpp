@@ -25,7 +25,8 @@ constexpr float kAmbientReach = 1.2f;   // occluders farther than this do not di
 constexpr float kBounce = 1.25f;        // makes up for the bounces left out
 constexpr float kExposure = 2.3f;
 constexpr float kDarkest = 0.22f;  // of display brightness
-constexpr int kRefineRounds = 6;
+constexpr int kRefineRounds = 14;
+constexpr float kFiner = 0.6f;
 
 std::vector<std::array<Vec, 3>> Corners(const SceneMesh& mesh) {
   std::vector<std::array<Vec, 3>> corners;
@@ -101,7 +102,10 @@ class Baker {
       RefineEdges(&mesh_, &glow_, 1, [&](std::uint32_t a, std::uint32_t b) {
         return ShouldHalve(a, b);
       });
-      if (mesh_.triangles.size() == before) return;
+      if (mesh_.triangles.size() > before) continue;
+      if (static_cast<int>(before) >= spec_.min_triangles) return;
+      spec_.coarse_edge_m *= kFiner;
+      spec_.fine_edge_m *= kFiner;
     }
   }
 

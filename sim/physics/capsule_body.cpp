@@ -106,7 +106,13 @@ void CapsuleBody::Reset(const BodyPose& pose) {
     throw PoseError("there is no floor beside the wall at " + Where(wanted) +
                     "; choose a pose inside the scene");
   }
-  pose_.position = Eigen::Vector3f(pushed.x(), *floor, pushed.z()).cast<double>();
+  // The floor there may lie higher or lower than the one the body was pushed away on.
+  const Eigen::Vector3f standing(pushed.x(), *floor, pushed.z());
+  if (!IsFree(standing)) {
+    throw PoseError("the body does not fit at " + Where(wanted) +
+                    ": beside the wall the floor changes its height; choose a free pose");
+  }
+  pose_.position = standing.cast<double>();
   pose_.yaw = WrapAngle(pose.yaw);
 }
 

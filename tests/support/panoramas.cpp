@@ -5,6 +5,9 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "sim/math/pose.h"
+#include "sim/render/projection.h"
+
 namespace bulletnav::tests {
 namespace {
 
@@ -21,6 +24,23 @@ bool IsEdge(const Panorama& p, int row, int col) {
 }
 
 }  // namespace
+
+Eigen::Vector3f RayDirection(const sim::PanoramaSpec& spec, int row, int col, float yaw) {
+  const double turns = (col + 0.5) / spec.cols;
+  double clockwise = 2.0 * sim::kPi * turns - sim::kPi;
+  double up = 1.0 - 2.0 * (row + 0.5) / spec.rows;
+  if (spec.projection == sim::Projection::kEquirectangular) up = std::tan(0.5 * sim::kPi * up);
+  if (spec.projection == sim::Projection::kCubeStrip) {
+    const double side = std::floor(4.0 * turns);
+    const double across = 2.0 * (4.0 * turns - side) - 1.0;
+    clockwise = (side - 1.5) * 0.5 * sim::kPi + std::atan(across);
+    up /= std::hypot(1.0, across);
+  }
+  const double heading = yaw - clockwise;
+  return Eigen::Vector3f(static_cast<float>(-std::sin(heading)), static_cast<float>(up),
+                         static_cast<float>(-std::cos(heading)))
+      .normalized();
+}
 
 Panorama RenderPanorama(const sim::RenderScene& scene, const sim::PanoramaSpec& spec,
                         const sim::CameraPose& camera) {

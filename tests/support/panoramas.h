@@ -23,6 +23,10 @@ struct Panorama {
   }
 };
 
+/// Unit direction of a pixel's ray in the world, by the definitions in projection.h, not by
+/// RayGrid.
+Eigen::Vector3f RayDirection(const sim::PanoramaSpec& spec, int row, int col, float yaw);
+
 Panorama RenderPanorama(const sim::RenderScene& scene, const sim::PanoramaSpec& spec,
                         const sim::CameraPose& camera);
 

@@ -46,24 +46,6 @@ PanoramaSpec Spec(Projection projection, int rows = 64, int cols = 256) {
 constexpr std::array kProjections = {Projection::kCylindrical, Projection::kEquirectangular,
                                      Projection::kCubeStrip};
 
-/// World direction of a pixel, by the definitions in projection.h, not by RayGrid.
-Vec Direction(const PanoramaSpec& spec, int row, int col, float yaw) {
-  const double turns = (col + 0.5) / spec.cols;
-  double clockwise = 2.0 * kPi * turns - kPi;
-  double up = 1.0 - 2.0 * (row + 0.5) / spec.rows;
-  if (spec.projection == Projection::kEquirectangular) up = std::tan(0.5 * kPi * up);
-  if (spec.projection == Projection::kCubeStrip) {
-    const double side = std::floor(4.0 * turns);
-    const double across = 2.0 * (4.0 * turns - side) - 1.0;
-    clockwise = (side - 1.5) * 0.5 * kPi + std::atan(across);
-    up /= std::hypot(1.0, across);
-  }
-  const double heading = yaw - clockwise;
-  return Vec(static_cast<float>(-std::sin(heading)), static_cast<float>(up),
-             static_cast<float>(-std::cos(heading)))
-      .normalized();
-}
-
 TEST(Render, DepthOfABoxRoomIsTheClosedForm) {
   const Vec size(4, 2.6f, 6);
   const CameraPose camera{{1.1f, 1.25f, -2.3f}, 0.6f};
@@ -73,7 +55,7 @@ TEST(Render, DepthOfABoxRoomIsTheClosedForm) {
       const Panorama picture = RenderPanorama(*scene, spec, camera);
       for (int r = 0; r < spec.rows; ++r) {
         for (int c = 0; c < spec.cols; ++c) {
-          const Vec d = Direction(spec, r, c, camera.yaw);
+          const Vec d = tests::RayDirection(spec, r, c, camera.yaw);
           float range = 100.0f;
           for (int axis = 0; axis < 3; ++axis) {
             const float low = axis == 2 ? -size.z() : 0.0f;
@@ -145,7 +127,7 @@ TEST(Render, VertexColoursBlendAcrossATriangle) {
   for (const auto& scene : AllScenes(mesh)) {
     const Panorama picture = RenderPanorama(*scene, spec, {{2, 1.3f, -3}, 0.0f});
     for (const int c : {232, 256, 280}) {
-      const Vec d = Direction(spec, 64, c, 0.0f);
+      const Vec d = tests::RayDirection(spec, 64, c, 0.0f);
       const float x = 2.0f + d.x() / -d.z() * 3.0f;
       EXPECT_NEAR(picture.color_at(64, c)[0], 50.0f * x, 2.0f);
     }
@@ -203,7 +185,8 @@ TEST(Render, TheSweepFindsWhatEmbreesRaysFind) {
       const Panorama picture = RenderPanorama(*scene, spec, camera);
       for (int r = 0; r < spec.rows; ++r) {
         for (int c = 0; c < spec.cols; ++c) {
-          const RayHit hit = raycaster.Cast(camera.position, Direction(spec, r, c, camera.yaw));
+          const RayHit hit =
+              raycaster.Cast(camera.position, tests::RayDirection(spec, r, c, camera.yaw));
           const float expected = hit.triangle < 0 ? 0.0f : hit.t;
           const float error = std::abs(picture.depth_at(r, c) - expected);
           wrong += error > 1e-3f * expected + 1e-3f ? 1 : 0;
