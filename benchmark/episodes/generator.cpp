@@ -129,7 +129,7 @@ std::vector<Episode> GenerateEpisodes(const GeneratorSpec& spec,
     const auto s = static_cast<std::size_t>(task);
     std::array<int, kKinds> counts = Counts(spec.counts);
     for (int& count : counts) count = Share(count, s, scenes.size());
-    const auto ground = Ground::Load(scenes[s], spec.navmesh);
+    const auto ground = Ground::Load(scenes[s], spec.navmesh, spec.import.options());
     EpisodeDrawer drawer(*ground, scenes[s], labels[s], spec.body, spec.seed);
     drawn[s] = DrawScene(&drawer, spec, counts);
     if (on_scene) on_scene();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "benchmark/episodes/episode.h"
+#include "benchmark/episodes/import_spec.h"
 #include "sim/navmesh/navmesh.h"
 #include "sim/physics/body_spec.h"
 
@@ -45,6 +46,7 @@ struct EpisodeCounts {
 struct GeneratorSpec {
   std::vector<std::string> scenes;       // mesh files
   std::optional<HouseSelection> houses;  // in addition
+  ImportSpec import;                     // of all scenes
   EpisodeCounts counts;
   int sequential_goals = 10;
   std::uint64_t seed = 0;
@@ -56,6 +58,7 @@ struct GeneratorSpec {
   void Visit(V& v) {
     v("scenes", scenes);
     v("houses", houses);
+    v("import", import);
     v("counts", counts);
     v("sequential_goals", sequential_goals);
     v("seed", seed);

@@ -12,8 +12,9 @@
 namespace bulletnav::bench {
 
 std::unique_ptr<const Ground> Ground::Load(const std::filesystem::path& file,
-                                           const sim::NavmeshSpec& spec) {
-  const sim::ImportedScene scene = sim::ImportScene(file);
+                                           const sim::NavmeshSpec& spec,
+                                           const sim::ImportOptions& options) {
+  const sim::ImportedScene scene = sim::ImportScene(file, options);
   auto ground = std::make_unique<const Ground>(file.filename().string(), scene.mesh, spec);
   sim::RequireFloor(file.string(), scene.report, ground->navmesh);
   return ground;

@@ -8,6 +8,7 @@
 #include "sim/navmesh/navmesh.h"
 #include "sim/physics/body_spec.h"
 #include "sim/physics/physics_world.h"
+#include "sim/scene/import.h"
 
 namespace bulletnav::bench {
 
@@ -18,7 +19,8 @@ struct Ground {
       : name(std::move(scene)), physics(mesh), navmesh(mesh, spec) {}
   /// Throws sim::Error if the file is no scene or has next to no floor.
   static std::unique_ptr<const Ground> Load(const std::filesystem::path& file,
-                                            const sim::NavmeshSpec& spec);
+                                            const sim::NavmeshSpec& spec,
+                                            const sim::ImportOptions& options = {});
 
   std::string name;  // the file's, as sim::World's
   sim::PhysicsWorld physics;

@@ -139,7 +139,17 @@ TEST_F(GeneratorTest, ConfigSaysWhatIsWrongWhere) {
   EXPECT_THAT(ConfigComplaint("scenes: [a]\ncounts: {easy: -1}\nout: x\n"),
               AllOf(HasSubstr("c.yaml:2:"), HasSubstr("between 0 and")));
   EXPECT_THAT(ConfigComplaint("scenes: [a]\ncounts: {easy: 1}\n"), HasSubstr("'out' is missing"));
+  EXPECT_THAT(ConfigComplaint(sound + "import: {scale: 0}\n"), HasSubstr("c.yaml:4:"));
   EXPECT_THAT(ConfigComplaint(sound + "houses: {split: val}\n"), HasSubstr("'index' is missing"));
+}
+
+TEST_F(GeneratorTest, ShippedConfigsLoad) {
+  const std::filesystem::path configs = BULLETNAV_CONFIGS;
+  const auto spec = sim::LoadYaml<GeneratorSpec>(configs / "episodes.yaml");
+  EXPECT_EQ(spec.counts.easy, 1000);
+  EXPECT_EQ(spec.counts.hard, 1000);
+  const auto sequential = sim::LoadYaml<GeneratorSpec>(configs / "episodes_sequential.yaml");
+  EXPECT_EQ(sequential.counts.sequential, 1000);
 }
 
 }  // namespace
