@@ -40,8 +40,7 @@ Interval WilsonInterval(int successes, int count) {
   const double share = successes / n;
   const double shrink = 1.0 / (1.0 + kZ * kZ / n);
   const double centre = shrink * (share + kZ * kZ / (2.0 * n));
-  const double half =
-      shrink * kZ * std::sqrt(share * (1.0 - share) / n + kZ * kZ / (4.0 * n * n));
+  const double half = shrink * kZ * std::sqrt(share * (1.0 - share) / n + kZ * kZ / (4.0 * n * n));
   // Exactly, what rounding would miss by a last digit.
   return {successes == 0 ? 0.0 : centre - half, successes == count ? 1.0 : centre + half};
 }
