@@ -77,7 +77,7 @@ std::optional<EpisodeDrawer::Place> EpisodeDrawer::DrawGoal(const Place& from,
   // A geodesic is never shorter than the straight line: most candidates need no search.
   const Eigen::Vector3f rough_gap = point - Feet(from.pose);
   if (rough_gap.norm() * least_ratio > band.high + kSettled) return std::nullopt;
-  const auto goal = Stand(point, yaw, from.island);
+  auto goal = Stand(point, yaw, from.island);
   if (!goal) return std::nullopt;
   const Eigen::Vector3d gap = goal->pose.position - from.pose.position;
   if (std::abs(gap.y()) > kMostHeightDifference) return std::nullopt;

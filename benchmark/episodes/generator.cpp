@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <compare>
 #include <filesystem>
 
 #include "benchmark/episodes/episode_drawer.h"
@@ -59,19 +60,24 @@ EpisodesByKind DrawScene(EpisodeDrawer* drawer, const GeneratorSpec& spec,
   return drawn;
 }
 
-std::vector<Episode> Interleave(std::vector<EpisodesByKind> scenes) {
-  std::vector<Episode> all;
-  bool any = true;
-  for (std::size_t i = 0; any; ++i) {
-    any = false;
+std::vector<Episode> Interleave(const std::vector<EpisodesByKind>& scenes) {
+  struct Place {
+    std::size_t index;
+    std::size_t kind;
+    std::size_t scene;
+    auto operator<=>(const Place&) const = default;
+  };
+  std::vector<Place> places;
+  for (std::size_t scene = 0; scene < scenes.size(); ++scene) {
     for (std::size_t kind = 0; kind < kKinds; ++kind) {
-      for (EpisodesByKind& scene : scenes) {
-        if (i >= scene[kind].size()) continue;
-        all.push_back(std::move(scene[kind][i]));
-        any = true;
+      for (std::size_t i = 0; i < scenes[scene][kind].size(); ++i) {
+        places.push_back({i, kind, scene});
       }
     }
   }
+  std::sort(places.begin(), places.end());
+  std::vector<Episode> all;
+  for (const Place& place : places) all.push_back(scenes[place.scene][place.kind][place.index]);
   return all;
 }
 
@@ -134,7 +140,7 @@ std::vector<Episode> GenerateEpisodes(const GeneratorSpec& spec,
     drawn[s] = DrawScene(&drawer, spec, counts);
     if (on_scene) on_scene();
   });
-  return Interleave(std::move(drawn));
+  return Interleave(drawn);
 }
 
 }  // namespace bulletnav::bench

@@ -41,29 +41,36 @@ class Inflater {
   /// Unpacks one member to the end of `text`; returns the bytes behind it.
   std::span<const std::uint8_t> Member(std::span<const std::uint8_t> bytes, std::string* text) {
     CHECK_EQ(inflateReset(&stream_), Z_OK);
-    std::array<char, kBlock> block{};
-    int status = Z_OK;
-    while (status != Z_STREAM_END) {
+    bool is_over = false;
+    while (!is_over) {
       if (bytes.empty()) throw Error("the gzip data is cut off; copy or download the file again");
       stream_.next_in = Input(bytes.data());
       stream_.avail_in = InputSize(bytes.size());
       const uInt given = stream_.avail_in;
-      do {
-        stream_.next_out = reinterpret_cast<Bytef*>(block.data());
-        stream_.avail_out = static_cast<uInt>(block.size());
-        status = inflate(&stream_, Z_NO_FLUSH);
-        if (status != Z_OK && status != Z_STREAM_END && status != Z_BUF_ERROR) {
-          throw Error("the gzip data is damaged; copy or download the file again");
-        }
-        text->append(block.data(), block.size() - stream_.avail_out);
-        if (text->size() > kMostText) throw Error("unpacks to over 2 GiB; split the file");
-      } while (stream_.avail_out == 0 && status != Z_STREAM_END);
+      is_over = Drain(text);
       bytes = bytes.subspan(given - stream_.avail_in);
     }
     return bytes;
   }
 
  private:
+  /// Unpacks what was given; true at the end of the member.
+  bool Drain(std::string* text) {
+    std::array<char, kBlock> block{};
+    do {
+      stream_.next_out = reinterpret_cast<Bytef*>(block.data());
+      stream_.avail_out = static_cast<uInt>(block.size());
+      const int status = inflate(&stream_, Z_NO_FLUSH);
+      if (status != Z_OK && status != Z_STREAM_END && status != Z_BUF_ERROR) {
+        throw Error("the gzip data is damaged; copy or download the file again");
+      }
+      text->append(block.data(), block.size() - stream_.avail_out);
+      if (text->size() > kMostText) throw Error("unpacks to over 2 GiB; split the file");
+      if (status == Z_STREAM_END) return true;
+    } while (stream_.avail_out == 0);
+    return false;
+  }
+
   z_stream stream_{};
 };
 

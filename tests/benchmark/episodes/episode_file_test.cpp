@@ -19,6 +19,7 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 /// As habitat-lab writes a set: whole numbers among the fractions, keys of its own, empty ones.
 constexpr std::string_view kHabitatText =
@@ -307,6 +308,27 @@ TEST_F(EpisodeFileTest, RefusesEveryTruncation) {
   const std::string text = sim::ReadTextFile(Path("whole.json"));
   for (std::size_t size = 1; size < text.size(); ++size) {
     EXPECT_THAT(Complaint(text.substr(0, size)), HasSubstr("cut off")) << text.substr(0, size);
+  }
+}
+
+/// Whatever happens to a file, it is read or refused in one line.
+TEST_F(EpisodeFileTest, SurvivesRandomDamage) {
+  EpisodeSet set;
+  set.episodes = {MakeEpisode(0, 1), MakeEpisode(1, 3)};
+  for (const char* name : {"set.json", "set.json.gz"}) {
+    for (const EpisodeFormat format : {EpisodeFormat::kHabitat, EpisodeFormat::kNrns}) {
+      WriteEpisodes(Path(name), set, format);
+      const std::string sound = sim::ReadTextFile(Path(name));
+      sim::Rng rng(11, name);
+      for (int i = 0; i < 150; ++i) {
+        std::string bad = sound;
+        constexpr std::string_view kBytes = "{}[]\",:0-9.eEnull\xff \n";
+        for (int k = rng.Between(1, 3); k > 0; --k) {
+          bad[static_cast<std::size_t>(rng.Below(static_cast<int>(bad.size())))] = rng.Pick(kBytes);
+        }
+        EXPECT_THAT(Complaint(bad), Not(HasSubstr("\n")));
+      }
+    }
   }
 }
 
