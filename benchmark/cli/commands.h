@@ -7,6 +7,7 @@ namespace bulletnav::bench {
 /// Each adds its subcommands to the program; a subcommand's callback does the work and reports
 /// trouble by throwing sim::Error.
 void AddBenchCommand(CLI::App* program);
+void AddCompareCommand(CLI::App* program);
 void AddEpisodesCommand(CLI::App* program);
 void AddRenderCommand(CLI::App* program);
 void AddScenesCommand(CLI::App* program);

@@ -30,6 +30,7 @@ int Run(int argc, char** argv) {
   bulletnav::bench::AddScenesCommand(&program);
   bulletnav::bench::AddRenderCommand(&program);
   bulletnav::bench::AddEpisodesCommand(&program);
+  bulletnav::bench::AddCompareCommand(&program);
   bulletnav::bench::AddBenchCommand(&program);
   try {
     program.parse(argc, argv);

@@ -127,6 +127,15 @@ TEST_F(GeneratorTest, DrawsFreeEpisodesInHousesOfTheIndex) {
   EXPECT_THROW(ScenesOf(spec_), sim::FileError);
 }
 
+TEST_F(GeneratorTest, DrawsFreeEpisodesInARealScene) {
+  const auto file = tests::SharedScene("aws_small_house");
+  if (!file) GTEST_SKIP() << "no shared scenes";
+  const auto ground = Ground::Load(*file, {});
+  for (const Episode& episode : GenerateEpisodes(spec_, {file->string()}, 1)) {
+    EXPECT_NO_THROW(CheckEpisode(episode, ground->physics, ground->navmesh, {}));
+  }
+}
+
 TEST_F(GeneratorTest, ConfigSaysWhatIsWrongWhere) {
   const std::string sound = "scenes: [a.glb]\ncounts: {easy: 10}\nout: x.json.gz\n";
   const auto spec = sim::LoadYamlText<GeneratorSpec>(sound, "c.yaml");
