@@ -22,17 +22,15 @@ constexpr int kTriesAStart = 10;
 constexpr int kTriesALeg = 300;  // of a sequence, on average
 constexpr int kStarts = 4000;
 
-/// Least geodesic/Euclidean ratio that a candidate with the random number u in [0, 1) must have.
-/// Asking for it is keeping a ratio under 1.1 with probability 20 (ratio - 0.98)^2.
-double LeastRatio(double u) {
-  return std::min(kWindingRatio, 0.98 + std::sqrt(u / 20.0));
-}
-
 Eigen::Vector3f Feet(const sim::BodyPose& pose) {
   return pose.position.cast<float>();
 }
 
 }  // namespace
+
+double LeastRatio(double u) {
+  return std::min(kWindingRatio, 0.98 + std::sqrt(u / 20.0));
+}
 
 EpisodeDrawer::EpisodeDrawer(const Ground& ground, std::string scene, std::string label,
                              const sim::BodySpec& body, std::uint64_t seed)

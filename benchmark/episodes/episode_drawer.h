@@ -11,6 +11,10 @@
 
 namespace bulletnav::bench {
 
+/// Least geodesic/Euclidean ratio that a candidate with the random number u in [0, 1) must have to
+/// be kept: asking for it keeps a ratio under 1.1 with probability 20 (ratio - 0.98)^2.
+double LeastRatio(double u);
+
 /// Draws the episodes of one scene. Start and goals: points drawn evenly from the floor of islands
 /// of at least 1.5 m radius, where the body stands free; on one floor (heights within 0.5 m), the
 /// geodesic distance in its band; a geodesic/Euclidean ratio under 1.1 is kept with probability

@@ -111,6 +111,16 @@ TEST(EpisodeDrawer, HeadingsPointEverywhere) {
   EXPECT_THAT(goals, testing::Each(testing::Gt(8)));
 }
 
+TEST(LeastRatio, KeepsEachRatioAsOftenAsHabitat) {
+  constexpr int kDraws = 100'000;
+  for (const double ratio : {1.0, 1.03, 1.06, 1.0999, 1.1, 3.0}) {
+    int kept = 0;
+    for (int i = 0; i < kDraws; ++i) kept += ratio >= LeastRatio((i + 0.5) / kDraws) ? 1 : 0;
+    const double expected = ratio < 1.1 ? 20.0 * (ratio - 0.98) * (ratio - 0.98) : 1.0;
+    EXPECT_NEAR(static_cast<double>(kept) / kDraws, expected, 1e-4) << ratio;
+  }
+}
+
 /// In a room without furniture each way is straight, and episodes are kept with a probability of
 /// 20 * 0.02^2; in the corridor the winding ones win.
 TEST(EpisodeDrawer, PrefersWindingWays) {
