@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <compare>
 #include <filesystem>
 
 #include "benchmark/episodes/episode_drawer.h"
@@ -61,23 +60,18 @@ EpisodesByKind DrawScene(EpisodeDrawer* drawer, const GeneratorSpec& spec,
 }
 
 std::vector<Episode> Interleave(const std::vector<EpisodesByKind>& scenes) {
-  struct Place {
-    std::size_t index;
-    std::size_t kind;
-    std::size_t scene;
-    auto operator<=>(const Place&) const = default;
-  };
-  std::vector<Place> places;
+  // Sorting by (index, kind, scene) is the interleaving.
+  std::vector<std::array<std::size_t, 3>> places;
   for (std::size_t scene = 0; scene < scenes.size(); ++scene) {
     for (std::size_t kind = 0; kind < kKinds; ++kind) {
-      for (std::size_t i = 0; i < scenes[scene][kind].size(); ++i) {
-        places.push_back({i, kind, scene});
-      }
+      const std::size_t count = scenes[scene][kind].size();
+      for (std::size_t i = 0; i < count; ++i) places.push_back({i, kind, scene});
     }
   }
   std::sort(places.begin(), places.end());
   std::vector<Episode> all;
-  for (const Place& place : places) all.push_back(scenes[place.scene][place.kind][place.index]);
+  all.reserve(places.size());
+  for (const auto& [index, kind, scene] : places) all.push_back(scenes[scene][kind][index]);
   return all;
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/evaluation/comparison.h"
 
-#include <compare>
 #include <map>
 #include <set>
+#include <tuple>
 
 #include <fmt/core.h>
 
@@ -30,7 +30,8 @@ struct RowKey {
   std::string condition;
   std::size_t difficulty = 0;  // place in kDifficulties, or after them: overall
 
-  auto operator<=>(const RowKey&) const = default;
+  auto Order() const { return std::tie(agent_a, setting, condition, difficulty); }
+  bool operator<(const RowKey& other) const { return Order() < other.Order(); }
 };
 
 double Success(const EpisodeResult& result) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <compare>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "benchmark/episodes/episode.h"
@@ -22,7 +22,9 @@ struct ResultKey {
   std::string scene;
   std::string episode;
 
-  auto operator<=>(const ResultKey&) const = default;
+  bool operator==(const ResultKey&) const = default;
+  auto Order() const { return std::tie(agent, setting, condition, seed, scene, episode); }
+  bool operator<(const ResultKey& other) const { return Order() < other.Order(); }
 };
 
 /// How an agent fared in one episode.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <tuple>
 
 #include <fmt/core.h>
 
@@ -54,7 +55,10 @@ struct RowKey {
   std::string condition_name;
   std::size_t difficulty = 0;
 
-  auto operator<=>(const RowKey&) const = default;
+  auto Order() const {
+    return std::tie(agent, agent_name, setting, condition, condition_name, difficulty);
+  }
+  bool operator<(const RowKey& other) const { return Order() < other.Order(); }
 };
 
 constexpr std::array<const char*, 3> kConditions = {"noise", "no_stop", "no_noise"};
@@ -73,6 +77,7 @@ std::string DifficultyOfPlace(std::size_t place) {
 
 std::vector<double> Column(const std::vector<Sample>& samples, double Sample::*member) {
   std::vector<double> values;
+  values.reserve(samples.size());
   for (const Sample& sample : samples) values.push_back(sample.*member);
   return values;
 }

@@ -19,7 +19,7 @@ std::string EscapeLatex(const std::string& text) {
 
 std::string MarkdownLine(const std::vector<std::string>& cells) {
   std::string line = "|";
-  for (const std::string& cell : cells) line += " " + cell + " |";
+  for (const std::string& cell : cells) line.append(" ").append(cell).append(" |");
   return line + "\n";
 }
 
@@ -30,7 +30,7 @@ std::string ToMarkdown(const ResultsTable& table) {
   std::vector<std::string> rule = {"---", "---"};
   for (const ResultsTable::Group& group : table.groups) {
     for (const std::string& column : group.columns) {
-      heads.push_back(group.head + " " + column);
+      heads.push_back(fmt::format("{} {}", group.head, column));
       rule.emplace_back("---:");
     }
   }
@@ -39,9 +39,9 @@ std::string ToMarkdown(const ResultsTable& table) {
   std::string text = table.caption + "\n\n" + MarkdownLine(heads) + MarkdownLine(rule);
   for (const ResultsTable::Row& row : table.rows) {
     const std::string mark = row.is_paper ? "*" : "";
-    std::vector<std::string> cells = {row.setting, mark + row.title + mark};
+    std::vector<std::string> cells = {row.setting, fmt::format("{0}{1}{0}", mark, row.title)};
     for (const std::string& cell : row.cells) {
-      cells.push_back(cell.empty() ? "" : mark + cell + mark);
+      cells.push_back(cell.empty() ? "" : fmt::format("{0}{1}{0}", mark, cell));
     }
     cells.push_back(row.remark);
     text += MarkdownLine(cells);
@@ -57,7 +57,9 @@ std::string ToLatex(const ResultsTable& table) {
     shape += std::string(group.columns.size(), 'r');
     heads += fmt::format(" & \\multicolumn{{{}}}{{c}}{{{}}}", group.columns.size(),
                          EscapeLatex(group.head));
-    for (const std::string& column : group.columns) columns += " & " + EscapeLatex(column);
+    for (const std::string& column : group.columns) {
+      columns.append(" & ").append(EscapeLatex(column));
+    }
   }
   std::string text = "% " + table.caption + "\n\\begin{tabular}{" + shape + "l}\n\\hline\n" +
                      heads + " & \\\\\n" + columns + " & \\\\\n\\hline\n";
