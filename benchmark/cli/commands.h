@@ -7,6 +7,8 @@ namespace bulletnav::bench {
 /// Each adds its subcommands to the program; a subcommand's callback does the work and reports
 /// trouble by throwing sim::Error.
 void AddBenchCommand(CLI::App* program);
+void AddCompareCommand(CLI::App* program);
+void AddEpisodesCommand(CLI::App* program);
 void AddRenderCommand(CLI::App* program);
 /// Adds "generate" to the "scenes" command.
 void AddGenerateCommand(CLI::App* scenes);

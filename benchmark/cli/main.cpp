@@ -29,6 +29,8 @@ int Run(int argc, char** argv) {
   program.set_version_flag("--version", "bulletnav " BULLETNAV_VERSION);
   bulletnav::bench::AddScenesCommand(&program);
   bulletnav::bench::AddRenderCommand(&program);
+  bulletnav::bench::AddEpisodesCommand(&program);
+  bulletnav::bench::AddCompareCommand(&program);
   bulletnav::bench::AddBenchCommand(&program);
   try {
     program.parse(argc, argv);

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/episodes/generator.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include "benchmark/episodes/episode_drawer.h"
+#include "benchmark/episodes/json_cursor.h"
+#include "sim/base/error.h"
+#include "sim/base/files.h"
+#include "sim/threads/worker_pool.h"
+
+namespace bulletnav::bench {
+namespace {
+
+namespace fs = std::filesystem;
+using sim::Error;
+
+constexpr std::size_t kKinds = 4;  // easy, medium, hard, sequential
+
+std::array<int, kKinds> Counts(const EpisodeCounts& counts) {
+  return {counts.easy, counts.medium, counts.hard, counts.sequential};
+}
+
+/// How many of `count` the scene with number s of n gets.
+int Share(int count, std::size_t s, std::size_t n) {
+  const auto scenes = static_cast<int>(n);
+  return count / scenes + (static_cast<int>(s) < count % scenes ? 1 : 0);
+}
+
+/// The beginnings of the scenes' ids: the name of the file, with its folder's where two would be
+/// alike.
+std::vector<std::string> Labels(const std::vector<std::string>& scenes) {
+  std::vector<std::string> labels;
+  for (const std::string& scene : scenes) {
+    const fs::path file = scene;
+    const auto alike = std::count_if(scenes.begin(), scenes.end(), [&](const fs::path& other) {
+      return other.stem() == file.stem();
+    });
+    const std::string stem = file.stem().string();
+    labels.push_back(alike == 1 ? stem : file.parent_path().filename().string() + "-" + stem);
+  }
+  return labels;
+}
+
+using EpisodesByKind = std::array<std::vector<Episode>, kKinds>;
+
+EpisodesByKind DrawScene(EpisodeDrawer* drawer, const GeneratorSpec& spec,
+                         const std::array<int, kKinds>& counts) {
+  EpisodesByKind drawn;
+  for (std::size_t kind = 0; kind < kKinds; ++kind) {
+    for (int i = 0; i < counts[kind]; ++i) {
+      drawn[kind].push_back(kind < kDifficulties.size()
+                                ? drawer->Draw(kDifficulties[kind], i)
+                                : drawer->DrawSequence(spec.sequential_goals, i));
+    }
+  }
+  return drawn;
+}
+
+std::vector<Episode> Interleave(const std::vector<EpisodesByKind>& scenes) {
+  // Sorting by (index, kind, scene) is the interleaving.
+  std::vector<std::array<std::size_t, 3>> places;
+  for (std::size_t scene = 0; scene < scenes.size(); ++scene) {
+    for (std::size_t kind = 0; kind < kKinds; ++kind) {
+      const std::size_t count = scenes[scene][kind].size();
+      for (std::size_t i = 0; i < count; ++i) places.push_back({i, kind, scene});
+    }
+  }
+  std::sort(places.begin(), places.end());
+  std::vector<Episode> all;
+  all.reserve(places.size());
+  for (const auto& [index, kind, scene] : places) all.push_back(scenes[scene][kind][index]);
+  return all;
+}
+
+}  // namespace
+
+void EpisodeCounts::Validate() const {
+  const auto counts = Counts(*this);
+  if (std::any_of(counts.begin(), counts.end(), [](int count) {
+        return count < 0 || count > 1'000'000;
+      })) {
+    throw Error("each count must lie between 0 and 1000000");
+  }
+}
+
+void GeneratorSpec::Validate() const {
+  const auto sum = Counts(counts);
+  if (std::count(sum.begin(), sum.end(), 0) == static_cast<int>(kKinds)) {
+    throw Error("'counts' asks for no episodes");
+  }
+  if (scenes.empty() && !houses) throw Error("names no scenes; give 'scenes' or 'houses'");
+  if (sequential_goals < 1 || sequential_goals > 1000) {
+    throw Error("sequential_goals must lie between 1 and 1000");
+  }
+  if (out.empty()) throw Error("'out' is empty; name the file to write");
+}
+
+std::vector<std::string> ScenesOf(const GeneratorSpec& spec) {
+  std::vector<std::string> scenes = spec.scenes;
+  if (!spec.houses) return scenes;
+  const fs::path file = spec.houses->index;
+  if (!fs::exists(file)) {
+    throw sim::FileError(file, "", "does not exist; generate the houses first");
+  }
+  const Json json = ParseJson(sim::ReadTextFile(file), file);
+  const JsonCursor houses = JsonCursor(json, file, "").At("houses");
+  houses.ExpectList();
+  const std::size_t before = scenes.size();
+  for (std::size_t i = 0; i < houses.value().size(); ++i) {
+    const JsonCursor house = houses.Item(i);
+    if (house.At("split").Text() != spec.houses->split) continue;
+    scenes.push_back((file.parent_path() / house.At("file").Text()).string());
+  }
+  if (scenes.size() == before)
+    houses.Fail("has no house of the split '" + spec.houses->split + "'");
+  return scenes;
+}
+
+std::vector<Episode> GenerateEpisodes(const GeneratorSpec& spec,
+                                      const std::vector<std::string>& scenes, int workers,
+                                      const std::function<void()>& on_scene) {
+  const std::vector<std::string> labels = Labels(scenes);
+  std::vector<EpisodesByKind> drawn(scenes.size());
+  sim::WorkerPool pool(workers);
+  pool.ForEach(static_cast<int>(scenes.size()), [&](int task, int /*worker*/) {
+    const auto s = static_cast<std::size_t>(task);
+    std::array<int, kKinds> counts = Counts(spec.counts);
+    for (int& count : counts) count = Share(count, s, scenes.size());
+    const auto ground = Ground::Load(scenes[s], spec.navmesh, spec.import.options());
+    EpisodeDrawer drawer(*ground, scenes[s], labels[s], spec.body, spec.seed);
+    drawn[s] = DrawScene(&drawer, spec, counts);
+    if (on_scene) on_scene();
+  });
+  return Interleave(drawn);
+}
+
+}  // namespace bulletnav::bench

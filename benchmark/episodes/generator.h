@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "benchmark/episodes/episode.h"
+#include "benchmark/episodes/import_spec.h"
+#include "sim/navmesh/navmesh.h"
+#include "sim/physics/body_spec.h"
+
+namespace bulletnav::bench {
+
+/// The houses of one split of an index that the house generator wrote.
+struct HouseSelection {
+  std::string index;
+  std::string split = "test";
+
+  template <class V>
+  void Visit(V& v) {
+    v.Required("index", index);
+    v("split", split);
+  }
+};
+
+/// How many episodes, over all scenes together.
+struct EpisodeCounts {
+  int easy = 0;
+  int medium = 0;
+  int hard = 0;
+  int sequential = 0;
+
+  template <class V>
+  void Visit(V& v) {
+    v("easy", easy);
+    v("medium", medium);
+    v("hard", hard);
+    v("sequential", sequential);
+  }
+  void Validate() const;
+};
+
+/// A set of episodes to draw: the config of `bulletnav episodes generate`.
+struct GeneratorSpec {
+  std::vector<std::string> scenes;       // mesh files
+  std::optional<HouseSelection> houses;  // in addition
+  ImportSpec import;                     // of all scenes
+  EpisodeCounts counts;
+  int sequential_goals = 10;
+  std::uint64_t seed = 0;
+  sim::BodySpec body;
+  sim::NavmeshSpec navmesh;
+  std::string out;
+
+  template <class V>
+  void Visit(V& v) {
+    v("scenes", scenes);
+    v("houses", houses);
+    v("import", import);
+    v("counts", counts);
+    v("sequential_goals", sequential_goals);
+    v("seed", seed);
+    v("body", body);
+    v("navmesh", navmesh);
+    v.Required("out", out);
+  }
+  void Validate() const;
+};
+
+/// The mesh files that a spec names, houses last. Throws sim::Error for an index that is damaged or
+/// has no house in the split.
+std::vector<std::string> ScenesOf(const GeneratorSpec& spec);
+
+/// Draws all episodes (see EpisodeDrawer), spread evenly over the scenes: scene s of n gets
+/// count / n, and one more if s < count % n. They come by index, then kind, then scene, so that any
+/// first part of the list is spread evenly too. The same for any number of workers, which take a
+/// scene each; `workers` < 1: one a processor. `on_scene` is called, from any thread, when a scene
+/// is done. Throws sim::Error for a scene that cannot be loaded or has no such episodes.
+std::vector<Episode> GenerateEpisodes(const GeneratorSpec& spec,
+                                      const std::vector<std::string>& scenes, int workers,
+                                      const std::function<void()>& on_scene = {});
+
+}  // namespace bulletnav::bench

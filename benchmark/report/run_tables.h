@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "benchmark/evaluation/summary.h"
+#include "benchmark/report/results_table.h"
+
+namespace bulletnav::bench {
+
+/// The tables that a run's rows make, laid out like the paper's: success and SPL by difficulty
+/// (table 1) for the condition "noise", or by number of goals for sequences; success by difficulty
+/// (table 2) for "no_stop" and "no_noise". Under each row of ours comes the paper's, labelled,
+/// where it has one. Agents without results get a row that gives their note.
+std::vector<ResultsTable> MakeTables(std::span<const SummaryRow> rows,
+                                     std::span<const AgentRow> agents);
+
+/// Writes summary.json, table.md, table.tex and table.csv into a folder of results, atomically.
+/// Returns the text of table.md.
+std::string WriteTables(const std::filesystem::path& folder,
+                        const std::vector<EpisodeResult>& results,
+                        std::span<const AgentRow> agents);
+
+}  // namespace bulletnav::bench
