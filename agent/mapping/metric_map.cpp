@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include "agent/mapping/metric_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/base/error.h"
+
+namespace bulletnav::agent {
+namespace {
+
+constexpr int kSeenObstacle = 3;     // added to the evidence each time, up to
+constexpr int kMostEvidence = 12;    // this; floor seen alone takes 1
+constexpr double kWallAhead = 0.15;  // metres
+constexpr int kWallThickness = 2;    // cells
+
+template <class T>
+Grid<T> Moved(const Grid<T>& grid, const Cell& by, const T& fill) {
+  Grid<T> moved(grid.size(), fill);
+  for (int y = 0; y < grid.size(); ++y) {
+    for (int x = 0; x < grid.size(); ++x) {
+      const Cell from{x + by.x, y + by.y};
+      if (grid.Contains(from)) moved[Cell{x, y}] = grid[from];
+    }
+  }
+  return moved;
+}
+
+DepthRing MakeRing(const Rig& rig, const MapSpec& spec) {
+  if (!rig.has_depth) throw sim::Error("a metric map needs depth, which this setting has not");
+  return {rig, spec};
+}
+
+}  // namespace
+
+MetricMap::MetricMap(const Rig& rig, const MapSpec& spec)
+    : spec_(spec),
+      ring_(MakeRing(rig, spec)),
+      evidence_(spec.cells()),
+      explored_(spec.cells()),
+      track_(spec.cells()),
+      felt_(spec.cells()),
+      states_(spec.cells()) {
+  Clear({});
+}
+
+void MetricMap::Clear(const sim::PlanarPose& pose) {
+  evidence_.Fill(0);
+  explored_.Fill(0);
+  track_.Fill(0);
+  felt_.Fill(0);
+  low_ = {};
+  const Cell here = CellAt({pose.x, pose.y});
+  low_ = {here.x - states_.size() / 2, here.y - states_.size() / 2};
+  Refresh({states_.size() / 2, states_.size() / 2}, states_.size());
+  MarkTrack(pose, pose);
+}
+
+Cell MetricMap::CellAt(const Point& p) const {
+  return {static_cast<int>(std::floor(p.x / spec_.cell)) - low_.x,
+          static_cast<int>(std::floor(p.y / spec_.cell)) - low_.y};
+}
+
+Point MetricMap::Centre(const Cell& cell) const {
+  return {(cell.x + low_.x + 0.5) * spec_.cell, (cell.y + low_.y + 0.5) * spec_.cell};
+}
+
+void MetricMap::Update(std::span<const float> depth, const sim::PlanarPose& pose) {
+  Cell here = CellAt({pose.x, pose.y});
+  const int margin = ring_.reach() + spec_.dilation_cells + 2;
+  const int last = states_.size() - 1 - margin;
+  if (here.x < margin || here.y < margin || here.x > last || here.y > last) {
+    MoveTo(here);
+    here = CellAt({pose.x, pose.y});
+  }
+  const double x = pose.x / spec_.cell;
+  const double y = pose.y / spec_.cell;
+  ring_.Project(depth, x - std::floor(x), y - std::floor(y), pose.yaw);
+  Merge(here);
+  Refresh(here, ring_.reach() + spec_.dilation_cells);
+}
+
+void MetricMap::Merge(const Cell& middle) {
+  const int n = ring_.seen().size();
+  for (int y = 0; y < n; ++y) {
+    for (int x = 0; x < n; ++x) {
+      if (ring_.seen()[Cell{x, y}] == 0) continue;
+      MergeCell({x, y}, {middle.x + x - ring_.reach(), middle.y + y - ring_.reach()});
+    }
+  }
+}
+
+void MetricMap::MergeCell(const Cell& seen, const Cell& cell) {
+  explored_[cell] = 1;
+  std::uint8_t& evidence = evidence_[cell];
+  if (ring_.obstacle_points()[seen] >= spec_.obstacle_points) {
+    evidence = static_cast<std::uint8_t>(std::min(evidence + kSeenObstacle, kMostEvidence));
+  } else if (ring_.floor_points()[seen] > 0 && ring_.obstacle_points()[seen] == 0 && evidence > 0) {
+    --evidence;
+  }
+}
+
+void MetricMap::MoveTo(const Cell& middle) {
+  const Cell by{middle.x - states_.size() / 2, middle.y - states_.size() / 2};
+  evidence_ = Moved<std::uint8_t>(evidence_, by, 0);
+  explored_ = Moved<std::uint8_t>(explored_, by, 0);
+  track_ = Moved<std::uint8_t>(track_, by, 0);
+  felt_ = Moved<std::uint8_t>(felt_, by, 0);
+  low_ = {low_.x + by.x, low_.y + by.y};
+  Refresh({states_.size() / 2, states_.size() / 2}, states_.size());
+}
+
+void MetricMap::MarkTrack(const sim::PlanarPose& from, const sim::PlanarPose& to) {
+  const double length = std::hypot(to.x - from.x, to.y - from.y);
+  const int steps = 1 + static_cast<int>(2.0 * length / spec_.cell);
+  for (int i = 0; i <= steps; ++i) {
+    const double t = static_cast<double>(i) / steps;
+    const Cell at = CellAt({from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)});
+    for (int k = 0; k < 9; ++k) {
+      const Cell cell{at.x + k % 3 - 1, at.y + k / 3 - 1};
+      if (!track_.Contains(cell)) continue;
+      track_[cell] = 1;
+      explored_[cell] = 1;
+    }
+  }
+  Refresh(CellAt({to.x, to.y}), 2 + static_cast<int>(length / spec_.cell));
+}
+
+void MetricMap::MarkWall(const sim::PlanarPose& pose, int width_cells) {
+  const double c = std::cos(pose.yaw);
+  const double s = std::sin(pose.yaw);
+  for (int i = 0; i < kWallThickness; ++i) {
+    for (int j = 0; j < width_cells; ++j) {
+      const double ahead = kWallAhead + i * spec_.cell;
+      const double left = (j - 0.5 * (width_cells - 1)) * spec_.cell;
+      const Cell cell = CellAt({pose.x + ahead * c - left * s, pose.y + ahead * s + left * c});
+      if (felt_.Contains(cell)) felt_[cell] = 1;
+    }
+  }
+  const int ahead = static_cast<int>(kWallAhead / spec_.cell) + kWallThickness;
+  Refresh(CellAt({pose.x, pose.y}), ahead + width_cells + 2);
+}
+
+void MetricMap::ForgetFeltWalls() {
+  felt_.Fill(0);
+  Refresh({states_.size() / 2, states_.size() / 2}, states_.size());
+}
+
+void MetricMap::Refresh(const Cell& middle, int reach) {
+  const int last = states_.size() - 1;
+  const int to_x = std::min(middle.x + reach, last);
+  const int to_y = std::min(middle.y + reach, last);
+  for (int y = std::max(middle.y - reach, 0); y <= to_y; ++y) {
+    for (int x = std::max(middle.x - reach, 0); x <= to_x; ++x) {
+      states_[Cell{x, y}] = StateOf({x, y});
+    }
+  }
+}
+
+CellState MetricMap::StateOf(const Cell& cell) const {
+  const int last = states_.size() - 1;
+  if (cell.x == 0 || cell.y == 0 || cell.x == last || cell.y == last) return CellState::kBlocked;
+  if (felt_[cell] != 0) return CellState::kBlocked;
+  if (track_[cell] != 0) return CellState::kFree;
+  if (IsNearObstacle(cell)) return CellState::kBlocked;
+  return explored_[cell] != 0 ? CellState::kFree : CellState::kUnknown;
+}
+
+bool MetricMap::IsNearObstacle(const Cell& cell) const {
+  const int r = spec_.dilation_cells;
+  for (int dy = -r; dy <= r; ++dy) {
+    for (int dx = -r; dx <= r; ++dx) {
+      const Cell other{cell.x + dx, cell.y + dy};
+      if (dx * dx + dy * dy > r * r || !evidence_.Contains(other)) continue;
+      if (evidence_[other] > 0) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace bulletnav::agent
