@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "agent/belief.h"
 #include "agent/observation.h"
 #include "agent/perception/goal_estimator.h"
 #include "sim/base/action.h"
@@ -41,6 +42,9 @@ class Agent {
 
   /// The next action. The first observation after Reset has zero odometry.
   virtual sim::Action Act(const Observation& observation) = 0;
+
+  /// For drawing; nothing unless overridden.
+  virtual Belief belief() const { return {}; }
 };
 
 }  // namespace bulletnav::agent

@@ -39,6 +39,8 @@ class BatchAgent {
   /// the lanes named must be reset.
   virtual void Act(std::span<const LaneObservation> observations,
                    std::span<sim::Action> actions) = 0;
+
+  virtual Belief belief(int /*lane*/) const { return {}; }
 };
 
 /// One plain agent a lane.
@@ -57,6 +59,10 @@ class LaneAgents final : public BatchAgent {
     for (std::size_t i = 0; i < observations.size(); ++i) {
       actions[i] = agent(observations[i].lane).Act(observations[i].observation);
     }
+  }
+
+  Belief belief(int lane) const override {
+    return agents_.at(static_cast<std::size_t>(lane))->belief();
   }
 
  private:

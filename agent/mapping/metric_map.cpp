@@ -129,10 +129,11 @@ void MetricMap::MarkTrack(const sim::PlanarPose& from, const sim::PlanarPose& to
 void MetricMap::MarkWall(const sim::PlanarPose& pose, int width_cells) {
   const double c = std::cos(pose.yaw);
   const double s = std::sin(pose.yaw);
-  for (int i = 0; i < kWallThickness; ++i) {
-    for (int j = 0; j < width_cells; ++j) {
-      const double ahead = kWallAhead + i * spec_.cell;
-      const double left = (j - 0.5 * (width_cells - 1)) * spec_.cell;
+  // Half a cell at a time, so that a wall across the grid has no gaps.
+  for (int i = 0; i <= 2 * (kWallThickness - 1); ++i) {
+    for (int j = 0; j <= 2 * (width_cells - 1); ++j) {
+      const double ahead = kWallAhead + 0.5 * i * spec_.cell;
+      const double left = 0.5 * (j - (width_cells - 1)) * spec_.cell;
       const Cell cell = CellAt({pose.x + ahead * c - left * s, pose.y + ahead * s + left * c});
       if (felt_.Contains(cell)) felt_[cell] = 1;
     }
@@ -144,6 +145,17 @@ void MetricMap::MarkWall(const sim::PlanarPose& pose, int width_cells) {
 void MetricMap::ForgetFeltWalls() {
   felt_.Fill(0);
   Refresh({states_.size() / 2, states_.size() / 2}, states_.size());
+}
+
+MapPicture MetricMap::Picture() const {
+  MapPicture picture{states_.size(), spec_.cell, low_.x * spec_.cell, low_.y * spec_.cell, {}};
+  for (std::size_t i = 0; i < states_.values().size(); ++i) {
+    auto kind = explored_[i] != 0 ? MapPicture::Kind::kFree : MapPicture::Kind::kUnknown;
+    if (evidence_[i] > 0) kind = MapPicture::Kind::kObstacle;
+    if (felt_[i] != 0) kind = MapPicture::Kind::kFeltWall;
+    picture.kinds.push_back(kind);
+  }
+  return picture;
 }
 
 void MetricMap::Refresh(const Cell& middle, int reach) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 
+#include "agent/belief.h"
 #include "agent/mapping/depth_ring.h"
 #include "agent/mapping/grid.h"
 #include "agent/mapping/map_spec.h"
@@ -54,6 +55,7 @@ class MetricMap {
   bool IsExplored(const Cell& c) const { return explored_[c] != 0; }
   bool IsTrack(const Cell& c) const { return track_[c] != 0; }
   bool IsFeltWall(const Cell& c) const { return felt_[c] != 0; }
+  MapPicture Picture() const;
 
  private:
   void Merge(const Cell& middle);
