@@ -11,7 +11,8 @@ namespace bulletnav::agent {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-constexpr int kDisc = 5;  // cells around the start with exact distances
+constexpr int kDisc = 5;            // cells around the start with exact distances
+constexpr double kMostAhead = 7.0;  // cells; what the queue can hold
 
 bool HasBlockedRim(const Grid<CellState>& map) {
   const int last = map.size() - 1;
@@ -50,9 +51,9 @@ void FastMarching::OfferDisc(const Cell& from) {
     for (int dx = -kDisc; dx <= kDisc; ++dx) {
       const Cell cell{from.x + dx, from.y + dy};
       if (dx * dx + dy * dy > kDisc * kDisc || !map_->Contains(cell)) continue;
-      if (cell == from || !IsPassable(map_->index(cell)) || !IsLineFree(*map_, from, cell))
-        continue;
-      Offer(map_->index(cell), static_cast<float>(Distance(from, cell)));
+      if (cell == from || !IsPassable(map_->index(cell))) continue;
+      const auto cost = LineCost(*map_, from, cell);
+      if (cost && *cost < kMostAhead) Offer(map_->index(cell), static_cast<float>(*cost));
     }
   }
 }
@@ -91,14 +92,15 @@ void FastMarching::Visit(std::size_t i) {
   }
 }
 
-/// Upwind solution of |grad T| = 1 from the settled neighbours.
+/// Upwind solution of |grad T| = cost from the settled neighbours.
 float FastMarching::Solve(std::size_t i) const {
   const auto row = static_cast<std::size_t>(map_->size());
   const float a = std::min(settled_[i - 1], settled_[i + 1]);
   const float b = std::min(settled_[i - row], settled_[i + row]);
   const float gap = std::fabs(a - b);
-  if (!(gap < 1.0f)) return std::min(a, b) + 1.0f;
-  return 0.5f * (a + b + std::sqrt(2.0f - gap * gap));
+  const float cost = (*map_)[i] == CellState::kTight ? kTightCost : 1.0f;
+  if (!(gap < cost)) return std::min(a, b) + cost;
+  return 0.5f * (a + b + std::sqrt(2.0f * cost * cost - gap * gap));
 }
 
 }  // namespace bulletnav::agent

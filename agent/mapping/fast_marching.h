@@ -9,14 +9,14 @@
 
 namespace bulletnav::agent {
 
-/// Distance from a cell over the passable cells of a map, growing outwards one cell at a time so
-/// that a caller stops when it knows enough. Straight ways cost their true length in any direction,
-/// not the length of a staircase.
+/// Length of the way from a cell over the passable cells of a map, growing outwards one cell at a
+/// time so that a caller stops when it knows enough. Straight ways cost their true length in any
+/// direction, not the length of a staircase.
 ///   march.Start(map, {from});
 ///   while (const auto cell = march.Next()) { if (wanted(*cell)) ... march.distance(*cell) ... }
-/// Lengths are in cells. Cells come in the order of their distance, within an eighth of a cell.
-/// Within 4% of the true distance in the open.
-/// Source: Sethian's fast marching method, with the untidy queue of Yatziv, Bartesaghi and Sapiro
+/// Lengths are in cells; tight ones count kTightCost times. Cells come in the order of their
+/// distance, within an eighth of a cell. Within 4% of the true distance in the open. Source:
+/// Sethian's fast marching method, with the untidy queue of Yatziv, Bartesaghi and Sapiro
 /// ("O(N) implementation of the fast marching algorithm", 2006) and exact distances near the start.
 /// Cost: some tens of nanoseconds a cell reached, nothing for the rest.
 class FastMarching {
@@ -43,8 +43,7 @@ class FastMarching {
   static constexpr int kBuckets = 64;  // in a ring: distances in the queue differ by less than 8
 
   bool IsPassable(std::size_t i) const {
-    return (*map_)[i] == CellState::kFree ||
-           (through_unknown_ && (*map_)[i] == CellState::kUnknown);
+    return IsKnownFree((*map_)[i]) || (through_unknown_ && (*map_)[i] == CellState::kUnknown);
   }
   void Offer(std::size_t i, float distance);
   void OfferDisc(const Cell& from);

@@ -3,6 +3,7 @@
 
 namespace bulletnav::agent {
 
+// Tight cells do not count: the strips along walls that no view reaches lead nowhere.
 bool IsFrontier(const Grid<CellState>& map, const Cell& cell) {
   if (map[cell] != CellState::kFree) return false;
   return map[Cell{cell.x - 1, cell.y}] == CellState::kUnknown ||
@@ -32,8 +33,7 @@ bool FrontierFinder::IsLarge(const Grid<CellState>& map, const Cell& cell) {
   for (std::size_t i = begin; i < cluster_.size(); ++i) {
     for (int k = 0; k < 9; ++k) {
       const Cell next{cluster_[i].x + k % 3 - 1, cluster_[i].y + k / 3 - 1};
-      if (looked_at_[next] != 0 || map[next] != CellState::kFree || !IsFrontier(map, next))
-        continue;
+      if (looked_at_[next] != 0 || !IsFrontier(map, next)) continue;
       looked_at_[next] = 1;
       cluster_.push_back(next);
     }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace bulletnav::agent {
@@ -48,11 +49,20 @@ class Grid {
   std::vector<T> values_;
 };
 
-/// What a planner knows of a cell.
-enum class CellState : std::uint8_t { kBlocked, kUnknown, kFree };
+/// What a planner knows of a cell. kTight: free, but so near an obstacle that the body may touch
+/// it.
+enum class CellState : std::uint8_t { kBlocked, kUnknown, kTight, kFree };
 
-/// Whether the straight line between the middles of two cells keeps off blocked cells; its ends do
-/// not count. Looks every half cell.
-bool IsLineFree(const Grid<CellState>& map, const Cell& a, const Cell& b);
+inline bool IsKnownFree(CellState state) {
+  return state == CellState::kTight || state == CellState::kFree;
+}
+
+/// A cell of a tight place counts as this many.
+inline constexpr float kTightCost = 3.0f;
+
+/// Length in cells of the straight line between the middles of two cells, its tight parts counted
+/// kTightCost times; absent if it meets a blocked cell. Its ends may be blocked. Looks every half
+/// cell.
+std::optional<double> LineCost(const Grid<CellState>& map, const Cell& a, const Cell& b);
 
 }  // namespace bulletnav::agent

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kAboutFace = sim::DegToRad(150.0);  // beyond it the last turn's sense is kept
 constexpr double kSameFrontier = 0.25;               // metres
+constexpr double kArrived = 0.3;  // metres from a frontier; what is still unseen there stays so
 
 }  // namespace
 
@@ -76,6 +77,9 @@ sim::Action MapNavigator::Steer(const Point& point) {
 }
 
 std::optional<Point> MapNavigator::Frontier() {
+  if (frontier_ && Distance(here(), *frontier_) < kArrived) {
+    map_.MarkExplored(*frontier_, kArrived);
+  }
   if (frontier_ && HasFrontierNear(*frontier_)) return frontier_;
   frontier_.reset();
   const auto cell = frontiers_.Nearest(map_.states(), map_.CellAt(here()));

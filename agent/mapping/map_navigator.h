@@ -18,7 +18,7 @@ struct NavigatorSpec {
   double blocked_below = 0.20;       // a forward move shorter than this felt a wall
   double stuck_below = 0.05;         // shorter than this it is stuck, and the wall grows
   int widest_wall = 9;               // cells
-  int least_frontier = 8;            // cells; ours
+  int least_frontier = 4;            // cells; ours
 
   template <class V>
   void Visit(V& v) {

@@ -13,6 +13,7 @@ struct MapSpec {
   double obstacle_high = 1.5;
   int obstacle_points = 2;  // pixels on a cell that make it an obstacle
   int dilation_cells = 1;   // obstacles grow by this for planning
+  int clearance_cells = 2;  // ways avoid cells nearer to obstacles than this more; ours
 
   template <class V>
   void Visit(V& v) {
@@ -23,6 +24,7 @@ struct MapSpec {
     v("obstacle_high", obstacle_high);
     v("obstacle_points", obstacle_points);
     v("dilation_cells", dilation_cells);
+    v("clearance_cells", clearance_cells);
   }
   void Validate() const {
     if (!(cell >= 0.01 && vision >= 2.0 * cell)) {
@@ -34,8 +36,9 @@ struct MapSpec {
     if (!(obstacle_low < obstacle_high)) {
       throw sim::Error("obstacle_low must lie below obstacle_high");
     }
-    if (obstacle_points < 1 || dilation_cells < 0 || dilation_cells > 20) {
-      throw sim::Error("obstacle_points must be at least 1, dilation_cells 0 to 20");
+    const int grown = dilation_cells + clearance_cells;
+    if (obstacle_points < 1 || dilation_cells < 0 || clearance_cells < 0 || grown > 20) {
+      throw sim::Error("expected obstacle_points >= 1 and dilation_cells, clearance_cells >= 0");
     }
   }
   int cells() const { return static_cast<int>(size / cell + 0.5); }

@@ -67,7 +67,8 @@ Point MetricMap::Centre(const Cell& cell) const {
 
 void MetricMap::Update(std::span<const float> depth, const sim::PlanarPose& pose) {
   Cell here = CellAt({pose.x, pose.y});
-  const int margin = ring_.reach() + spec_.dilation_cells + 2;
+  const int grown = spec_.dilation_cells + spec_.clearance_cells;
+  const int margin = ring_.reach() + grown + 2;
   const int last = states_.size() - 1 - margin;
   if (here.x < margin || here.y < margin || here.x > last || here.y > last) {
     MoveTo(here);
@@ -77,7 +78,7 @@ void MetricMap::Update(std::span<const float> depth, const sim::PlanarPose& pose
   const double y = pose.y / spec_.cell;
   ring_.Project(depth, x - std::floor(x), y - std::floor(y), pose.yaw);
   Merge(here);
-  Refresh(here, ring_.reach() + spec_.dilation_cells);
+  Refresh(here, ring_.reach() + grown);
 }
 
 void MetricMap::Merge(const Cell& middle) {
@@ -158,36 +159,57 @@ MapPicture MetricMap::Picture() const {
   return picture;
 }
 
+void MetricMap::MarkExplored(const Point& p, double radius) {
+  const Cell middle = CellAt(p);
+  const int reach = static_cast<int>(radius / spec_.cell);
+  for (int dy = -reach; dy <= reach; ++dy) {
+    for (int dx = -reach; dx <= reach; ++dx) {
+      const Cell cell{middle.x + dx, middle.y + dy};
+      if (explored_.Contains(cell) && std::hypot(dx, dy) <= reach) explored_[cell] = 1;
+    }
+  }
+  Refresh(middle, reach);
+}
+
 void MetricMap::Refresh(const Cell& middle, int reach) {
   const int last = states_.size() - 1;
-  const int to_x = std::min(middle.x + reach, last);
-  const int to_y = std::min(middle.y + reach, last);
-  for (int y = std::max(middle.y - reach, 0); y <= to_y; ++y) {
-    for (int x = std::max(middle.x - reach, 0); x <= to_x; ++x) {
-      states_[Cell{x, y}] = StateOf({x, y});
+  const Cell low{std::max(middle.x - reach, 0), std::max(middle.y - reach, 0)};
+  const Cell high{std::min(middle.x + reach, last), std::min(middle.y + reach, last)};
+  for (int y = low.y; y <= high.y; ++y) {
+    for (int x = low.x; x <= high.x; ++x) states_[Cell{x, y}] = OpenState({x, y});
+  }
+  const int grown = spec_.dilation_cells + spec_.clearance_cells;
+  for (int y = std::max(low.y - grown, 0); y <= std::min(high.y + grown, last); ++y) {
+    for (int x = std::max(low.x - grown, 0); x <= std::min(high.x + grown, last); ++x) {
+      if (evidence_[Cell{x, y}] > 0) GrowObstacle({x, y}, low, high);
     }
   }
 }
 
-CellState MetricMap::StateOf(const Cell& cell) const {
+/// As if there were no obstacles.
+CellState MetricMap::OpenState(const Cell& cell) const {
   const int last = states_.size() - 1;
   if (cell.x == 0 || cell.y == 0 || cell.x == last || cell.y == last) return CellState::kBlocked;
   if (felt_[cell] != 0) return CellState::kBlocked;
-  if (track_[cell] != 0) return CellState::kFree;
-  if (IsNearObstacle(cell)) return CellState::kBlocked;
   return explored_[cell] != 0 ? CellState::kFree : CellState::kUnknown;
 }
 
-bool MetricMap::IsNearObstacle(const Cell& cell) const {
-  const int r = spec_.dilation_cells;
-  for (int dy = -r; dy <= r; ++dy) {
-    for (int dx = -r; dx <= r; ++dx) {
-      const Cell other{cell.x + dx, cell.y + dy};
-      if (dx * dx + dy * dy > r * r || !evidence_.Contains(other)) continue;
-      if (evidence_[other] > 0) return true;
+void MetricMap::GrowObstacle(const Cell& obstacle, const Cell& low, const Cell& high) {
+  const int hard = spec_.dilation_cells;
+  const int soft = hard + spec_.clearance_cells;
+  const int to_y = std::min(obstacle.y + soft, high.y);
+  const int to_x = std::min(obstacle.x + soft, high.x);
+  for (int y = std::max(obstacle.y - soft, low.y); y <= to_y; ++y) {
+    for (int x = std::max(obstacle.x - soft, low.x); x <= to_x; ++x) {
+      const int dx = x - obstacle.x;
+      const int dy = y - obstacle.y;
+      if (dx * dx + dy * dy > soft * soft) continue;
+      CellState& state = states_[Cell{x, y}];
+      const bool is_hard = dx * dx + dy * dy <= hard * hard && track_[Cell{x, y}] == 0;
+      if (is_hard) state = CellState::kBlocked;
+      if (state == CellState::kFree) state = CellState::kTight;
     }
   }
-  return false;
 }
 
 }  // namespace bulletnav::agent

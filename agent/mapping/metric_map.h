@@ -46,6 +46,9 @@ class MetricMap {
   void MarkWall(const sim::PlanarPose& pose, int width_cells);
   void ForgetFeltWalls();
 
+  /// Declares what is near a point seen, for places that no view reaches.
+  void MarkExplored(const Point& p, double radius);
+
   Cell CellAt(const Point& p) const;
   Point Centre(const Cell& cell) const;
   const MapSpec& spec() const { return spec_; }
@@ -63,8 +66,9 @@ class MetricMap {
   void MoveTo(const Cell& middle);
   /// Derives states_ again around a cell.
   void Refresh(const Cell& middle, int reach);
-  CellState StateOf(const Cell& cell) const;
-  bool IsNearObstacle(const Cell& cell) const;
+  CellState OpenState(const Cell& cell) const;
+  /// Blocks or tightens the cells around an obstacle, inside a box.
+  void GrowObstacle(const Cell& obstacle, const Cell& low, const Cell& high);
 
   MapSpec spec_;
   DepthRing ring_;

@@ -46,7 +46,7 @@ std::optional<Waypoint> PathPlanner::Plan(const MetricMap& map, const Query& que
   if (!Reach(from)) return std::nullopt;
   const double cell = map.spec().cell;
   const double distance = (march_.distance(from) + missing) * cell;
-  if (march_.distance(from) <= ahead_ && IsLineFree(states, from, goal)) {
+  if (Distance(from, goal) <= ahead_ && LineCost(states, from, goal)) {
     return Waypoint{map.Centre(goal), distance};
   }
   for (double radius = ahead_; radius >= 1.0; radius -= 1.0) {
@@ -75,9 +75,10 @@ std::optional<Cell> PathPlanner::BestInSight(const Grid<CellState>& states, cons
       const double away = std::hypot(dx, dy);
       const Cell cell{from.x + dx, from.y + dy};
       if (std::fabs(away - radius) > 0.5 || !states.Contains(cell)) continue;
-      const double length = away + march_.distance(cell);
-      if (length >= best_length || !IsLineFree(states, from, cell)) continue;
-      best_length = length;
+      if (away + march_.distance(cell) >= best_length) continue;
+      const auto cost = LineCost(states, from, cell);
+      if (!cost || *cost + march_.distance(cell) >= best_length) continue;
+      best_length = *cost + march_.distance(cell);
       best = cell;
     }
   }

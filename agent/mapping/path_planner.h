@@ -10,7 +10,7 @@ namespace bulletnav::agent {
 /// Where to go next on the way to a goal.
 struct Waypoint {
   Point point;            // the short-term goal
-  double distance = 0.0;  // metres from here to the goal along the way
+  double distance = 0.0;  // metres from here to the goal; tight places count more
 };
 
 /// Plans a shortest way over a metric map and takes from it a short-term goal near the body.

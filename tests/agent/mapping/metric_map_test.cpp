@@ -71,7 +71,7 @@ TEST_P(Projections, PutTheWallsOfABoxRoomIntoTheRightCells) {
         const bool outside = x < -2.1 || x > 3.1 || y < -2.1 || y > 2.1;
         const bool near = std::hypot(x - pose.x, y - pose.y) < 3.1;
         const CellState state = map.states()[map.CellAt({x, y})];
-        EXPECT_TRUE(!inside || !near || state == CellState::kFree) << x << " " << y;
+        EXPECT_TRUE(!inside || !near || IsKnownFree(state)) << x << " " << y;
         EXPECT_TRUE(!outside || state == CellState::kUnknown) << x << " " << y;
       }
     }
@@ -143,7 +143,9 @@ TEST(MetricMap, PlannersSeeObstaclesGrownByTheDilation) {
     };
     while (!map.IsObstacle(cell)) ++cell.y;
     EXPECT_EQ(state_below(dilation), CellState::kBlocked);
-    EXPECT_EQ(state_below(dilation + 1), CellState::kFree);
+    EXPECT_EQ(state_below(dilation + 1), CellState::kTight);
+    EXPECT_EQ(state_below(dilation + spec.clearance_cells), CellState::kTight);
+    EXPECT_EQ(state_below(dilation + spec.clearance_cells + 1), CellState::kFree);
   }
 }
 

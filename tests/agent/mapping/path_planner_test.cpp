@@ -17,6 +17,7 @@ MetricMap Corridor() {
   Rig rig;
   MapSpec spec;
   spec.vision = 6.0;
+  spec.clearance_cells = 0;  // plain lengths
   const auto scene =
       sim::MakeRenderScene(tests::LCorridor(6, 5, 1.5f, 2.6f), sim::Backend::kEmbree);
   MetricMap map(rig, spec);
