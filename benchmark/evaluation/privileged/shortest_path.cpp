@@ -2,40 +2,41 @@
 #include "benchmark/evaluation/privileged/shortest_path.h"
 
 #include <cmath>
-#include <cstdlib>
 
+#include "benchmark/evaluation/privileged/way_out.h"
 #include "sim/base/error.h"
 #include "sim/noise/noise_model.h"
+#include "sim/physics/capsule_body.h"
 
 namespace bulletnav::bench {
 namespace {
 
 using sim::Action;
 
-constexpr double kOnCorner = 0.05;   // metres; such a corner counts as passed
-constexpr double kLeastGain = 0.08;  // metres; less is being stuck
-
-double Step() {
-  return sim::NominalMotion(Action::kMoveForward).x;
-}
-double Turn() {
-  return sim::NominalMotion(Action::kTurnLeft).yaw;
-}
-
-/// Heading of a level direction as a BodyPose's yaw.
-double Heading(const Eigen::Vector3d& direction) {
-  return std::atan2(-direction.x(), -direction.z());
-}
+constexpr double kPassed = 0.05;      // metres; a corner this near is behind
+constexpr double kPassedStep = 0.13;  // the same for the way out: half a step
+constexpr double kLeastGain = 0.08;   // metres; less is being stuck
+constexpr int kPatience = 6;          // actions for each step of the way out
 
 double Level(const Eigen::Vector3d& v) {
   return std::hypot(v.x(), v.z());
 }
 
-/// The action that brings the body nearer to a heading; absent if no turn does.
-std::optional<Action> TurnTo(double heading, const sim::BodyPose& pose) {
-  const double off = sim::WrapAngle(heading - pose.yaw);
-  if (std::fabs(off) <= 0.5 * Turn() + 1e-6) return std::nullopt;
+/// Turns as near as turns get to the direction of a point, then goes.
+Action Towards(const Eigen::Vector3d& point, const sim::BodyPose& pose) {
+  const Eigen::Vector3d way = point - pose.position;
+  const double off = sim::WrapAngle(std::atan2(-way.x(), -way.z()) - pose.yaw);
+  if (std::fabs(off) <= 0.5 * sim::NominalMotion(Action::kTurnLeft).yaw + 1e-6) {
+    return Action::kMoveForward;
+  }
   return off > 0.0 ? Action::kTurnLeft : Action::kTurnRight;
+}
+
+Eigen::Vector3d NextCorner(const sim::Path& path, const sim::BodyPose& pose) {
+  for (const Eigen::Vector3f& corner : path.points) {
+    if (Level(corner.cast<double>() - pose.position) >= kPassed) return corner.cast<double>();
+  }
+  return path.points.back().cast<double>();
 }
 
 }  // namespace
@@ -46,64 +47,48 @@ void ShortestPathAgent::Config::Validate() const {
 
 void ShortestPathAgent::Reset(const GroundTruth& truth) {
   if (world_ != truth.world) {
+    query_.reset();
     world_ = truth.world;
     query_.emplace(world_->navmesh());
   }
-  way_out_.reset();
+  way_out_.clear();
 }
 
 Action ShortestPathAgent::Act(const GroundTruth& truth) {
-  const Eigen::Vector3f here = truth.pose.position.cast<float>();
-  const auto path = query_->FindPath(here, truth.goal.position.cast<float>());
+  const auto path =
+      query_->FindPath(truth.pose.position.cast<float>(), truth.goal.position.cast<float>());
   if (!path || path->length < config_.stop_distance) return Action::kStop;
-  if (way_out_) {
-    if (const auto turn = TurnTo(*way_out_, truth.pose)) return *turn;
-    way_out_.reset();
-    return Action::kMoveForward;
-  }
-  for (const Eigen::Vector3f& corner : path->points) {
-    const Eigen::Vector3d to_corner = corner.cast<double>() - truth.pose.position;
-    if (Level(to_corner) < kOnCorner) continue;
-    if (const auto turn = TurnTo(Heading(to_corner), truth.pose)) return *turn;
-    break;
-  }
-  if (Gain(truth, 0, path->length) >= kLeastGain) return Action::kMoveForward;
-  const int turns = BestTurns(truth, path->length);
-  if (turns == 0) return Action::kMoveForward;
-  way_out_ = truth.pose.yaw + turns * Turn();
-  return turns > 0 ? Action::kTurnLeft : Action::kTurnRight;
+  if (const auto action = FollowWayOut(truth.pose)) return *action;
+  const Action action = Towards(NextCorner(*path, truth.pose), truth.pose);
+  if (action != Action::kMoveForward || GainAhead(truth, path->length) >= kLeastGain) return action;
+  const auto way = FindWayOut(truth, *query_);
+  way_out_.assign(way.begin(), way.end());
+  patience_ = kPatience * static_cast<int>(way.size()) + 18;
+  return FollowWayOut(truth.pose).value_or(action);
 }
 
-double ShortestPathAgent::DistanceLeft(const sim::BodyPose& pose, const GroundTruth& truth) const {
-  return query_->GeodesicDistance(pose.position.cast<float>(), truth.goal.position.cast<float>());
+std::optional<Action> ShortestPathAgent::FollowWayOut(const sim::BodyPose& pose) {
+  while (!way_out_.empty() && Level(way_out_.front() - pose.position) < kPassedStep) {
+    way_out_.pop_front();
+  }
+  if (way_out_.empty()) return std::nullopt;
+  if (--patience_ < 0) {
+    way_out_.clear();
+    return std::nullopt;
+  }
+  return Towards(way_out_.front(), pose);
 }
 
-double ShortestPathAgent::Gain(const GroundTruth& truth, int turns, double left) const {
+double ShortestPathAgent::GainAhead(const GroundTruth& truth, double left) const {
   sim::CapsuleBody body(truth.world->physics(), truth.body);
   try {
     body.Reset(truth.pose);
   } catch (const sim::PoseError&) {
-    return 0.0;  // wedged in so that physics would not put it there anew
+    return left;  // physics would not put it there anew, so it cannot be asked
   }
-  body.Move({0.0, 0.0, turns * Turn()});
-  body.Move({Step(), 0.0, 0.0});
-  return left - DistanceLeft(body.pose(), truth);
-}
-
-/// The fewest turns among the headings that gain the most.
-int ShortestPathAgent::BestTurns(const GroundTruth& truth, double left) const {
-  constexpr double kTie = 0.01;
-  const int half = static_cast<int>(std::lround(sim::kPi / Turn()));
-  int best = 0;
-  double best_gain = -1e9;
-  for (int k = 0; k <= 2 * half; ++k) {
-    const int turns = k % 2 == 0 ? k / 2 : -(k + 1) / 2;
-    const double gain = Gain(truth, turns, left);
-    if (gain < best_gain + kTie) continue;
-    best_gain = gain;
-    best = turns;
-  }
-  return best;
+  body.Move({sim::NominalMotion(Action::kMoveForward).x, 0.0, 0.0});
+  return left - query_->GeodesicDistance(body.pose().position.cast<float>(),
+                                         truth.goal.position.cast<float>());
 }
 
 }  // namespace bulletnav::bench

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <deque>
 #include <optional>
 
 #include "benchmark/evaluation/privileged/privileged_agent.h"
 #include "sim/navmesh/navmesh.h"
-#include "sim/physics/capsule_body.h"
 
 namespace bulletnav::bench {
 
 /// Follows the geodesic greedily: turns towards the next corner of the shortest path, goes forward,
-/// and plans again every step, so that noise does not add up. Where a wall is in the way of that,
-/// it tries all headings with the physics and takes the one that brings it nearest.
+/// and plans again every step, so that noise does not add up. Where the physics does not let it
+/// (the navmesh is coarser than the scene), it searches for a way round; see FindWayOut.
 class ShortestPathAgent final : public PrivilegedAgent {
  public:
   static constexpr std::string_view kName = "shortest_path";
@@ -31,15 +31,16 @@ class ShortestPathAgent final : public PrivilegedAgent {
   sim::Action Act(const GroundTruth& truth) override;
 
  private:
-  double DistanceLeft(const sim::BodyPose& pose, const GroundTruth& truth) const;
-  /// Geodesic that one step forward gains after `turns` turns to the left.
-  double Gain(const GroundTruth& truth, int turns, double left) const;
-  int BestTurns(const GroundTruth& truth, double left) const;
+  /// Along the way out; absent if there is none or it is done.
+  std::optional<sim::Action> FollowWayOut(const sim::BodyPose& pose);
+  /// Geodesic that one step straight ahead gains.
+  double GainAhead(const GroundTruth& truth, double left) const;
 
   Config config_;
   std::shared_ptr<const sim::World> world_;
   std::optional<sim::NavmeshQuery> query_;
-  std::optional<double> way_out_;  // heading to take before anything else
+  std::deque<Eigen::Vector3d> way_out_;
+  int patience_ = 0;  // steps left for the way out, which noise may have made impassable
 };
 
 }  // namespace bulletnav::bench
