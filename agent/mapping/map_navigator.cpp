@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kAboutFace = sim::DegToRad(150.0);  // beyond it the last turn's sense is kept
 constexpr double kSameFrontier = 0.25;               // metres
+constexpr double kTooFar = 10.0;                     // metres in one step
 constexpr double kArrived = 0.3;  // metres from a frontier; what is still unseen there stays so
 
 }  // namespace
@@ -43,6 +44,11 @@ void MapNavigator::Reset() {
 }
 
 void MapNavigator::Observe(const Observation& observation) {
+  const sim::PlanarPose& motion = observation.odometry;
+  if (!std::isfinite(motion.x + motion.y + motion.yaw) ||
+      std::hypot(motion.x, motion.y) > kTooFar) {
+    throw sim::Error("the odometry reads what no step can have done");
+  }
   const sim::PlanarPose before = pose_;
   pose_ = sim::Compose(pose_, observation.odometry);
   map_.MarkTrack(before, pose_);

@@ -42,7 +42,8 @@ class MapNavigator {
   MapNavigator(const Rig& rig, const NavigatorSpec& spec);
 
   void Reset();
-  /// Moves the pose by the odometry, marks felt walls, adds the depth to the map.
+  /// Moves the pose by the odometry, marks felt walls, adds the depth to the map. Throws Error if
+  /// the odometry is broken.
   void Observe(const Observation& observation);
   /// The action chosen; the next observation shows what came of it.
   void Took(sim::Action action) { last_action_ = action; }
