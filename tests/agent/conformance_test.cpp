@@ -173,8 +173,8 @@ TEST_P(Conformance, WithoutWhatItNeedsItSaysSoOrDoesWithout) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Agents, Conformance, testing::ValuesIn(AgentNames()),
-                         [](const auto& info) {
-                           return info.param;
+                         [](const auto& agent) {
+                           return agent.param;
                          });
 
 }  // namespace
