@@ -40,8 +40,8 @@ AgentMaker ConfigureAgent(const sim::YamlNode& name, const std::optional<sim::Ya
   return ConfigureAgent(text, config);
 }
 
-void internal::Register(std::string_view name, Configure configure) {
-  if (!Registered().try_emplace(std::string(name), std::move(configure)).second) {
+void internal::Register(std::string_view name, const Configure& configure) {
+  if (!Registered().try_emplace(std::string(name), configure).second) {
     throw sim::Error("two agents are called '" + std::string(name) + "'");
   }
 }

@@ -35,7 +35,7 @@ namespace internal {
 using Configure = std::function<AgentMaker(const std::optional<sim::YamlNode>&)>;
 
 /// Throws Error if the name is taken.
-void Register(std::string_view name, Configure configure);
+void Register(std::string_view name, const Configure& configure);
 
 template <class A>
 std::unique_ptr<BatchAgent> MakeLanes(const typename A::Config& config,

@@ -101,15 +101,20 @@ void DepthRing::CountRow(float x, float y) {
 /// Marks what lies between the body and the first obstacle of every column.
 void DepthRing::LookAlong(float x, float y) {
   for (std::size_t c = 0; c < cols_; ++c) {
-    const std::size_t next = (c + 1) % cols_;
     for (int k = 0; k < rays_per_column_; ++k) {
-      const float t = static_cast<float>(k) / static_cast<float>(rays_per_column_);
-      const float ux = along_x_[c] + t * (along_x_[next] - along_x_[c]);
-      const float uy = along_y_[c] + t * (along_y_[next] - along_y_[c]);
-      for (float r = 0.0f; r < free_[c]; r += kSightStep) {
-        seen_[{static_cast<int>(x + r * ux), static_cast<int>(y + r * uy)}] = 1;
-      }
+      MarkSight(x, y, c, static_cast<float>(k) / static_cast<float>(rays_per_column_));
     }
+  }
+}
+
+void DepthRing::MarkSight(float x, float y, std::size_t col, float towards_next) {
+  const std::size_t next = (col + 1) % cols_;
+  const float ux = along_x_[col] + towards_next * (along_x_[next] - along_x_[col]);
+  const float uy = along_y_[col] + towards_next * (along_y_[next] - along_y_[col]);
+  const int steps = static_cast<int>(std::ceil(free_[col] / kSightStep));
+  for (int i = 0; i < steps; ++i) {
+    const float r = static_cast<float>(i) * kSightStep;
+    seen_[{static_cast<int>(x + r * ux), static_cast<int>(y + r * uy)}] = 1;
   }
 }
 

@@ -34,6 +34,7 @@ class DepthRing {
   void MeasureRow(std::span<const float> depth, std::size_t row);
   void CountRow(float x, float y);
   void LookAlong(float x, float y);
+  void MarkSight(float x, float y, std::size_t col, float towards_next);
 
   int rows_;
   std::size_t cols_;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cmath>
+
 #include "sim/base/error.h"
 
 namespace bulletnav::agent {
@@ -41,7 +43,7 @@ struct MapSpec {
       throw sim::Error("expected obstacle_points >= 1 and dilation_cells, clearance_cells >= 0");
     }
   }
-  int cells() const { return static_cast<int>(size / cell + 0.5); }
+  int cells() const { return static_cast<int>(std::lround(size / cell)); }
 };
 
 }  // namespace bulletnav::agent

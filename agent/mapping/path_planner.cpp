@@ -49,8 +49,8 @@ std::optional<Waypoint> PathPlanner::Plan(const MetricMap& map, const Query& que
   if (Distance(from, goal) <= ahead_ && LineCost(states, from, goal)) {
     return Waypoint{map.Centre(goal), distance};
   }
-  for (double radius = ahead_; radius >= 1.0; radius -= 1.0) {
-    if (const auto best = BestInSight(states, from, radius)) {
+  for (int nearer = 0; ahead_ - nearer >= 1.0; ++nearer) {
+    if (const auto best = BestInSight(states, from, ahead_ - nearer)) {
       return Waypoint{map.Centre(*best), distance};
     }
   }
