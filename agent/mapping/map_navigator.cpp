@@ -85,6 +85,7 @@ sim::Action MapNavigator::Steer(const Point& point) {
 std::optional<Point> MapNavigator::Frontier() {
   if (frontier_ && Distance(here(), *frontier_) < kArrived) {
     map_.MarkExplored(*frontier_, kArrived);
+    frontier_.reset();
   }
   if (frontier_ && HasFrontierNear(*frontier_)) return frontier_;
   frontier_.reset();

@@ -108,6 +108,21 @@ TEST(FastMarching, DoesNotCrossWallsNorUnknownCellsUnlessAllowed) {
   EXPECT_NEAR(march.distance({60, 20}), std::hypot(30, 80) + std::hypot(10, 80), 4.0);
 }
 
+TEST(FastMarching, TightPlacesCostMoreAndAreGoneAround) {
+  Grid<CellState> map = Open();
+  for (int y = 1; y < kSize - 1; ++y) {
+    for (int x = 80; x < 90; ++x) map[Cell{x, y}] = CellState::kTight;
+  }
+  FastMarching march(kSize);
+  march.Start(map, {{50, 100}});
+  RunAll(&march);
+  EXPECT_NEAR(march.distance({110, 100}), 50.0 + 10.0 * kTightCost, 2.0);
+  for (int x = 80; x < 90; ++x) map[Cell{x, 110}] = CellState::kFree;  // a gap to one side
+  march.Start(map, {{50, 100}});
+  RunAll(&march);
+  EXPECT_LT(march.distance({110, 100}), 66.0);
+}
+
 TEST(FastMarching, GivesCellsInTheOrderOfTheirDistance) {
   Grid<CellState> map = Open();
   Block({30, 30}, {90, 40}, &map);

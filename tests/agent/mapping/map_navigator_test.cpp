@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "agent/mapping/map_navigator.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "sim/base/error.h"
+#include "tests/support/panoramas.h"
+#include "tests/support/scenes.h"
 
 namespace bulletnav::agent {
 namespace {
@@ -100,6 +104,53 @@ TEST(MapNavigator, RelativePlacesAreSeenFromThePose) {
   const Point p = body.navigator.PointAt(2.0, sim::kPi / 2);
   EXPECT_NEAR(p.x, -1.0, 1e-12);
   EXPECT_NEAR(p.y, 0.0, 1e-12);
+}
+
+TEST(MapNavigator, RefusesBrokenOdometry) {
+  Blind body;
+  EXPECT_THROW(body.Feel({std::nan(""), 0.0, 0.0}), sim::Error);
+  EXPECT_THROW(body.Feel({1e9, 0.0, 0.0}), sim::Error);
+}
+
+/// The view down a corridor 8 m long and 1.5 m wide, from its closed end; x runs along it.
+std::vector<float> CorridorDepth(double x) {
+  static const auto scene =
+      sim::MakeRenderScene(tests::LCorridor(8, 7, 1.5f, 2.6f), sim::Backend::kEmbree);
+  const auto yaw = static_cast<float>(-sim::kPi / 2);
+  return tests::RenderPanorama(*scene, {}, {{1.0f + static_cast<float>(x), 1.25f, -0.75f}, yaw})
+      .depth;
+}
+
+TEST(MapNavigator, TheFrontierIsKeptUntilItIsExplored) {
+  MapNavigator navigator({}, {});
+  navigator.Reset();
+  double x = 0.0;
+  const auto look = [&](double ahead) {
+    x += ahead;
+    const auto depth = CorridorDepth(x);
+    navigator.Observe({{{}, depth}, {ahead, 0.0, 0.0}, false, 0});
+  };
+  look(0.0);
+  const auto first = navigator.Frontier();
+  ASSERT_TRUE(first);
+  EXPECT_NEAR(first->x, 3.15, 0.1) << "where the vision ends";
+  EXPECT_LT(std::fabs(first->y), 0.75);
+  EXPECT_EQ(navigator.Frontier()->x, first->x);
+  look(1.0);
+  const auto next = navigator.Frontier();
+  ASSERT_TRUE(next);
+  EXPECT_NEAR(next->x, 4.15, 0.1);
+}
+
+TEST(MapNavigator, AFrontierThatStaysUnseenFromNearbyIsGivenUp) {
+  Blind body;  // sees nothing at all: the rim of its own track is frontier wherever it stands
+  for (int i = 0; i < 40; ++i) body.Feel({0.05, 0.0, 0.0});
+  std::optional<Point> frontier = body.navigator.Frontier();
+  int given_up = 0;
+  while (frontier && Distance(*frontier, body.navigator.here()) < 0.3 && ++given_up < 60) {
+    frontier = body.navigator.Frontier();
+  }
+  EXPECT_LT(given_up, 60);
 }
 
 TEST(NavigatorSpec, RefusesNonsense) {

@@ -177,6 +177,26 @@ TEST(MetricMap, MovesAlongWithABodyThatNearsItsEdge) {
   EXPECT_TRUE(map.states().Contains(map.CellAt({10.0, 0.5})));
 }
 
+TEST(MetricMap, ItsPictureShowsWhatItKnows) {
+  MetricMap map({}, {});
+  map.Update(Scene(tests::BoxRoom(kWidth, 2.6f, kDepth)).Depth({}), {});
+  map.MarkWall({1.0, 0.0, 0.0}, 3);
+  map.MarkExplored({5.0, 0.0}, 0.2);
+  const MapPicture picture = map.Picture();
+  ASSERT_EQ(picture.kinds.size(), static_cast<std::size_t>(picture.size * picture.size));
+  const auto kind = [&](double x, double y) {
+    const int col = static_cast<int>(std::floor((x - picture.low_x) / picture.cell));
+    const int row = static_cast<int>(std::floor((y - picture.low_y) / picture.cell));
+    return picture.kinds[static_cast<std::size_t>(row * picture.size + col)];
+  };
+  EXPECT_EQ(kind(0.5, 0.5), MapPicture::Kind::kFree);
+  EXPECT_EQ(kind(1.17, 0.0), MapPicture::Kind::kFeltWall);
+  EXPECT_EQ(kind(4.0, 0.0), MapPicture::Kind::kUnknown);
+  EXPECT_EQ(kind(5.0, 0.0), MapPicture::Kind::kFree);
+  EXPECT_TRUE(kind(0.0, 2.01) == MapPicture::Kind::kObstacle ||
+              kind(0.0, 1.99) == MapPicture::Kind::kObstacle);
+}
+
 TEST(MetricMap, BlankAndBrokenDepthLeaveItEmpty) {
   MetricMap map({}, {});
   const sim::PanoramaSpec spec;
