@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kSize = 60;
 
-/// Rows of the map: '#' blocked, '.' free; the rest is unknown inside a blocked rim.
+/// Sets a box of cells.
 void Fill(const Cell& low, const Cell& high, CellState state, Grid<CellState>* map) {
   for (int y = low.y; y <= high.y; ++y) {
     for (int x = low.x; x <= high.x; ++x) (*map)[Cell{x, y}] = state;
