@@ -28,6 +28,9 @@ Grid<T> Moved(const Grid<T>& grid, const Cell& by, const T& fill) {
 
 DepthRing MakeRing(const Rig& rig, const MapSpec& spec) {
   if (!rig.has_depth) throw sim::Error("a metric map needs depth, which this setting has not");
+  if (spec.vision >= static_cast<double>(rig.panorama.max_depth_m)) {
+    throw sim::Error("the map's vision must be less than the panorama's max_depth_m");
+  }
   return {rig, spec};
 }
 

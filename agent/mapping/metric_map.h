@@ -29,7 +29,7 @@ inline double Distance(const Point& a, const Point& b) {
 /// Source: Active Neural SLAM's mapper; the fading of obstacles and the moving map are ours.
 class MetricMap {
  public:
-  /// Throws Error if the rig has no depth.
+  /// Throws Error if the rig has no depth, or none as far as the vision goes.
   MetricMap(const Rig& rig, const MapSpec& spec);
 
   /// Forgets everything; the body is at `pose`.

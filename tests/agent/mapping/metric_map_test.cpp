@@ -209,6 +209,9 @@ TEST(MetricMap, NeedsDepth) {
   Rig rig;
   rig.has_depth = false;
   EXPECT_THROW(MetricMap(rig, {}), sim::Error);
+  rig = {};
+  rig.panorama.max_depth_m = 3.0f;
+  EXPECT_THROW(MetricMap(rig, {}), sim::Error) << "what is clipped is no wall";
 }
 
 }  // namespace
