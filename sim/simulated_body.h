@@ -6,16 +6,11 @@
 #include "sim/base/action.h"
 #include "sim/math/pose.h"
 #include "sim/noise/noise_model.h"
+#include "sim/observation.h"
 #include "sim/physics/capsule_body.h"
 #include "sim/world.h"
 
 namespace bulletnav::sim {
-
-/// What the body's sensors, other than its camera, read after a step.
-struct Sensors {
-  PlanarPose odometry;    // measured change of pose in this step, in the frame before it
-  bool collided = false;  // the bumper: something was in the way
-};
 
 /// Which random numbers an episode draws, besides the scene.
 struct EpisodeKey {

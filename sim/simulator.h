@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <cstdint>
 #include <memory>
-#include <vector>
 
+#include "sim/observation.h"
 #include "sim/simulated_body.h"
 
 namespace bulletnav::sim {
@@ -24,13 +23,6 @@ struct SimulatorSpec {
     v("color", color);
     v("depth", depth);
   }
-};
-
-/// What the body senses after a reset or a step. Panorama: see PanoramaRenderer.
-struct Observation {
-  std::vector<std::uint8_t> color;  // [rows, cols, 3], empty if the spec wants none
-  std::vector<float> depth;         // [rows, cols] metres, likewise
-  Sensors sensors;
 };
 
 /// One body with a camera in a world; many may share the world, in any threads.

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include <optional>
+
+#include "agent/mapping/map_navigator.h"
+#include "agent/registry.h"
+#include "sim/base/error.h"
+#include "sim/math/rng.h"
+
+namespace bulletnav::agent {
+namespace {
+
+/// Maps with depth, walks to the nearest frontier until the goal is seen, then to the goal.
+/// Source: Neural Topological SLAM, section 5.1 "Metric Spatial Map + FBE + Local". What the paper
+/// leaves open: where the goal was last seen is kept on the map until the body gets there; with
+/// nothing left to explore, felt walls and then the map are forgotten, for drift has closed it.
+class MetricMapFbeAgent final : public Agent {
+ public:
+  static constexpr std::string_view kName = "metric_map_fbe";
+
+  struct Config {
+    NavigatorSpec navigator;
+    double stop_distance = 0.5;  // metres to walk to the goal; episodes ask for less than 1
+
+    template <class V>
+    void Visit(V& v) {
+      v("navigator", navigator);
+      v("stop_distance", stop_distance);
+    }
+    void Validate() const {
+      if (!(stop_distance > 0.0)) throw sim::Error("stop_distance must be positive");
+    }
+  };
+
+  MetricMapFbeAgent(const Config& config, const AgentContext& context)
+      : config_(config),
+        navigator_(context.rig, config.navigator),
+        estimator_(context.goal_estimator) {
+    if (!estimator_) throw sim::Error("metric_map_fbe needs something that recognises the goal");
+  }
+
+  void Reset(const Panorama& goal, std::uint64_t seed) override {
+    navigator_.Reset();
+    NextGoal(goal, seed);
+  }
+
+  void NextGoal(const Panorama& goal, std::uint64_t seed) override {
+    goal_ = goal;
+    rng_ = sim::Rng(seed, kName);
+    goal_at_.reset();
+    target_.reset();
+  }
+
+  sim::Action Act(const Observation& observation) override {
+    navigator_.Observe(observation);
+    const auto seen = estimator_->Estimate(observation.panorama, goal_);
+    if (seen) goal_at_ = navigator_.PointAt(seen->distance, seen->bearing);
+    target_ = goal_at_;
+    std::optional<sim::Action> action;
+    if (goal_at_) action = Approach(seen.has_value());
+    if (!action) action = Explore();
+    navigator_.Took(*action);
+    return *action;
+  }
+
+  Belief belief() const override {
+    Belief belief{navigator_.pose(), std::nullopt, navigator_.map().Picture()};
+    if (target_) belief.target = sim::PlanarPose{target_->x, target_->y, 0.0};
+    return belief;
+  }
+
+ private:
+  /// Absent if there is no way there, or the goal is not where it was taken to be.
+  std::optional<sim::Action> Approach(bool is_seen) {
+    const auto plan = navigator_.Plan(*goal_at_, true);
+    if (!plan) return std::nullopt;
+    if (plan->distance > config_.stop_distance) return navigator_.Steer(plan->point);
+    if (is_seen) return sim::Action::kStop;
+    goal_at_.reset();
+    return std::nullopt;
+  }
+
+  sim::Action Explore() {
+    if (const auto action = GoToFrontier()) return *action;
+    navigator_.ForgetFeltWalls();
+    if (const auto action = GoToFrontier()) return *action;
+    navigator_.ForgetMap();
+    return rng_.Chance(0.5) ? sim::Action::kMoveForward : sim::Action::kTurnLeft;
+  }
+
+  std::optional<sim::Action> GoToFrontier() {
+    target_ = navigator_.Frontier();
+    if (!target_) return std::nullopt;
+    const auto plan = navigator_.Plan(*target_, false);
+    if (!plan) return std::nullopt;
+    return navigator_.Steer(plan->point);
+  }
+
+  Config config_;
+  MapNavigator navigator_;
+  std::shared_ptr<GoalEstimator> estimator_;
+  Panorama goal_;
+  sim::Rng rng_{0, kName};
+  std::optional<Point> goal_at_;
+  std::optional<Point> target_;
+};
+
+const AgentRegistration<MetricMapFbeAgent> registration;
+
+}  // namespace
+}  // namespace bulletnav::agent

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "sim/math/pose.h"
+
+namespace bulletnav::agent {
+
+/// A picture of an agent's metric map.
+struct MapPicture {
+  enum class Kind : std::uint8_t { kUnknown, kFree, kObstacle, kFeltWall };
+
+  int size = 0;        // cells a side
+  double cell = 0.0;   // metres
+  double low_x = 0.0;  // the corner of least coordinates in the agent's plane
+  double low_y = 0.0;
+  std::vector<Kind> kinds;  // [y, x]
+};
+
+/// What an agent believes, for drawing; poses are relative to its start, x ahead and y left. Any
+/// part may be missing.
+struct Belief {
+  std::optional<sim::PlanarPose> pose;
+  std::optional<sim::PlanarPose> target;  // where it is heading
+  std::optional<MapPicture> map;
+};
+
+}  // namespace bulletnav::agent

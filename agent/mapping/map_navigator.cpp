@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "agent/mapping/map_navigator.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/base/error.h"
+
+namespace bulletnav::agent {
+namespace {
+
+constexpr double kAboutFace = sim::DegToRad(150.0);  // beyond it the last turn's sense is kept
+constexpr double kSameFrontier = 0.25;               // metres
+constexpr double kTooFar = 10.0;                     // metres in one step
+constexpr double kArrived = 0.3;  // metres from a frontier; what is still unseen there stays so
+
+}  // namespace
+
+void NavigatorSpec::Validate() const {
+  if (!(ahead >= map.cell && ahead <= map.vision)) {
+    throw sim::Error("ahead must lie between the map's cell and its vision");
+  }
+  if (!(turn_threshold_deg > 5.0 && turn_threshold_deg < 90.0)) {
+    throw sim::Error("turn_threshold_deg must lie between 5, half a turn, and 90");
+  }
+  if (!(stuck_below <= blocked_below) || widest_wall < 1 || least_frontier < 1) {
+    throw sim::Error("expected stuck_below <= blocked_below, widest_wall and least_frontier >= 1");
+  }
+}
+
+MapNavigator::MapNavigator(const Rig& rig, const NavigatorSpec& spec)
+    : spec_(spec),
+      map_(rig, spec.map),
+      planner_(spec.map, spec.ahead),
+      frontiers_(spec.map.cells(), spec.least_frontier) {}
+
+void MapNavigator::Reset() {
+  pose_ = {};
+  map_.Clear(pose_);
+  last_action_ = sim::Action::kStop;
+  last_turn_ = sim::Action::kTurnLeft;
+  wall_width_ = 1;
+  frontier_.reset();
+}
+
+void MapNavigator::Observe(const Observation& observation) {
+  const sim::PlanarPose& motion = observation.odometry;
+  if (!std::isfinite(motion.x + motion.y + motion.yaw) ||
+      std::hypot(motion.x, motion.y) > kTooFar) {
+    throw sim::Error("the odometry reads what no step can have done");
+  }
+  const sim::PlanarPose before = pose_;
+  pose_ = sim::Compose(pose_, observation.odometry);
+  map_.MarkTrack(before, pose_);
+  FeelWalls(before);
+  map_.Update(observation.panorama.depth, pose_);
+}
+
+void MapNavigator::FeelWalls(const sim::PlanarPose& before) {
+  if (last_action_ != sim::Action::kMoveForward) return;
+  const double moved = std::hypot(pose_.x - before.x, pose_.y - before.y);
+  wall_width_ = moved < spec_.stuck_below ? std::min(wall_width_ + 2, spec_.widest_wall) : 1;
+  if (moved < spec_.blocked_below) map_.MarkWall(before, wall_width_);
+}
+
+Point MapNavigator::PointAt(double distance, double bearing) const {
+  const double heading = pose_.yaw + bearing;
+  return {pose_.x + distance * std::cos(heading), pose_.y + distance * std::sin(heading)};
+}
+
+std::optional<Waypoint> MapNavigator::Plan(const Point& goal, bool through_unknown) {
+  return planner_.Plan(map_, {here(), goal, through_unknown});
+}
+
+sim::Action MapNavigator::Steer(const Point& point) {
+  const double heading = std::atan2(point.y - pose_.y, point.x - pose_.x);
+  const double off = sim::WrapAngle(heading - pose_.yaw);
+  if (std::fabs(off) <= sim::DegToRad(spec_.turn_threshold_deg)) return sim::Action::kMoveForward;
+  if (std::fabs(off) < kAboutFace) {
+    last_turn_ = off > 0.0 ? sim::Action::kTurnLeft : sim::Action::kTurnRight;
+  }
+  return last_turn_;
+}
+
+std::optional<Point> MapNavigator::Frontier() {
+  if (frontier_ && Distance(here(), *frontier_) < kArrived) {
+    map_.MarkExplored(*frontier_, kArrived);
+    frontier_.reset();
+  }
+  if (frontier_ && HasFrontierNear(*frontier_)) return frontier_;
+  frontier_.reset();
+  const auto cell = frontiers_.Nearest(map_.states(), map_.CellAt(here()));
+  if (cell) frontier_ = map_.Centre(*cell);
+  return frontier_;
+}
+
+bool MapNavigator::HasFrontierNear(const Point& point) const {
+  const Cell middle = map_.CellAt(point);
+  const int reach = static_cast<int>(kSameFrontier / spec_.map.cell);
+  for (int dy = -reach; dy <= reach; ++dy) {
+    for (int dx = -reach; dx <= reach; ++dx) {
+      const Cell cell{middle.x + dx, middle.y + dy};
+      const bool inside = cell.x > 0 && cell.y > 0 && cell.x < map_.states().size() - 1 &&
+                          cell.y < map_.states().size() - 1;
+      if (inside && IsFrontier(map_.states(), cell)) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace bulletnav::agent

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <optional>
+
+#include "agent/mapping/frontier.h"
+#include "agent/mapping/metric_map.h"
+#include "agent/mapping/path_planner.h"
+#include "agent/observation.h"
+#include "sim/base/action.h"
+
+namespace bulletnav::agent {
+
+/// Metres and degrees. Defaults: Active Neural SLAM's, unless said otherwise.
+struct NavigatorSpec {
+  MapSpec map;
+  double ahead = 0.25;               // to the short-term goal
+  double turn_threshold_deg = 15.0;  // off by more: turn, else go forward
+  double blocked_below = 0.20;       // a forward move shorter than this felt a wall
+  double stuck_below = 0.05;         // shorter than this it is stuck, and the wall grows
+  int widest_wall = 9;               // cells
+  int least_frontier = 4;            // cells; ours
+
+  template <class V>
+  void Visit(V& v) {
+    v("map", map);
+    v("ahead", ahead);
+    v("turn_threshold_deg", turn_threshold_deg);
+    v("blocked_below", blocked_below);
+    v("stuck_below", stuck_below);
+    v("widest_wall", widest_wall);
+    v("least_frontier", least_frontier);
+  }
+  void Validate() const;
+};
+
+/// What agents with a metric map share: where the body believes to be, its map, and how to get from
+/// there to a point: the local policy of Neural Topological SLAM.
+///   navigator.Reset();
+///   each step: navigator.Observe(observation); ... navigator.Took(action);
+class MapNavigator {
+ public:
+  MapNavigator(const Rig& rig, const NavigatorSpec& spec);
+
+  void Reset();
+  /// Moves the pose by the odometry, marks felt walls, adds the depth to the map. Throws Error if
+  /// the odometry is broken.
+  void Observe(const Observation& observation);
+  /// The action chosen; the next observation shows what came of it.
+  void Took(sim::Action action) { last_action_ = action; }
+
+  const sim::PlanarPose& pose() const { return pose_; }
+  Point here() const { return {pose_.x, pose_.y}; }
+  const MetricMap& map() const { return map_; }
+  /// For a map that leaves no way out: forgets felt walls, or everything.
+  void ForgetFeltWalls() { map_.ForgetFeltWalls(); }
+  void ForgetMap() { map_.Clear(pose_); }
+
+  /// The point in the agent's plane of a place seen from the body.
+  Point PointAt(double distance, double bearing) const;
+  std::optional<Waypoint> Plan(const Point& goal, bool through_unknown);
+  /// The turn or move towards a point nearby.
+  sim::Action Steer(const Point& point);
+
+  /// The nearest frontier of the explored floor, kept until it is explored so that the body does
+  /// not waver between two; absent if there is none.
+  std::optional<Point> Frontier();
+
+ private:
+  void FeelWalls(const sim::PlanarPose& before);
+  bool HasFrontierNear(const Point& point) const;
+
+  NavigatorSpec spec_;
+  MetricMap map_;
+  PathPlanner planner_;
+  FrontierFinder frontiers_;
+  sim::PlanarPose pose_;
+  sim::Action last_action_ = sim::Action::kStop;
+  sim::Action last_turn_ = sim::Action::kTurnLeft;
+  int wall_width_ = 1;
+  std::optional<Point> frontier_;
+};
+
+}  // namespace bulletnav::agent

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+#include "agent/mapping/metric_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/base/error.h"
+
+namespace bulletnav::agent {
+namespace {
+
+constexpr int kSeenObstacle = 3;     // added to the evidence each time, up to
+constexpr int kMostEvidence = 12;    // this; floor seen alone takes 1
+constexpr double kWallAhead = 0.15;  // metres
+constexpr int kWallThickness = 2;    // cells
+
+template <class T>
+Grid<T> Moved(const Grid<T>& grid, const Cell& by, const T& fill) {
+  Grid<T> moved(grid.size(), fill);
+  for (int y = 0; y < grid.size(); ++y) {
+    for (int x = 0; x < grid.size(); ++x) {
+      const Cell from{x + by.x, y + by.y};
+      if (grid.Contains(from)) moved[Cell{x, y}] = grid[from];
+    }
+  }
+  return moved;
+}
+
+DepthRing MakeRing(const Rig& rig, const MapSpec& spec) {
+  if (!rig.has_depth) throw sim::Error("a metric map needs depth, which this setting has not");
+  if (spec.vision >= static_cast<double>(rig.panorama.max_depth_m)) {
+    throw sim::Error("the map's vision must be less than the panorama's max_depth_m");
+  }
+  return {rig, spec};
+}
+
+}  // namespace
+
+MetricMap::MetricMap(const Rig& rig, const MapSpec& spec)
+    : spec_(spec),
+      ring_(MakeRing(rig, spec)),
+      evidence_(spec.cells()),
+      explored_(spec.cells()),
+      track_(spec.cells()),
+      felt_(spec.cells()),
+      states_(spec.cells()) {
+  Clear({});
+}
+
+void MetricMap::Clear(const sim::PlanarPose& pose) {
+  evidence_.Fill(0);
+  explored_.Fill(0);
+  track_.Fill(0);
+  felt_.Fill(0);
+  low_ = {};
+  const Cell here = CellAt({pose.x, pose.y});
+  low_ = {here.x - states_.size() / 2, here.y - states_.size() / 2};
+  Refresh({states_.size() / 2, states_.size() / 2}, states_.size());
+  MarkTrack(pose, pose);
+}
+
+Cell MetricMap::CellAt(const Point& p) const {
+  return {static_cast<int>(std::floor(p.x / spec_.cell)) - low_.x,
+          static_cast<int>(std::floor(p.y / spec_.cell)) - low_.y};
+}
+
+Point MetricMap::Centre(const Cell& cell) const {
+  return {(cell.x + low_.x + 0.5) * spec_.cell, (cell.y + low_.y + 0.5) * spec_.cell};
+}
+
+void MetricMap::Update(std::span<const float> depth, const sim::PlanarPose& pose) {
+  Cell here = CellAt({pose.x, pose.y});
+  const int grown = spec_.dilation_cells + spec_.clearance_cells;
+  const int margin = ring_.reach() + grown + 2;
+  const int last = states_.size() - 1 - margin;
+  if (here.x < margin || here.y < margin || here.x > last || here.y > last) {
+    MoveTo(here);
+    here = CellAt({pose.x, pose.y});
+  }
+  const double x = pose.x / spec_.cell;
+  const double y = pose.y / spec_.cell;
+  ring_.Project(depth, x - std::floor(x), y - std::floor(y), pose.yaw);
+  Merge(here);
+  Refresh(here, ring_.reach() + grown);
+}
+
+void MetricMap::Merge(const Cell& middle) {
+  const int n = ring_.seen().size();
+  for (int y = 0; y < n; ++y) {
+    for (int x = 0; x < n; ++x) {
+      if (ring_.seen()[Cell{x, y}] == 0) continue;
+      MergeCell({x, y}, {middle.x + x - ring_.reach(), middle.y + y - ring_.reach()});
+    }
+  }
+}
+
+void MetricMap::MergeCell(const Cell& seen, const Cell& cell) {
+  explored_[cell] = 1;
+  std::uint8_t& evidence = evidence_[cell];
+  if (ring_.obstacle_points()[seen] >= spec_.obstacle_points) {
+    evidence = static_cast<std::uint8_t>(std::min(evidence + kSeenObstacle, kMostEvidence));
+  } else if (ring_.floor_points()[seen] > 0 && ring_.obstacle_points()[seen] == 0 && evidence > 0) {
+    --evidence;
+  }
+}
+
+void MetricMap::MoveTo(const Cell& middle) {
+  const Cell by{middle.x - states_.size() / 2, middle.y - states_.size() / 2};
+  evidence_ = Moved<std::uint8_t>(evidence_, by, 0);
+  explored_ = Moved<std::uint8_t>(explored_, by, 0);
+  track_ = Moved<std::uint8_t>(track_, by, 0);
+  felt_ = Moved<std::uint8_t>(felt_, by, 0);
+  low_ = {low_.x + by.x, low_.y + by.y};
+  Refresh({states_.size() / 2, states_.size() / 2}, states_.size());
+}
+
+void MetricMap::MarkTrack(const sim::PlanarPose& from, const sim::PlanarPose& to) {
+  const double length = std::hypot(to.x - from.x, to.y - from.y);
+  const int steps = 1 + static_cast<int>(2.0 * length / spec_.cell);
+  for (int i = 0; i <= steps; ++i) {
+    const double t = static_cast<double>(i) / steps;
+    const Cell at = CellAt({from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)});
+    for (int k = 0; k < 9; ++k) {
+      const Cell cell{at.x + k % 3 - 1, at.y + k / 3 - 1};
+      if (!track_.Contains(cell)) continue;
+      track_[cell] = 1;
+      explored_[cell] = 1;
+    }
+  }
+  Refresh(CellAt({to.x, to.y}), 2 + static_cast<int>(length / spec_.cell));
+}
+
+void MetricMap::MarkWall(const sim::PlanarPose& pose, int width_cells) {
+  const double c = std::cos(pose.yaw);
+  const double s = std::sin(pose.yaw);
+  // Half a cell at a time, so that a wall across the grid has no gaps.
+  for (int i = 0; i <= 2 * (kWallThickness - 1); ++i) {
+    for (int j = 0; j <= 2 * (width_cells - 1); ++j) {
+      const double ahead = kWallAhead + 0.5 * i * spec_.cell;
+      const double left = 0.5 * (j - (width_cells - 1)) * spec_.cell;
+      const Cell cell = CellAt({pose.x + ahead * c - left * s, pose.y + ahead * s + left * c});
+      if (felt_.Contains(cell)) felt_[cell] = 1;
+    }
+  }
+  const int ahead = static_cast<int>(kWallAhead / spec_.cell) + kWallThickness;
+  Refresh(CellAt({pose.x, pose.y}), ahead + width_cells + 2);
+}
+
+void MetricMap::ForgetFeltWalls() {
+  felt_.Fill(0);
+  Refresh({states_.size() / 2, states_.size() / 2}, states_.size());
+}
+
+MapPicture MetricMap::Picture() const {
+  MapPicture picture{states_.size(), spec_.cell, low_.x * spec_.cell, low_.y * spec_.cell, {}};
+  for (std::size_t i = 0; i < states_.values().size(); ++i) {
+    auto kind = explored_[i] != 0 ? MapPicture::Kind::kFree : MapPicture::Kind::kUnknown;
+    if (evidence_[i] > 0) kind = MapPicture::Kind::kObstacle;
+    if (felt_[i] != 0) kind = MapPicture::Kind::kFeltWall;
+    picture.kinds.push_back(kind);
+  }
+  return picture;
+}
+
+void MetricMap::MarkExplored(const Point& p, double radius) {
+  const Cell middle = CellAt(p);
+  const int reach = static_cast<int>(radius / spec_.cell);
+  for (int dy = -reach; dy <= reach; ++dy) {
+    for (int dx = -reach; dx <= reach; ++dx) {
+      const Cell cell{middle.x + dx, middle.y + dy};
+      if (explored_.Contains(cell) && std::hypot(dx, dy) <= reach) explored_[cell] = 1;
+    }
+  }
+  Refresh(middle, reach);
+}
+
+void MetricMap::Refresh(const Cell& middle, int reach) {
+  const int last = states_.size() - 1;
+  const Cell low{std::max(middle.x - reach, 0), std::max(middle.y - reach, 0)};
+  const Cell high{std::min(middle.x + reach, last), std::min(middle.y + reach, last)};
+  for (int y = low.y; y <= high.y; ++y) {
+    for (int x = low.x; x <= high.x; ++x) states_[Cell{x, y}] = OpenState({x, y});
+  }
+  const int grown = spec_.dilation_cells + spec_.clearance_cells;
+  for (int y = std::max(low.y - grown, 0); y <= std::min(high.y + grown, last); ++y) {
+    for (int x = std::max(low.x - grown, 0); x <= std::min(high.x + grown, last); ++x) {
+      if (evidence_[Cell{x, y}] > 0) GrowObstacle({x, y}, low, high);
+    }
+  }
+}
+
+/// As if there were no obstacles.
+CellState MetricMap::OpenState(const Cell& cell) const {
+  const int last = states_.size() - 1;
+  if (cell.x == 0 || cell.y == 0 || cell.x == last || cell.y == last) return CellState::kBlocked;
+  if (felt_[cell] != 0) return CellState::kBlocked;
+  return explored_[cell] != 0 ? CellState::kFree : CellState::kUnknown;
+}
+
+void MetricMap::GrowObstacle(const Cell& obstacle, const Cell& low, const Cell& high) {
+  const int hard = spec_.dilation_cells;
+  const int soft = hard + spec_.clearance_cells;
+  const int to_y = std::min(obstacle.y + soft, high.y);
+  const int to_x = std::min(obstacle.x + soft, high.x);
+  for (int y = std::max(obstacle.y - soft, low.y); y <= to_y; ++y) {
+    for (int x = std::max(obstacle.x - soft, low.x); x <= to_x; ++x) {
+      const int dx = x - obstacle.x;
+      const int dy = y - obstacle.y;
+      if (dx * dx + dy * dy > soft * soft) continue;
+      CellState& state = states_[Cell{x, y}];
+      const bool is_hard = dx * dx + dy * dy <= hard * hard && track_[Cell{x, y}] == 0;
+      if (is_hard) state = CellState::kBlocked;
+      if (state == CellState::kFree) state = CellState::kTight;
+    }
+  }
+}
+
+}  // namespace bulletnav::agent

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <span>
+
+#include "agent/belief.h"
+#include "agent/mapping/depth_ring.h"
+#include "agent/mapping/grid.h"
+#include "agent/mapping/map_spec.h"
+#include "agent/observation.h"
+#include "sim/math/pose.h"
+
+namespace bulletnav::agent {
+
+/// A point of the agent's plane: metres in the frame of its start pose, x ahead, y left.
+struct Point {
+  double x = 0.0;
+  double y = 0.0;
+};
+
+inline double Distance(const Point& a, const Point& b) {
+  return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+/// Obstacles, explored floor and the body's own track, on cells of the agent's plane.
+/// A cell becomes an obstacle when points in the body's height are seen on it and free again when
+/// only floor has been seen there a few times; where the body has been it is passable whatever was
+/// seen later; walls that were only felt stay until forgotten. Unseen cells are kUnknown.
+/// Source: Active Neural SLAM's mapper; the fading of obstacles and the moving map are ours.
+class MetricMap {
+ public:
+  /// Throws Error if the rig has no depth, or none as far as the vision goes.
+  MetricMap(const Rig& rig, const MapSpec& spec);
+
+  /// Forgets everything; the body is at `pose`.
+  void Clear(const sim::PlanarPose& pose);
+
+  /// Adds the panorama of depth taken at `pose`. Changes only cells within the vision, unless the
+  /// body nears the edge: then the map moves, and what leaves it is forgotten.
+  void Update(std::span<const float> depth, const sim::PlanarPose& pose);
+
+  /// Marks the body's way between two poses as passable.
+  void MarkTrack(const sim::PlanarPose& from, const sim::PlanarPose& to);
+
+  /// Marks a felt wall, two cells thick and `width_cells` wide, 0.15 m ahead of `pose`.
+  void MarkWall(const sim::PlanarPose& pose, int width_cells);
+  void ForgetFeltWalls();
+
+  /// Declares what is near a point seen, for places that no view reaches.
+  void MarkExplored(const Point& p, double radius);
+
+  Cell CellAt(const Point& p) const;
+  Point Centre(const Cell& cell) const;
+  const MapSpec& spec() const { return spec_; }
+  /// What planners see: obstacles grown by the dilation, the rim blocked.
+  const Grid<CellState>& states() const { return states_; }
+  bool IsObstacle(const Cell& c) const { return evidence_[c] > 0; }
+  bool IsExplored(const Cell& c) const { return explored_[c] != 0; }
+  bool IsTrack(const Cell& c) const { return track_[c] != 0; }
+  bool IsFeltWall(const Cell& c) const { return felt_[c] != 0; }
+  MapPicture Picture() const;
+
+ private:
+  void Merge(const Cell& middle);
+  void MergeCell(const Cell& seen, const Cell& cell);
+  void MoveTo(const Cell& middle);
+  /// Derives states_ again around a cell.
+  void Refresh(const Cell& middle, int reach);
+  CellState OpenState(const Cell& cell) const;
+  /// Blocks or tightens the cells around an obstacle, inside a box.
+  void GrowObstacle(const Cell& obstacle, const Cell& low, const Cell& high);
+
+  MapSpec spec_;
+  DepthRing ring_;
+  Cell low_;  // the corner cell, in cells of the plane
+  Grid<std::uint8_t> evidence_;
+  Grid<std::uint8_t> explored_;
+  Grid<std::uint8_t> track_;
+  Grid<std::uint8_t> felt_;
+  Grid<CellState> states_;
+};
+
+}  // namespace bulletnav::agent

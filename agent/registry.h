@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <concepts>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "agent/agent.h"
+#include "agent/batch_agent.h"
+#include "sim/config/yaml_reader.h"
+
+namespace bulletnav::agent {
+
+/// Builds an agent, already configured, with one lane a context. Throws Error if the agent cannot
+/// work with the contexts. May be called from several threads.
+using AgentMaker = std::function<std::unique_ptr<BatchAgent>(std::span<const AgentContext>)>;
+
+/// Names of all registered agents, in alphabetical order.
+std::vector<std::string> AgentNames();
+
+/// The maker of a registered agent with its config block; absent or empty: defaults. Throws Error
+/// for an unknown name, listing the known ones, and FileError at file:line:column for a bad config.
+AgentMaker ConfigureAgent(std::string_view name, const std::optional<sim::YamlNode>& config = {});
+
+/// The same with a name that stands in a file; an unknown one is an error at its place.
+AgentMaker ConfigureAgent(const sim::YamlNode& name, const std::optional<sim::YamlNode>& config);
+
+namespace internal {
+
+using Configure = std::function<AgentMaker(const std::optional<sim::YamlNode>&)>;
+
+/// Throws Error if the name is taken.
+void Register(std::string_view name, const Configure& configure);
+
+template <class A>
+std::unique_ptr<BatchAgent> MakeLanes(const typename A::Config& config,
+                                      std::span<const AgentContext> contexts) {
+  if constexpr (std::derived_from<A, BatchAgent>) {
+    return std::make_unique<A>(config, contexts);
+  } else {
+    std::vector<std::unique_ptr<Agent>> agents;
+    for (const AgentContext& context : contexts) {
+      agents.push_back(std::make_unique<A>(config, context));
+    }
+    return std::make_unique<LaneAgents>(std::move(agents));
+  }
+}
+
+}  // namespace internal
+
+/// Makes agent A known by its name. One constant of this type at the end of A's file does it.
+template <class A>
+class AgentRegistration {
+ public:
+  AgentRegistration() {
+    internal::Register(A::kName, [](const std::optional<sim::YamlNode>& yaml) -> AgentMaker {
+      typename A::Config config;
+      if (yaml && !yaml->yaml().IsNull()) sim::YamlReader::Read(*yaml, config);
+      return [config](std::span<const AgentContext> contexts) {
+        return internal::MakeLanes<A>(config, contexts);
+      };
+    });
+  }
+};
+
+}  // namespace bulletnav::agent

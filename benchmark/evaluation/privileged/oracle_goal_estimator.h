@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "agent/perception/goal_estimator.h"
+#include "benchmark/evaluation/privileged/ground_truth.h"
+
+namespace bulletnav::bench {
+
+/// Recognises the goal from the ground truth instead of the panoramas: what the learned functions
+/// would say if they never erred. Rows of agents that use it say "oracle".
+/// The goal is seen when it is at most 3 m away and some ray within 2.5 degrees of its direction
+/// runs free at camera height for as far as the goal is. Source: the connection label of Neural
+/// Topological SLAM, appendix B.
+class OracleGoalEstimator final : public agent::GoalEstimator {
+ public:
+  /// `truth` must outlive the estimator and be up to date at every call.
+  explicit OracleGoalEstimator(const GroundTruth& truth) : truth_(truth) {}
+
+  std::optional<agent::RelativeGoal> Estimate(const agent::Panorama& here,
+                                              const agent::Panorama& goal) override;
+
+ private:
+  bool IsVisible() const;
+
+  const GroundTruth& truth_;
+};
+
+}  // namespace bulletnav::bench

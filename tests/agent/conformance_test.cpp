@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+// What every registered agent must keep to, whatever it does.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "agent/registry.h"
+#include "sim/base/error.h"
+#include "sim/simulator.h"
+#include "tests/support/scenes.h"
+
+namespace bulletnav::agent {
+namespace {
+
+using Actions = std::vector<sim::Action>;
+
+/// A goal 2 m to the left for as long as it is asked to see one.
+class FixedEstimator final : public GoalEstimator {
+ public:
+  explicit FixedEstimator(bool sees) : sees_(sees) {}
+  std::optional<RelativeGoal> Estimate(const Panorama& /*here*/,
+                                       const Panorama& /*goal*/) override {
+    if (!sees_) return std::nullopt;
+    return RelativeGoal{2.0, 1.5};
+  }
+
+ private:
+  bool sees_;
+};
+
+sim::SimulatorSpec SmallSpec() {
+  sim::SimulatorSpec spec;
+  spec.panorama.rows = 16;
+  spec.panorama.cols = 64;
+  return spec;
+}
+
+AgentContext Context(bool sees = false) {
+  AgentContext context;
+  context.rig.panorama = SmallSpec().panorama;
+  context.goal_estimator = std::make_shared<FixedEstimator>(sees);
+  return context;
+}
+
+/// What a body sees on a random noisy walk against furniture and walls.
+std::vector<sim::Observation> RandomWalk(std::uint64_t seed, int steps) {
+  sim::SceneMesh room = tests::BoxRoom(4, 2.6f, 6);
+  tests::AddBox({1.0f, 0, -4}, {1.8f, 0.9f, -3}, {9, 9, 9}, &room);
+  sim::Simulator simulator(sim::World::FromMesh(room, "room"), SmallSpec());
+  sim::Rng rng(seed, "walk");
+  std::vector<sim::Observation> seen = {simulator.Reset({{2, 0, -1}, 0.0}, {seed, 0})};
+  for (int i = 1; i < steps; ++i) {
+    const bool ahead = rng.Chance(0.6);
+    const bool left = rng.Chance(0.5);
+    seen.push_back(simulator.Step(ahead  ? sim::Action::kMoveForward
+                                  : left ? sim::Action::kTurnLeft
+                                         : sim::Action::kTurnRight));
+  }
+  return seen;
+}
+
+std::unique_ptr<BatchAgent> Make(const std::string& name, std::span<const AgentContext> contexts) {
+  return ConfigureAgent(name)(contexts);
+}
+
+std::unique_ptr<BatchAgent> MakeOne(const std::string& name, bool sees = false) {
+  return Make(name, std::array{Context(sees)});
+}
+
+/// The actions of lane 0 from Reset on. Goes on after a stop: what an agent then does is moot, but
+/// it must not break.
+Actions ActAll(BatchAgent* agent, const std::vector<sim::Observation>& seen, std::uint64_t seed) {
+  const sim::Observation& goal = seen.back();
+  agent->Reset(0, View(goal, 0).panorama, seed);
+  Actions actions;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    std::array action = {sim::Action::kStop};
+    agent->Act(std::array{LaneObservation{0, View(seen[i], static_cast<int>(i))}}, action);
+    actions.push_back(action[0]);
+  }
+  return actions;
+}
+
+void ExpectLegal(const Actions& actions) {
+  for (const sim::Action action : actions) {
+    EXPECT_NE(std::find(sim::kAllActions.begin(), sim::kAllActions.end(), action),
+              sim::kAllActions.end());
+  }
+}
+
+class Conformance : public testing::TestWithParam<std::string> {};
+
+TEST_P(Conformance, TheSameSeedAndObservationsGiveTheSameLegalActions) {
+  const auto seen = RandomWalk(1, 60);
+  for (const bool sees : {false, true}) {
+    const Actions first = ActAll(MakeOne(GetParam(), sees).get(), seen, 7);
+    ExpectLegal(first);
+    EXPECT_EQ(first, ActAll(MakeOne(GetParam(), sees).get(), seen, 7));
+  }
+}
+
+TEST_P(Conformance, NothingOutlivesAReset) {
+  const auto before = RandomWalk(1, 60);
+  const auto after = RandomWalk(2, 60);
+  const auto used = MakeOne(GetParam());
+  ActAll(used.get(), before, 7);
+  EXPECT_EQ(ActAll(used.get(), after, 8), ActAll(MakeOne(GetParam()).get(), after, 8));
+}
+
+TEST_P(Conformance, LanesDoNotKnowOfEachOther) {
+  const auto mine = RandomWalk(1, 30);
+  const auto other = RandomWalk(2, 30);
+  const std::array contexts = {Context(), Context(), Context()};
+  const auto agent = Make(GetParam(), contexts);
+  ASSERT_EQ(agent->lanes(), 3);
+  agent->Reset(1, View(other.back(), 0).panorama, 3);
+  agent->Reset(2, View(mine.back(), 0).panorama, 7);
+  Actions actions;
+  for (int i = 0; i < 30; ++i) {
+    const auto n = static_cast<std::size_t>(i);
+    std::array two = {sim::Action::kStop, sim::Action::kStop};
+    if (i % 3 == 0) {  // lane 1 is not always there
+      agent->Act(std::array{LaneObservation{2, View(mine[n], i)}}, std::span(two).first(1));
+      actions.push_back(two[0]);
+    } else {
+      agent->Act(
+          std::array{LaneObservation{1, View(other[n], i)}, LaneObservation{2, View(mine[n], i)}},
+          two);
+      actions.push_back(two[1]);
+    }
+  }
+  EXPECT_EQ(actions, ActAll(MakeOne(GetParam()).get(), mine, 7));
+}
+
+TEST_P(Conformance, SurvivesBlankCollidedAndBrokenObservations) {
+  auto seen = RandomWalk(1, 40);
+  for (std::size_t i = 10; i < 30; ++i) {
+    std::fill(seen[i].color.begin(), seen[i].color.end(), std::uint8_t{0});
+    const float broken = i < 17 ? 0.0f : i < 24 ? std::nanf("") : 1e30f;
+    std::fill(seen[i].depth.begin(), seen[i].depth.end(), broken);
+    seen[i].sensors.collided = true;
+    seen[i].sensors.odometry = {};
+  }
+  for (const bool sees : {false, true}) {
+    ExpectLegal(ActAll(MakeOne(GetParam(), sees).get(), seen, 7));
+  }
+}
+
+TEST_P(Conformance, TakesANextGoalInTheSameEpisode) {
+  const auto seen = RandomWalk(1, 20);
+  const auto agent = MakeOne(GetParam());
+  ActAll(agent.get(), seen, 7);
+  agent->NextGoal(0, View(seen.front(), 0).panorama, 9);
+  std::array action = {sim::Action::kStop};
+  agent->Act(std::array{LaneObservation{0, View(seen[1], 20)}}, action);
+  ExpectLegal({action[0]});
+}
+
+TEST_P(Conformance, WithoutWhatItNeedsItSaysSoOrDoesWithout) {
+  AgentContext bare;
+  bare.rig.panorama = SmallSpec().panorama;
+  AgentContext color_only = Context();
+  color_only.rig.has_depth = false;
+  for (const AgentContext& context : {bare, color_only}) {
+    try {
+      EXPECT_EQ(Make(GetParam(), std::array{context})->lanes(), 1);
+    } catch (const sim::Error& e) {
+      EXPECT_NE(std::string(e.what()), "");
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Agents, Conformance, testing::ValuesIn(AgentNames()),
+                         [](const auto& agent) {
+                           return agent.param;
+                         });
+
+}  // namespace
+}  // namespace bulletnav::agent

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "agent/mapping/frontier.h"
+
+#include <gtest/gtest.h>
+
+namespace bulletnav::agent {
+namespace {
+
+constexpr int kSize = 60;
+
+/// Sets a box of cells.
+void Fill(const Cell& low, const Cell& high, CellState state, Grid<CellState>* map) {
+  for (int y = low.y; y <= high.y; ++y) {
+    for (int x = low.x; x <= high.x; ++x) (*map)[Cell{x, y}] = state;
+  }
+}
+
+/// A walled room from (10, 10) to (40, 40) with free floor; all around is unknown.
+Grid<CellState> Room() {
+  Grid<CellState> map(kSize, CellState::kUnknown);
+  for (int i = 0; i < kSize; ++i) {
+    for (const Cell& c : {Cell{i, 0}, Cell{i, kSize - 1}, Cell{0, i}, Cell{kSize - 1, i}}) {
+      map[c] = CellState::kBlocked;
+    }
+  }
+  Fill({10, 10}, {40, 40}, CellState::kBlocked, &map);
+  Fill({11, 11}, {39, 39}, CellState::kFree, &map);
+  return map;
+}
+
+TEST(Frontier, AClosedRoomHasNone) {
+  FrontierFinder finder(kSize, 1);
+  EXPECT_FALSE(finder.Nearest(Room(), {20, 20}));
+}
+
+TEST(Frontier, IsTheOpeningInTheWall) {
+  Grid<CellState> map = Room();
+  Fill({40, 20}, {40, 30}, CellState::kFree, &map);
+  FrontierFinder finder(kSize, 4);
+  const auto cell = finder.Nearest(map, {20, 25});
+  ASSERT_TRUE(cell);
+  EXPECT_EQ(*cell, (Cell{40, 25}));
+}
+
+TEST(Frontier, IsTheNearestByTheWayNotTheEye) {
+  Grid<CellState> map = Room();
+  Fill({40, 35}, {40, 39}, CellState::kFree, &map);  // far, straight
+  Fill({10, 11}, {10, 15}, CellState::kFree, &map);  // near, behind a wall
+  Fill({15, 11}, {15, 37}, CellState::kBlocked, &map);
+  FrontierFinder finder(kSize, 4);
+  const auto cell = finder.Nearest(map, {20, 20});
+  ASSERT_TRUE(cell);
+  EXPECT_EQ(cell->x, 40);
+}
+
+TEST(Frontier, GapsInTheViewDoNotCount) {
+  Grid<CellState> map = Room();
+  map[Cell{25, 25}] = CellState::kUnknown;           // makes four frontier cells
+  Fill({40, 20}, {40, 30}, CellState::kFree, &map);  // makes eleven
+  FrontierFinder small(kSize, 1);
+  EXPECT_LT(small.Nearest(map, {22, 25})->x, 30);
+  FrontierFinder large(kSize, 8);
+  EXPECT_EQ(large.Nearest(map, {22, 25})->x, 40);
+  EXPECT_EQ(large.Nearest(map, {22, 25})->x, 40) << "the second search sees the same";
+}
+
+}  // namespace
+}  // namespace bulletnav::agent

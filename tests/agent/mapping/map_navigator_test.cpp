@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "agent/mapping/map_navigator.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "sim/base/error.h"
+#include "tests/support/panoramas.h"
+#include "tests/support/scenes.h"
+
+namespace bulletnav::agent {
+namespace {
+
+using sim::Action;
+
+Rig SmallRig() {
+  Rig rig;
+  rig.panorama.rows = 8;
+  rig.panorama.cols = 32;
+  return rig;
+}
+
+/// A navigator in the dark, fed with odometry alone.
+class Blind {
+ public:
+  Blind() { Feel({}); }
+
+  void Feel(const sim::PlanarPose& odometry, Action took = Action::kStop) {
+    navigator.Took(took);
+    navigator.Observe({{{}, depth_}, odometry, false, step_++});
+  }
+  bool IsWall(double x, double y) const {
+    return navigator.map().IsFeltWall(navigator.map().CellAt({x, y}));
+  }
+  MapNavigator navigator{SmallRig(), {}};
+
+ private:
+  std::vector<float> depth_ = std::vector<float>(8 * 32, 0.0f);
+  int step_ = 0;
+};
+
+TEST(MapNavigator, AddsUpTheOdometry) {
+  Blind body;
+  for (int side = 0; side < 4; ++side) {
+    body.Feel({1.0, 0.0, 0.0});
+    body.Feel({0.0, 0.0, sim::kPi / 2});
+    if (side == 1) {
+      EXPECT_NEAR(body.navigator.pose().x, 1.0, 1e-12);
+      EXPECT_NEAR(body.navigator.pose().y, 1.0, 1e-12);
+    }
+  }
+  EXPECT_NEAR(body.navigator.pose().x, 0.0, 1e-12);
+  EXPECT_NEAR(body.navigator.pose().y, 0.0, 1e-12);
+  body.navigator.Reset();
+  EXPECT_EQ(body.navigator.pose().x, 0.0);
+}
+
+TEST(MapNavigator, AShortForwardMoveFeltAWall) {
+  Blind body;
+  body.Feel({0.24, 0.0, 0.0}, Action::kMoveForward);
+  EXPECT_FALSE(body.IsWall(0.16, 0.0));
+  body.Feel({0.10, 0.0, 0.0}, Action::kMoveForward);
+  EXPECT_TRUE(body.IsWall(0.24 + 0.16, 0.0));
+  EXPECT_FALSE(body.IsWall(0.24 + 0.16, 0.06));
+}
+
+TEST(MapNavigator, TurnsFeelNoWalls) {
+  Blind body;
+  body.Feel({0.0, 0.0, 0.17}, Action::kTurnLeft);
+  EXPECT_FALSE(body.IsWall(0.16, 0.0));
+}
+
+TEST(MapNavigator, TheWallGrowsWhileStuck) {
+  Blind body;
+  body.Feel({0.0, 0.025, 0.0});  // the middle of a cell
+  for (int i = 0; i < 3; ++i) body.Feel({0.01, 0.0, 0.0}, Action::kMoveForward);
+  EXPECT_TRUE(body.IsWall(0.18, 0.14));
+  EXPECT_TRUE(body.IsWall(0.18, -0.12));
+  EXPECT_FALSE(body.IsWall(0.18, 0.24));
+  for (int i = 0; i < 9; ++i) body.Feel({0.0, 0.0, 0.0}, Action::kMoveForward);
+  EXPECT_TRUE(body.IsWall(0.18, 0.22));
+  EXPECT_FALSE(body.IsWall(0.18, 0.28)) << "nine cells at most";
+  body.navigator.ForgetFeltWalls();
+  EXPECT_FALSE(body.IsWall(0.18, 0.0));
+}
+
+TEST(MapNavigator, TurnsTowardsAPointAndThenGoes) {
+  Blind body;
+  MapNavigator& navigator = body.navigator;
+  EXPECT_EQ(navigator.Steer({1.0, 0.0}), Action::kMoveForward);
+  EXPECT_EQ(navigator.Steer({1.0, 0.26}), Action::kMoveForward);
+  EXPECT_EQ(navigator.Steer({1.0, 0.28}), Action::kTurnLeft);
+  EXPECT_EQ(navigator.Steer({1.0, -0.28}), Action::kTurnRight);
+  EXPECT_EQ(navigator.Steer({-1.0, 0.01}), Action::kTurnRight) << "no wavering behind";
+  EXPECT_EQ(navigator.Steer({-1.0, -0.01}), Action::kTurnRight);
+  EXPECT_EQ(navigator.Steer({0.0, 1.0}), Action::kTurnLeft);
+  EXPECT_EQ(navigator.Steer({-1.0, -0.01}), Action::kTurnLeft);
+}
+
+TEST(MapNavigator, RelativePlacesAreSeenFromThePose) {
+  Blind body;
+  body.Feel({1.0, 0.0, sim::kPi / 2});
+  const Point p = body.navigator.PointAt(2.0, sim::kPi / 2);
+  EXPECT_NEAR(p.x, -1.0, 1e-12);
+  EXPECT_NEAR(p.y, 0.0, 1e-12);
+}
+
+TEST(MapNavigator, RefusesBrokenOdometry) {
+  Blind body;
+  EXPECT_THROW(body.Feel({std::nan(""), 0.0, 0.0}), sim::Error);
+  EXPECT_THROW(body.Feel({1e9, 0.0, 0.0}), sim::Error);
+}
+
+/// The view down a corridor 8 m long and 1.5 m wide, from its closed end; x runs along it.
+std::vector<float> CorridorDepth(double x) {
+  static const auto scene =
+      sim::MakeRenderScene(tests::LCorridor(8, 7, 1.5f, 2.6f), sim::Backend::kEmbree);
+  const auto yaw = static_cast<float>(-sim::kPi / 2);
+  return tests::RenderPanorama(*scene, {}, {{1.0f + static_cast<float>(x), 1.25f, -0.75f}, yaw})
+      .depth;
+}
+
+TEST(MapNavigator, TheFrontierIsKeptUntilItIsExplored) {
+  MapNavigator navigator({}, {});
+  navigator.Reset();
+  double x = 0.0;
+  const auto look = [&](double ahead) {
+    x += ahead;
+    const auto depth = CorridorDepth(x);
+    navigator.Observe({{{}, depth}, {ahead, 0.0, 0.0}, false, 0});
+  };
+  look(0.0);
+  const auto first = navigator.Frontier();
+  ASSERT_TRUE(first);
+  EXPECT_NEAR(first->x, 3.15, 0.1) << "where the vision ends";
+  EXPECT_LT(std::fabs(first->y), 0.75);
+  EXPECT_EQ(navigator.Frontier()->x, first->x);
+  look(1.0);
+  const auto next = navigator.Frontier();
+  ASSERT_TRUE(next);
+  EXPECT_NEAR(next->x, 4.15, 0.1);
+}
+
+TEST(MapNavigator, AFrontierThatStaysUnseenFromNearbyIsGivenUp) {
+  Blind body;  // sees nothing at all: the rim of its own track is frontier wherever it stands
+  for (int i = 0; i < 40; ++i) body.Feel({0.05, 0.0, 0.0});
+  std::optional<Point> frontier = body.navigator.Frontier();
+  int given_up = 0;
+  while (frontier && Distance(*frontier, body.navigator.here()) < 0.3 && ++given_up < 60) {
+    frontier = body.navigator.Frontier();
+  }
+  EXPECT_LT(given_up, 60);
+}
+
+TEST(NavigatorSpec, RefusesNonsense) {
+  NavigatorSpec spec;
+  EXPECT_NO_THROW(spec.Validate());
+  spec.turn_threshold_deg = 2.0;
+  EXPECT_THROW(spec.Validate(), sim::Error);
+  spec = {};
+  spec.ahead = 0.0;
+  EXPECT_THROW(spec.Validate(), sim::Error);
+  EXPECT_THROW((MapSpec{.cell = 0.0}.Validate()), sim::Error);
+  EXPECT_THROW((MapSpec{.size = 5.0}.Validate()), sim::Error);
+  EXPECT_THROW((MapSpec{.obstacle_low = 2.0}.Validate()), sim::Error);
+}
+
+}  // namespace
+}  // namespace bulletnav::agent
