@@ -43,8 +43,8 @@ float Groove(float x, float width) {
 Image Beadboard() {
   return Shaded([](Point p) {
     const float x = Fraction(4.0f * p.x);
-    const float light =
-        1.4f * Groove(x - 0.5f, 0.05f) + 0.9f * Groove(x - 0.68f, 0.04f) + 0.012f * Noise(p, {60, 2, 1});
+    const float light = 1.4f * Groove(x - 0.5f, 0.05f) + 0.9f * Groove(x - 0.68f, 0.04f) +
+                        0.012f * Noise(p, {60, 2, 1});
     return kPaint * (1.0f + light);
   });
 }

@@ -8,8 +8,8 @@
 namespace bulletnav::sim::shell {
 namespace {
 
-constexpr float kGap = 0.008f;   // around a leaf in its frame
-constexpr float kStile = 0.11f;  // width of the boards around panels
+constexpr float kGap = 0.008f;         // around a leaf in its frame
+constexpr float kStile = 0.11f;        // width of the boards around panels
 constexpr float kGroove = 0.014f;      // around a raised field
 constexpr float kFieldDepth = 0.007f;  // how far it stands out
 constexpr float kHandleHeight = 1.02f;
