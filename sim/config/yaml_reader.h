@@ -67,6 +67,10 @@ class YamlReader {
   static void Read(const YamlNode& node, T& value);
 
  private:
+  template <class T>
+  static void ReadMap(const YamlNode& node, T& value);
+  template <class T>
+  static void ReadStruct(const YamlNode& node, T& value);
   std::optional<YamlNode> Take(std::string_view key);
 
   YamlNode map_;
@@ -145,26 +149,36 @@ void YamlReader::Read(const YamlNode& node, T& value) {
     node.ExpectSequence(value.size());
     for (std::size_t i = 0; i < value.size(); ++i) Read(node.Child(node.yaml()[i]), value[i]);
   } else if constexpr (internal::kIsMap<T>) {
-    node.ExpectMap();
-    value.clear();
-    for (const auto& item : node.yaml()) {
-      const std::string key = node.Child(item.first).ToString();
-      const auto [place, is_new] = value.try_emplace(key);
-      if (!is_new) node.Child(item.first).Fail("key '" + key + "' is given twice");
-      Read(node.Child(item.second), place->second);
-    }
+    ReadMap(node, value);
   } else {
-    YamlReader reader(node);
-    value.Visit(reader);
-    reader.Finish();
-    if constexpr (requires { value.Validate(); }) {
-      try {
-        value.Validate();
-      } catch (const FileError&) {
-        throw;
-      } catch (const Error& e) {
-        node.Fail(e.what());
-      }
+    ReadStruct(node, value);
+  }
+}
+
+template <class T>
+void YamlReader::ReadMap(const YamlNode& node, T& value) {
+  node.ExpectMap();
+  value.clear();
+  for (const auto& item : node.yaml()) {
+    const std::string key = node.Child(item.first).ToString();
+    const auto [place, is_new] = value.try_emplace(key);
+    if (!is_new) node.Child(item.first).Fail("key '" + key + "' is given twice");
+    Read(node.Child(item.second), place->second);
+  }
+}
+
+template <class T>
+void YamlReader::ReadStruct(const YamlNode& node, T& value) {
+  YamlReader reader(node);
+  value.Visit(reader);
+  reader.Finish();
+  if constexpr (requires { value.Validate(); }) {
+    try {
+      value.Validate();
+    } catch (const FileError&) {
+      throw;
+    } catch (const Error& e) {
+      node.Fail(e.what());
     }
   }
 }

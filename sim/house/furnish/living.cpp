@@ -109,8 +109,8 @@ void FurnishDiningRoom(RoomFurnisher* room) {
   const float width = room->area() > 14.0f ? 2.2f : 1.6f;
   const Placed* table = nullptr;
   if (room->Chance(0.25)) table = room->InTheOpen("round_dining_table");
-  for (float w = width; w > 1.0f && table == nullptr; w -= 0.3f) {
-    table = room->InTheOpen("dining_table", {.width = w});
+  for (const float share : {1.0f, 0.85f, 0.7f, 0.6f}) {
+    if (table == nullptr) table = room->InTheOpen("dining_table", {.width = share * width});
   }
   if (table != nullptr) {
     const Eigen::Vector3f centre = table->box.center();

@@ -15,14 +15,17 @@ using Vec = Eigen::Vector3f;
 
 constexpr float kEyeHeight = 1.5f;
 constexpr float kOnWallGap = 0.003f;
+constexpr float kHangStep = 0.15f;  // between places tried along a wall
 constexpr float kLampSpacing = 3.6f;
 constexpr float kQuarter = 0.5f * std::numbers::pi_v<float>;
 
 }  // namespace
 
 void RoomFurnisher::Rug(std::string_view kind, const PlanPoint& centre, float width, bool turned) {
-  for (float w = width; w > 0.5f * width; w -= 0.3f) {
-    Draft draft = Build(kind, {w, 0.0f});
+  constexpr float kNarrower = 0.3f;
+  const int attempts = 1 + static_cast<int>(0.5f * width / kNarrower);
+  for (int i = 0; i < attempts; ++i) {
+    const Draft draft = Build(kind, {width - kNarrower * static_cast<float>(i), 0.0f});
     const Eigen::Affine3f pose = Moved(centre.x(), 0.0f, centre.y(), turned ? kQuarter : 0.0f);
     const Rect foot = FootOf(Transformed(draft.bounds, pose));
     const bool lies_on_other = std::any_of(rugs_.begin(), rugs_.end(), [&](const Rect& other) {
@@ -72,7 +75,7 @@ void RoomFurnisher::OnTops(const Placed& piece, std::span<const std::string_view
   }
 }
 
-bool RoomFurnisher::Hang(Draft draft, const Eigen::Affine3f& pose) {
+bool RoomFurnisher::Hang(const Draft& draft, const Eigen::Affine3f& pose) {
   const Box box = Transformed(draft.bounds, pose);
   const bool fits = space_.Contains(FootOf(box)) && space_.IsFree(box) &&
                     !space_.HidesOpening(box) && box.max().y() < space_.ceiling() - 0.05f;
@@ -89,19 +92,21 @@ bool RoomFurnisher::Hang(Draft draft, const Eigen::Affine3f& pose) {
 }
 
 const Placed* RoomFurnisher::Over(const Placed& piece, std::string_view kind, float above) {
-  Draft draft = Build(kind);
+  const Draft draft = Build(kind);
   const Eigen::Affine3f pose = piece.pose * Moved(0.0f, piece.size.y() + above, kOnWallGap - 0.02f);
-  return Hang(std::move(draft), pose) ? &placed_.back() : nullptr;
+  return Hang(draft, pose) ? &placed_.back() : nullptr;
 }
 
 const Placed* RoomFurnisher::OnWall(std::string_view kind, float low, const Wish& wish) {
-  Draft draft = Build(kind, {wish.width, wish.height});
+  const Draft draft = Build(kind, {wish.width, wish.height});
   const float y = low > 0.0f ? low : kEyeHeight - 0.5f * draft.bounds.sizes().y();
   std::vector<Candidate> candidates;
   for (const shell::Side& side : space_.sides()) {
     const float half = 0.5f * draft.bounds.sizes().x() + 0.08f;
     const Eigen::Affine3f face = shell::FaceFrame(side.left, side.right);
-    for (float s = half; s <= side.length() - half; s += 0.15f) {
+    const int steps = static_cast<int>(std::floor((side.length() - 2.0f * half) / kHangStep));
+    for (int i = 0; i <= steps; ++i) {
+      const float s = half + kHangStep * static_cast<float>(i);
       const Eigen::Affine3f pose = face * Moved(s, y, kOnWallGap);
       const double off = std::abs(2.0 * s / side.length() - 1.0);
       candidates.push_back({pose, 0.4 * (1.0 - off) + 3.0 * Score(draft, pose, wish)});
@@ -123,7 +128,7 @@ void RoomFurnisher::DressWindow(const shell::Side& side, const shell::Hole& wind
   const Eigen::Affine3f face = shell::FaceFrame(side.left, side.right);
   const float top = std::min(window.top + 0.14f, space_.ceiling() - 0.06f);
   const auto hang = [&](std::string_view kind, float w, float height) {
-    Draft draft = Build(kind, {w, height});
+    const Draft draft = Build(kind, {w, height});
     const Eigen::Affine3f pose =
         face * Moved(middle, top - draft.bounds.max().y(), kOnWallGap + 0.01f);
     const Box box = Transformed(draft.bounds, pose);
@@ -157,10 +162,10 @@ void RoomFurnisher::Radiators() {
   for (const shell::Side& side : space_.sides()) {
     for (const shell::Hole& hole : side.holes) {
       if (hole.bottom < 0.75f) continue;
-      Draft draft = Build("radiator", {0.8f * (hole.x1 - hole.x0), 0.0f});
+      const Draft draft = Build("radiator", {0.8f * (hole.x1 - hole.x0), 0.0f});
       const Eigen::Affine3f pose =
           shell::FaceFrame(side.left, side.right) * Moved(0.5f * (hole.x0 + hole.x1), 0.0f, 0.02f);
-      if (Fits(draft, pose, {false, false})) Place(std::move(draft), pose, false);
+      if (Fits(draft, pose, {false, false})) Place(draft, pose, false);
     }
   }
 }
@@ -194,13 +199,13 @@ void RoomFurnisher::Light(std::string_view kind, const Placed* over) {
 void RoomFurnisher::HangInCorner(std::string_view kind) {
   for (const shell::Side& side : space_.sides()) {
     if (!side.left_is_hollow) continue;
-    Draft draft = Build(kind);
+    const Draft draft = Build(kind);
     const float out = 0.5f * draft.bounds.sizes().x() + 0.12f;
     const Eigen::Affine3f pose =
         shell::FaceFrame(side.left, side.right) * Moved(out, space_.ceiling(), out);
     if (!Fits(draft, pose, {})) continue;
     if (!space_.LeavesWayPast(Transformed(draft.bounds, pose))) continue;
-    Place(std::move(draft), pose, false);
+    Place(draft, pose, false);
     return;
   }
 }

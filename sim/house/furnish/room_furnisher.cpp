@@ -15,7 +15,13 @@ using Vec = Eigen::Vector3f;
 
 constexpr float kWallGap = 0.02f;  // leaves room for baseboards
 constexpr float kStep = 0.1f;      // between places tried along a wall
+constexpr float kSeatOut = 0.08f;  // from a table's edge to the middle of the seat
 constexpr float kTurn = std::numbers::pi_v<float>;
+
+/// Whole steps in a length; negative if there is no room at all.
+int StepsWithin(float length) {
+  return static_cast<int>(std::floor(length / kStep));
+}
 
 PlanPoint Middle(const Box& box) {
   return FootOf(box).center();
@@ -80,7 +86,8 @@ bool RoomFurnisher::Fits(const Draft& draft, const Eigen::Affine3f& pose,
   return !is_front || space_.IsFree({low, high});
 }
 
-const Placed* RoomFurnisher::Place(Draft draft, const Eigen::Affine3f& pose, bool keeps_clearance) {
+const Placed* RoomFurnisher::Place(const Draft& draft, const Eigen::Affine3f& pose,
+                                   bool keeps_clearance) {
   Placed placed{draft.kind, pose, draft.bounds.sizes(), Transformed(draft.bounds, pose),
                 draft.piece.tops};
   const MeshBuilder::Frame frame(builder_, pose);
@@ -91,7 +98,7 @@ const Placed* RoomFurnisher::Place(Draft draft, const Eigen::Affine3f& pose, boo
   return &placed_.back();
 }
 
-const Placed* RoomFurnisher::PlaceBest(Draft draft, std::vector<Candidate> candidates) {
+const Placed* RoomFurnisher::PlaceBest(const Draft& draft, std::vector<Candidate> candidates) {
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const Candidate& a, const Candidate& b) {
                      return a.score > b.score;
@@ -99,7 +106,7 @@ const Placed* RoomFurnisher::PlaceBest(Draft draft, std::vector<Candidate> candi
   constexpr std::size_t kMostTried = 12;
   for (std::size_t i = 0; i < std::min(kMostTried, candidates.size()); ++i) {
     if (!space_.LeavesWayPast(Transformed(draft.bounds, candidates[i].pose))) continue;
-    return Place(std::move(draft), candidates[i].pose, true);
+    return Place(draft, candidates[i].pose, true);
   }
   return nullptr;
 }
@@ -144,48 +151,51 @@ void RoomFurnisher::AddWallCandidates(const Draft& draft, const shell::Side& sid
 }
 
 const Placed* RoomFurnisher::AgainstWall(std::string_view kind, const Wish& wish) {
-  for (float width = wish.width;; width -= 0.2f) {
-    Draft draft = Build(kind, {width, wish.height});
+  constexpr float kNarrower = 0.2f;
+  const float most = wish.min_width > 0.0f ? wish.width - wish.min_width : 0.0f;
+  const int attempts = 1 + static_cast<int>(most / kNarrower + 1e-3f);
+  for (int i = 0; i < attempts; ++i) {
+    const Draft draft = Build(kind, {wish.width - kNarrower * static_cast<float>(i), wish.height});
     std::vector<Candidate> candidates;
     for (const shell::Side& side : space_.sides()) {
       AddWallCandidates(draft, side, wish, &candidates);
     }
-    const Placed* placed = PlaceBest(std::move(draft), std::move(candidates));
-    const bool may_shrink = wish.min_width > 0.0f && width - 0.2f >= wish.min_width;
-    if (placed != nullptr || !may_shrink) return placed;
+    if (const Placed* placed = PlaceBest(draft, std::move(candidates))) return placed;
   }
+  return nullptr;
 }
 
 const Placed* RoomFurnisher::AtWall(const shell::Side& side, float x, std::string_view kind,
                                     const Wish& wish) {
-  Draft draft = Build(kind, {wish.width, wish.height});
+  const Draft draft = Build(kind, {wish.width, wish.height});
   const Eigen::Affine3f pose = shell::FaceFrame(side.left, side.right) * Moved(x, 0.0f, kWallGap);
   if (!Fits(draft, pose, {false, true})) return nullptr;
   if (!space_.LeavesWayPast(Transformed(draft.bounds, pose))) return nullptr;
-  return Place(std::move(draft), pose, true);
+  return Place(draft, pose, true);
 }
 
 const Placed* RoomFurnisher::NearWall(std::string_view kind, const Wish& wish) {
-  Draft draft = Build(kind, {wish.width, wish.height});
+  const Draft draft = Build(kind, {wish.width, wish.height});
   // Pieces that stand free are centred on their middle: move the back to the wall.
   const float back = -draft.bounds.min().z();
+  const float half = 0.5f * draft.bounds.sizes().x() + 0.03f;
   std::vector<Candidate> candidates;
   for (const shell::Side& side : space_.sides()) {
-    const float half = 0.5f * draft.bounds.sizes().x() + 0.03f;
     const Eigen::Affine3f face = shell::FaceFrame(side.left, side.right);
-    for (float s = half; s <= side.length() - half; s += kStep) {
+    const int steps = StepsWithin(side.length() - 2.0f * half);
+    for (int i = 0; i <= steps; ++i) {
+      const float s = half + kStep * static_cast<float>(i);
       const Eigen::Affine3f pose = face * Moved(s, 0.0f, back + 0.04f);
-      const double at_end = s - half < 0.05f || side.length() - half - s < kStep ? 0.5 : 0.0;
-      if (Fits(draft, pose, {true, false})) {
-        candidates.push_back({pose, at_end + Score(draft, pose, wish)});
-      }
+      if (!Fits(draft, pose, {true, false})) continue;
+      const double at_end = i == 0 || i == steps ? 0.5 : 0.0;
+      candidates.push_back({pose, at_end + Score(draft, pose, wish)});
     }
   }
-  return PlaceBest(std::move(draft), std::move(candidates));
+  return PlaceBest(draft, std::move(candidates));
 }
 
 const Placed* RoomFurnisher::InCorner(std::string_view kind) {
-  Draft draft = Build(kind);
+  const Draft draft = Build(kind);
   std::vector<Candidate> candidates;
   for (const shell::Side& side : space_.sides()) {
     if (!side.left_is_hollow) continue;
@@ -193,38 +203,40 @@ const Placed* RoomFurnisher::InCorner(std::string_view kind) {
     const Eigen::Affine3f pose = shell::FaceFrame(side.left, side.right) * Moved(s, 0.0f, kWallGap);
     if (Fits(draft, pose, {})) candidates.push_back({pose, Score(draft, pose, {})});
   }
-  return PlaceBest(std::move(draft), std::move(candidates));
+  return PlaceBest(draft, std::move(candidates));
 }
 
 const Placed* RoomFurnisher::InTheOpen(std::string_view kind, const Wish& wish) {
-  Draft draft = Build(kind, {wish.width, wish.height});
+  const Draft draft = Build(kind, {wish.width, wish.height});
   const PlanPoint target =
       wish.near != nullptr ? Middle(wish.near->box) : space_.main_floor().center();
   Rect bounds;
   for (const PlanPoint& p : space_.room().outline) bounds.extend(p);
   const bool is_long = bounds.sizes().x() > bounds.sizes().y();
+  const int cols = StepsWithin(bounds.sizes().x());
+  const int cells = cols * StepsWithin(bounds.sizes().y());
   std::vector<Candidate> candidates;
   for (const float turn : {0.0f, 0.5f * kTurn}) {
     // Long pieces lie along long rooms.
     const double along = (turn == 0.0f) == is_long ? 0.3 : 0.0;
-    for (float x = bounds.min().x(); x < bounds.max().x(); x += kStep) {
-      for (float z = bounds.min().y(); z < bounds.max().y(); z += kStep) {
-        const Eigen::Affine3f pose = Moved(x, 0.0f, z, turn);
-        if (!Fits(draft, pose, {})) continue;
-        candidates.push_back({pose, along - (PlanPoint(x, z) - target).norm()});
-      }
+    for (int cell = 0; cell < cells; ++cell) {
+      const PlanPoint at = bounds.min() + kStep * PlanPoint(static_cast<float>(cell % cols),
+                                                            static_cast<float>(cell / cols));
+      const Eigen::Affine3f pose = Moved(at.x(), 0.0f, at.y(), turn);
+      if (!Fits(draft, pose, {})) continue;
+      candidates.push_back({pose, along - (at - target).norm()});
     }
   }
-  return PlaceBest(std::move(draft), std::move(candidates));
+  return PlaceBest(draft, std::move(candidates));
 }
 
 const Placed* RoomFurnisher::At(const Placed& other, std::string_view kind, const Offset& offset,
                                 const Wish& wish) {
-  Draft draft = Build(kind, {wish.width, wish.height});
+  const Draft draft = Build(kind, {wish.width, wish.height});
   const Eigen::Affine3f pose = other.pose * Moved(offset.x, 0.0f, offset.z, offset.turn);
   if (!Fits(draft, pose, {false, false})) return nullptr;
   if (!space_.LeavesWayPast(Transformed(draft.bounds, pose))) return nullptr;
-  return Place(std::move(draft), pose, false);
+  return Place(draft, pose, false);
 }
 
 const Placed* RoomFurnisher::Beside(const Placed& other, std::string_view kind, bool left,
@@ -249,6 +261,22 @@ const Placed* RoomFurnisher::Before(const Placed& other, std::string_view kind, 
   return At(other, kind, {0.0f, z, turned ? kTurn : 0.0f});
 }
 
+bool RoomFurnisher::PlaceChair(const Placed& table, std::string_view chair, const Offset& seat) {
+  const Draft draft = Build(chair);
+  const float pulled = rng_.Chance(0.25) ? static_cast<float>(rng_.Uniform(0.05, 0.25)) : 0.0f;
+  const float skew = rng_.Chance(0.3) ? static_cast<float>(rng_.Normal() * 0.15) : 0.0f;
+  const Eigen::Affine3f pose =
+      table.pose * Moved(seat.x, 0.0f, seat.z, seat.turn + skew) * Moved(0.0f, 0.0f, -pulled);
+  const Box box = Transformed(draft.bounds, pose);
+  // A chair pushed under the table meets the table's box: only its back half is tested.
+  Draft back = draft;
+  back.bounds.max().z() = -kSeatOut - 0.01f;
+  if (!Fits(back, pose, {false, false}) || !space_.LeavesWayPast(box)) return false;
+  if (!space_.Contains(FootOf(box))) return false;
+  Place(draft, pose, false);
+  return true;
+}
+
 int RoomFurnisher::ChairsAround(const Placed& table, std::string_view chair, int most) {
   // All alike: built from one state of the generator.
   const std::uint64_t same = built_;
@@ -257,32 +285,18 @@ int RoomFurnisher::ChairsAround(const Placed& table, std::string_view chair, int
   const bool is_round = std::abs(width - table.size.z()) < 0.05f;
   std::vector<Offset> seats;
   const int a_side = is_round ? 1 : std::max(1, static_cast<int>(width / 0.62f));
-  const float out = 0.08f;  // from the table's edge to the middle of the seat
   for (int i = 0; i < a_side; ++i) {
     const float x = width * ((static_cast<float>(i) + 0.5f) / static_cast<float>(a_side) - 0.5f);
-    seats.push_back({x, -half_depth - out, 0.0f});
-    seats.push_back({-x, half_depth + out, kTurn});
+    seats.push_back({x, -half_depth - kSeatOut, 0.0f});
+    seats.push_back({-x, half_depth + kSeatOut, kTurn});
   }
-  seats.push_back({-0.5f * width - out, 0.0f, 0.5f * kTurn});
-  seats.push_back({0.5f * width + out, 0.0f, -0.5f * kTurn});
+  seats.push_back({-0.5f * width - kSeatOut, 0.0f, 0.5f * kTurn});
+  seats.push_back({0.5f * width + kSeatOut, 0.0f, -0.5f * kTurn});
   int count = 0;
-  for (Offset seat : seats) {
+  for (const Offset& seat : seats) {
     if (count >= most) break;
     built_ = same;
-    Draft draft = Build(chair);
-    // Some are pulled out or stand askew.
-    const float pulled = rng_.Chance(0.25) ? static_cast<float>(rng_.Uniform(0.05, 0.25)) : 0.0f;
-    const float skew = rng_.Chance(0.3) ? static_cast<float>(rng_.Normal() * 0.15) : 0.0f;
-    const Eigen::Affine3f pose =
-        table.pose * Moved(seat.x, 0.0f, seat.z, seat.turn + skew) * Moved(0.0f, 0.0f, -pulled);
-    const Box box = Transformed(draft.bounds, pose);
-    // A chair pushed under the table meets the table's box: only its back half is tested.
-    Draft back = draft;
-    back.bounds.max().z() = -out - 0.01f;
-    if (!Fits(back, pose, {false, false}) || !space_.LeavesWayPast(box)) continue;
-    if (!space_.Contains(FootOf(box))) continue;
-    Place(std::move(draft), pose, false);
-    ++count;
+    if (PlaceChair(table, chair, seat)) ++count;
   }
   return count;
 }

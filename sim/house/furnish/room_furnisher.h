@@ -106,13 +106,15 @@ class RoomFurnisher {
   Draft Build(std::string_view kind, const PieceRequest& request = {});
   bool Fits(const Draft& draft, const Eigen::Affine3f& pose, const Rules& rules) const;
   std::optional<Rect> ClearanceOf(const Draft& draft, const Eigen::Affine3f& pose) const;
-  const Placed* Place(Draft draft, const Eigen::Affine3f& pose, bool keeps_clearance);
-  const Placed* PlaceBest(Draft draft, std::vector<Candidate> candidates);
+  const Placed* Place(const Draft& draft, const Eigen::Affine3f& pose, bool keeps_clearance);
+  const Placed* PlaceBest(const Draft& draft, std::vector<Candidate> candidates);
+  /// Draws a chair up to a table's place; some stay pulled out or askew.
+  bool PlaceChair(const Placed& table, std::string_view chair, const Offset& seat);
   void AddWallCandidates(const Draft& draft, const shell::Side& side, const Wish& wish,
                          std::vector<Candidate>* candidates);
   double Score(const Draft& draft, const Eigen::Affine3f& pose, const Wish& wish);
   void DressWindow(const shell::Side& side, const shell::Hole& window, bool curtain);
-  bool Hang(Draft draft, const Eigen::Affine3f& pose);
+  bool Hang(const Draft& draft, const Eigen::Affine3f& pose);
 
   RoomSpace& space_;
   const RoomStyle& style_;

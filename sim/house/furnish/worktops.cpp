@@ -46,7 +46,9 @@ Stretch FindStretch(const RoomSpace& space) {
   Stretch best;
   for (const shell::Side& side : space.sides()) {
     Stretch now{&side, 0.02f, 0.02f};
-    for (float x = 0.02f; x + kStep < side.length() - 0.01f; x += kStep) {
+    const int slices = static_cast<int>((side.length() - 0.03f) / kStep);
+    for (int i = 0; i < slices; ++i) {
+      const float x = 0.02f + kStep * static_cast<float>(i);
       if (!IsUsable(space, side, x)) {
         now = {&side, x + kStep, x + kStep};
         continue;
