@@ -38,14 +38,18 @@ void FurnishRoom(RoomType type, furnish::RoomFurnisher* room) {
 
 }  // namespace
 
-void FurnishHouse(const FloorPlan& plan, const HouseStyle& style, const Rng& rng,
-                  MeshBuilder* builder) {
+std::vector<std::vector<std::string_view>> FurnishHouse(const FloorPlan& plan,
+                                                        const HouseStyle& style, const Rng& rng,
+                                                        MeshBuilder* builder) {
   CHECK_EQ(plan.rooms.size(), style.rooms.size());
+  std::vector<std::vector<std::string_view>> kinds;
   for (std::size_t i = 0; i < plan.rooms.size(); ++i) {
     furnish::RoomSpace space(plan, style, static_cast<int>(i));
     furnish::RoomFurnisher furnisher(&space, style.rooms[i], rng.Fork("room", i), builder);
     FurnishRoom(plan.rooms[i].type, &furnisher);
+    kinds.push_back(furnisher.kinds());
   }
+  return kinds;
 }
 
 }  // namespace bulletnav::sim

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <string_view>
+#include <vector>
+
 #include "sim/house/floor_plan.h"
 #include "sim/house/house_style.h"
 #include "sim/house/mesh_builder.h"
@@ -13,7 +16,10 @@ namespace bulletnav::sim {
 /// Promises: pieces stand inside their rooms, not in each other, clear of doors and their swing and
 /// not before windows; a body 0.4 m wide gets from every door of a room to every other.
 /// Rooms are independent: one room's furniture does not depend on another's.
-void FurnishHouse(const FloorPlan& plan, const HouseStyle& style, const Rng& rng,
-                  MeshBuilder* builder);
+/// Returns the kinds that stand or hang in each room, in the order they were placed; small things
+/// on tops, rugs, blinds and lamps on the ceiling are left out.
+std::vector<std::vector<std::string_view>> FurnishHouse(const FloorPlan& plan,
+                                                        const HouseStyle& style, const Rng& rng,
+                                                        MeshBuilder* builder);
 
 }  // namespace bulletnav::sim

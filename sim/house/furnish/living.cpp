@@ -34,7 +34,7 @@ const Placed* PlaceSofa(RoomFurnisher* room, const Placed* screen) {
     }
   }
   if (sofa == nullptr) sofa = room->AgainstWall("sofa", wish);
-  if (sofa == nullptr) sofa = room->AgainstWall("sofa", {.width = 1.4f});
+  if (sofa == nullptr) sofa = room->AgainstWall("sofa", {.width = 1.4f, .squeeze = true});
   return sofa != nullptr ? sofa : room->InTheOpen("sofa", {.width = 1.5f, .near = screen});
 }
 

@@ -73,7 +73,7 @@ bool RoomFurnisher::Fits(const Draft& draft, const Eigen::Affine3f& pose,
   const Rect foot = FootOf(box);
   if (!space_.Contains(foot) || !space_.IsFree(box) || space_.HidesOpening(box)) return false;
   if (box.max().y() > space_.ceiling()) return false;
-  if (box.min().y() < 1.7f && space_.MeetsDoorway(foot)) return false;
+  if (rules.minds_doorways && box.min().y() < 1.7f && space_.MeetsDoorway(foot)) return false;
   if (rules.minds_clearance && space_.MeetsClearance(foot)) return false;
   if (!rules.keeps_clearance) return true;
   const std::optional<Rect> clearance = ClearanceOf(draft, pose);
@@ -98,7 +98,8 @@ const Placed* RoomFurnisher::Place(const Draft& draft, const Eigen::Affine3f& po
   return &placed_.back();
 }
 
-const Placed* RoomFurnisher::PlaceBest(const Draft& draft, std::vector<Candidate> candidates) {
+const Placed* RoomFurnisher::PlaceBest(const Draft& draft, std::vector<Candidate> candidates,
+                                       bool keeps_clearance) {
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const Candidate& a, const Candidate& b) {
                      return a.score > b.score;
@@ -106,7 +107,7 @@ const Placed* RoomFurnisher::PlaceBest(const Draft& draft, std::vector<Candidate
   constexpr std::size_t kMostTried = 12;
   for (std::size_t i = 0; i < std::min(kMostTried, candidates.size()); ++i) {
     if (!space_.LeavesWayPast(Transformed(draft.bounds, candidates[i].pose))) continue;
-    return Place(draft, candidates[i].pose, true);
+    return Place(draft, candidates[i].pose, keeps_clearance);
   }
   return nullptr;
 }
@@ -127,7 +128,7 @@ double RoomFurnisher::Score(const Draft& draft, const Eigen::Affine3f& pose, con
 }
 
 void RoomFurnisher::AddWallCandidates(const Draft& draft, const shell::Side& side, const Wish& wish,
-                                      std::vector<Candidate>* candidates) {
+                                      const Rules& rules, std::vector<Candidate>* candidates) {
   const float half = 0.5f * draft.bounds.sizes().x();
   const float low = half + (side.left_is_hollow ? kWallGap : 0.0f);
   const float high = side.length() - half - (side.right_is_hollow ? kWallGap : 0.0f);
@@ -135,7 +136,7 @@ void RoomFurnisher::AddWallCandidates(const Draft& draft, const shell::Side& sid
   const Eigen::Affine3f face = shell::FaceFrame(side.left, side.right);
   const auto try_at = [&](float s, double bonus) {
     const Eigen::Affine3f pose = face * Moved(s, 0.0f, kWallGap);
-    if (!Fits(draft, pose, {})) return;
+    if (!Fits(draft, pose, rules)) return;
     candidates->push_back({pose, bonus + Score(draft, pose, wish)});
   };
   const double in_middle = wish.anchor == Anchor::kCentre ? 1.0 : 0.1;
@@ -156,13 +157,36 @@ const Placed* RoomFurnisher::AgainstWall(std::string_view kind, const Wish& wish
   const int attempts = 1 + static_cast<int>(most / kNarrower + 1e-3f);
   for (int i = 0; i < attempts; ++i) {
     const Draft draft = Build(kind, {wish.width - kNarrower * static_cast<float>(i), wish.height});
-    std::vector<Candidate> candidates;
-    for (const shell::Side& side : space_.sides()) {
-      AddWallCandidates(draft, side, wish, &candidates);
-    }
-    if (const Placed* placed = PlaceBest(draft, std::move(candidates))) return placed;
+    if (const Placed* placed = PlaceAtWall(draft, wish, {})) return placed;
+    const bool is_last = i + 1 == attempts;
+    if (is_last && wish.squeeze) return PlaceAtWall(draft, wish, {true, false, false});
   }
   return nullptr;
+}
+
+const Placed* RoomFurnisher::PlaceAtWall(const Draft& draft, const Wish& wish, const Rules& rules) {
+  std::vector<Candidate> candidates;
+  for (const shell::Side& side : space_.sides()) {
+    AddWallCandidates(draft, side, wish, rules, &candidates);
+  }
+  return PlaceBest(draft, std::move(candidates), rules.keeps_clearance);
+}
+
+const Placed* RoomFurnisher::Alongside(std::string_view kind) {
+  const Draft draft = Build(kind);
+  const float half = 0.5f * draft.bounds.sizes().x();
+  std::vector<Candidate> candidates;
+  for (const shell::Side& side : space_.sides()) {
+    const Eigen::Affine3f face = shell::FaceFrame(side.left, side.right);
+    for (const bool head_left : {true, false}) {
+      const float s = head_left ? kWallGap : side.length() - kWallGap;
+      const float turn = head_left ? 0.5f * kTurn : -0.5f * kTurn;
+      const Eigen::Affine3f pose = face * Moved(s, 0.0f, half + kWallGap, turn);
+      if (!Fits(draft, pose, {true, false})) continue;
+      candidates.push_back({pose, Score(draft, pose, {.far_from_doors = true})});
+    }
+  }
+  return PlaceBest(draft, std::move(candidates), false);
 }
 
 const Placed* RoomFurnisher::AtWall(const shell::Side& side, float x, std::string_view kind,
@@ -259,6 +283,12 @@ const Placed* RoomFurnisher::Before(const Placed& other, std::string_view kind, 
   const float front = other_is_centred ? 0.5f * other.size.z() : other.size.z();
   const float z = front + gap + (is_centred ? 0.5f * depth : (turned ? depth : 0.0f));
   return At(other, kind, {0.0f, z, turned ? kTurn : 0.0f});
+}
+
+std::vector<std::string_view> RoomFurnisher::kinds() const {
+  std::vector<std::string_view> kinds;
+  for (const Placed& placed : placed_) kinds.push_back(placed.kind->name);
+  return kinds;
 }
 
 bool RoomFurnisher::PlaceChair(const Placed& table, std::string_view chair, const Offset& seat) {

@@ -29,6 +29,7 @@ struct Wish {
   const Placed* near = nullptr;    // as close as possible
   const Placed* facing = nullptr;  // looks at it and is in line with it
   bool far_from_doors = false;
+  bool squeeze = false;  // rather near a door or with little free floor than not at all
 };
 
 /// Where something goes relative to a piece, in that piece's frame: x to its left (seen from the
@@ -50,6 +51,8 @@ class RoomFurnisher {
   const Placed* AgainstWall(std::string_view kind, const Wish& wish = {});
   /// At one place of one wall, `x` metres from its left end.
   const Placed* AtWall(const shell::Side& side, float x, std::string_view kind, const Wish& wish);
+  /// Against a wall with its left or right side, its head towards a corner: beds in small rooms.
+  const Placed* Alongside(std::string_view kind);
   const Placed* InCorner(std::string_view kind);
   /// In the open, parallel to the walls; as near as possible to `wish.near` or the room's middle.
   const Placed* InTheOpen(std::string_view kind, const Wish& wish = {});
@@ -82,6 +85,8 @@ class RoomFurnisher {
   /// Hung from the ceiling in some corner.
   void HangInCorner(std::string_view kind);
 
+  /// Of everything placed, in order.
+  std::vector<std::string_view> kinds() const;
   Rng& rng() { return rng_; }
   bool Chance(double p) { return rng_.Chance(p); }
   std::string_view Pick(std::span<const std::string_view> names) { return rng_.Pick(names); }
@@ -98,20 +103,24 @@ class RoomFurnisher {
     Eigen::Affine3f pose;
     double score = 0.0;
   };
+  /// Which free floor counts: what other pieces want, what the piece itself wants.
   struct Rules {
     bool minds_clearance = true;
     bool keeps_clearance = true;
+    bool minds_doorways = true;
   };
 
   Draft Build(std::string_view kind, const PieceRequest& request = {});
   bool Fits(const Draft& draft, const Eigen::Affine3f& pose, const Rules& rules) const;
   std::optional<Rect> ClearanceOf(const Draft& draft, const Eigen::Affine3f& pose) const;
   const Placed* Place(const Draft& draft, const Eigen::Affine3f& pose, bool keeps_clearance);
-  const Placed* PlaceBest(const Draft& draft, std::vector<Candidate> candidates);
+  const Placed* PlaceBest(const Draft& draft, std::vector<Candidate> candidates,
+                          bool keeps_clearance = true);
   /// Draws a chair up to a table's place; some stay pulled out or askew.
   bool PlaceChair(const Placed& table, std::string_view chair, const Offset& seat);
   void AddWallCandidates(const Draft& draft, const shell::Side& side, const Wish& wish,
-                         std::vector<Candidate>* candidates);
+                         const Rules& rules, std::vector<Candidate>* candidates);
+  const Placed* PlaceAtWall(const Draft& draft, const Wish& wish, const Rules& rules);
   double Score(const Draft& draft, const Eigen::Affine3f& pose, const Wish& wish);
   void DressWindow(const shell::Side& side, const shell::Hole& window, bool curtain);
   bool Hang(const Draft& draft, const Eigen::Affine3f& pose);

@@ -22,6 +22,8 @@ const Placed* PlaceBed(RoomFurnisher* room) {
   if (bed == nullptr) {
     bed = room->AgainstWall("single_bed", {.anchor = Anchor::kEnd, .far_from_doors = true});
   }
+  if (bed == nullptr) bed = room->Alongside("single_bed");
+  if (bed == nullptr) bed = room->AgainstWall("single_bed", {.squeeze = true});
   if (bed == nullptr) return nullptr;
   const Eigen::Vector3f foot = bed->pose * Eigen::Vector3f(0.0f, 0.0f, 0.75f * bed->size.z());
   const bool turned = std::abs(bed->pose.linear()(0, 2)) > 0.5f;
@@ -74,7 +76,9 @@ void FurnishKidsRoom(RoomFurnisher* room) {
   static constexpr std::array<std::string_view, 3> kBeds = {"bunk_bed", "single_bed", "crib"};
   const Wish in_corner{.anchor = Anchor::kEnd, .far_from_doors = true};
   if (room->AgainstWall(room->Pick(kBeds), in_corner) == nullptr) {
-    room->AgainstWall("single_bed", in_corner);
+    if (room->Alongside("single_bed") == nullptr) {
+      room->AgainstWall("single_bed", {.anchor = Anchor::kEnd, .squeeze = true});
+    }
   }
   const PlanPoint centre = room->space().main_floor().center();
   const Eigen::Vector2f floor = room->space().main_floor().sizes();

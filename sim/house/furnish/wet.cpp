@@ -7,7 +7,7 @@ namespace bulletnav::sim::furnish {
 namespace {
 
 void PlaceToilet(RoomFurnisher* room) {
-  const Placed* toilet = room->AgainstWall("toilet", {.anchor = Anchor::kEnd});
+  const Placed* toilet = room->AgainstWall("toilet", {.anchor = Anchor::kEnd, .squeeze = true});
   if (toilet != nullptr) room->OnWall("toilet_paper", 0.68f, {.near = toilet});
 }
 
@@ -16,7 +16,8 @@ void PlaceBasin(RoomFurnisher* room, float width) {
   const Placed* basin = width > 0.0f ? room->AgainstWall("washbasin", wish) : nullptr;
   if (basin == nullptr) basin = room->AgainstWall("pedestal_basin");
   // Below a window the kinds leave their mirrors out.
-  if (basin == nullptr) basin = room->AgainstWall("washbasin", {.width = 0.6f, .height = 1.0f});
+  if (basin == nullptr)
+    basin = room->AgainstWall("washbasin", {.width = 0.6f, .height = 1.0f, .squeeze = true});
   if (basin == nullptr) return;
   const Eigen::Vector3f at = basin->pose * Eigen::Vector3f(0.0f, 0.0f, basin->size.z() + 0.35f);
   const bool turned = std::abs(basin->pose.linear()(0, 2)) > 0.5f;
@@ -39,8 +40,8 @@ void FurnishBathroom(RoomFurnisher* room) {
     wash = room->AgainstWall("bathtub", {.width = 1.7f, .min_width = 1.4f, .anchor = Anchor::kEnd});
   }
   if (has_tub && room->area() > 8.0f && room->Chance(0.6)) room->InCorner("shower_cabin");
-  PlaceToilet(room);
   PlaceBasin(room, room->area() > 6.0f ? 1.2f : 0.8f);
+  PlaceToilet(room);
   if (room->area() > 6.0f && room->Chance(0.4)) room->AgainstWall("washing_machine");
   if (room->Chance(0.6)) room->AgainstWall("bathroom_shelf");
   if (room->Chance(0.5)) room->NearWall("laundry_basket");

@@ -12,7 +12,7 @@ constexpr float kHalfTurn = std::numbers::pi_v<float>;
 }  // namespace
 
 void FurnishStudy(RoomFurnisher* room) {
-  const Wish wish{.width = 1.8f, .min_width = 1.0f, .anchor = Anchor::kCentre};
+  const Wish wish{.width = 1.8f, .min_width = 1.0f, .anchor = Anchor::kCentre, .squeeze = true};
   const Placed* desk = room->AgainstWall("desk", wish);
   if (desk != nullptr) {
     room->At(*desk, "office_chair", {0.0f, desk->size.z() + 0.22f, kHalfTurn});

@@ -109,11 +109,24 @@ void ArrangeModules(const RoomSpace& space, const Stretch& stretch, Rng* rng,
   if (!at_start || (at_end && rng->Chance(0.5))) std::reverse(modules->begin(), modules->end());
 }
 
+/// Where the row had no place for it: anywhere, without a hood if need be.
+void AddMissing(RoomFurnisher* room, std::string_view kind, const Placed* near) {
+  const std::vector<std::string_view> kinds = room->kinds();
+  if (std::find(kinds.begin(), kinds.end(), kind) != kinds.end()) return;
+  const Wish wish{.width = 0.8f, .anchor = Anchor::kEnd, .near = near};
+  if (room->AgainstWall(kind, wish) != nullptr) return;
+  room->AgainstWall(kind, {.width = 0.8f, .height = 0.95f, .near = near, .squeeze = true});
+}
+
 }  // namespace
 
 void FurnishWorktops(RoomFurnisher* room) {
   Stretch stretch = FindStretch(room->space());
-  if (stretch.length() < 1.2f) return;
+  if (stretch.side == nullptr) {
+    AddMissing(room, "stove", nullptr);
+    AddMissing(room, "kitchen_sink_counter", nullptr);
+    return;
+  }
   // Into a corner, where the wall is longer than what is needed.
   const float length = std::min(stretch.length(), kLongest);
   if (stretch.length() > length && room->Chance(0.5)) stretch.x0 = stretch.x1 - length;
@@ -132,6 +145,8 @@ void FurnishWorktops(RoomFurnisher* room) {
     has_fridge |= module.kind == "refrigerator";
     if (module.kind == "kitchen_counter") room->OnTops(*placed, kClutter, 3);
   }
+  AddMissing(room, "stove", last);
+  AddMissing(room, "kitchen_sink_counter", last);
   if (!has_fridge && last != nullptr) {
     room->AgainstWall("refrigerator", {.anchor = Anchor::kEnd, .near = last});
   }
