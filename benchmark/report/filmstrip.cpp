@@ -21,6 +21,7 @@ constexpr double kMargin = 12.0;
 constexpr double kCaption = 20.0;  // height of a line of text over each picture
 constexpr double kLine = 16.0;
 constexpr double kTextSize = 11.0;
+constexpr double kLeastMapHeight = 320.0;
 
 /// What a filmstrip is drawn from.
 struct Film {
@@ -30,6 +31,15 @@ struct Film {
   std::vector<sim::Image> frames;  // the goal's first, then one for each of `steps`
   Eigen::AlignedBox2d map_box;
   Point frame_size;
+  std::size_t columns = 1;
+
+  std::size_t rows() const { return (frames.size() + columns - 1) / columns; }
+  /// Of the goal's panorama, then of the frames: down the first column, then the next.
+  Point corner(std::size_t k) const {
+    const Point pitch(frame_size.x() + kMargin, frame_size.y() + kCaption);
+    const Point cell(static_cast<double>(k / rows()), static_cast<double>(k % rows()));
+    return Point(kMargin, kMargin + kCaption) + cell.cwiseProduct(pitch);
+  }
 };
 
 Paint FrameColor(const Film& film, std::size_t i) {
@@ -67,9 +77,8 @@ void DrawDirections(const Film& film, double y, Canvas* canvas) {
 }
 
 void DrawFrames(const Film& film, Canvas* canvas) {
-  const double pitch = film.frame_size.y() + kCaption;
   for (std::size_t k = 0; k < film.frames.size(); ++k) {
-    const Point corner(kMargin, kMargin + kCaption + static_cast<double>(k) * pitch);
+    const Point corner = film.corner(k);
     const double zoom = film.frame_size.x() / film.frames[k].width;
     canvas->Picture(film.frames[k], Eigen::Translation2d(corner) * Eigen::Scaling(zoom), true);
     const Point caption = corner - Point(0.0, 0.5 * kCaption);
@@ -133,17 +142,17 @@ Figure Filmstrip(const std::shared_ptr<const sim::World>& world, const SceneMap&
   film->frames.insert(film->frames.begin(),
                       LookFrom(*world, trajectory.body, spec.panorama, trajectory.goals.front()));
   film->frame_size = {spec.frame_width, spec.frame_width * spec.panorama.rows / spec.panorama.cols};
-  const auto rows = static_cast<double>(film->frames.size());
-  const double height = 2.0 * kMargin + rows * (film->frame_size.y() + kCaption);
-  const double text = kLine * (2.0 + static_cast<double>(OutcomeLines(trajectory).size()));
-  const Point largest(spec.map_width, std::max(200.0, height - 2.0 * kMargin - text));
-  const Point map_size = FittingSize(map, largest);
-  const Point corner(2.0 * kMargin + spec.frame_width, kMargin);
+  film->columns = static_cast<std::size_t>(std::max(1, spec.columns));
+  const double text = kLine * (1.5 + static_cast<double>(OutcomeLines(trajectory).size()));
+  const double bottom = film->corner(film->rows() - 1).y() + film->frame_size.y();
+  const Point corner(film->corner(film->rows() * film->columns).x(), kMargin);
+  const Point map_size =
+      FittingSize(map, {spec.map_width, std::max(kLeastMapHeight, bottom - text - kMargin)});
   film->map_box = {corner, corner + map_size};
   Figure figure;
   figure.width = static_cast<int>(std::ceil(corner.x() + map_size.x() + kMargin));
   figure.height =
-      static_cast<int>(std::ceil(std::max(height, 2.0 * kMargin + map_size.y() + text)));
+      static_cast<int>(std::ceil(std::max(bottom, kMargin + map_size.y() + text) + kMargin));
   figure.draw = [film](Canvas* canvas) {
     DrawFrames(*film, canvas);
     DrawMap(*film, canvas);

@@ -12,6 +12,7 @@ namespace bulletnav::bench {
 struct FilmstripSpec {
   int frames = 7;  // the first and the last included; fewer if there are fewer steps
   sim::PanoramaSpec panorama{.rows = 192, .cols = 768};
+  int columns = 2;             // of panoramas
   double frame_width = 384.0;  // units of the canvas
   double map_width = 600.0;    // at most
 };

@@ -144,8 +144,8 @@ void DrawScaleBar(const MapPlace& place, Canvas* canvas) {
   const Point a(place.box().min().x() + 8.0, place.box().max().y() - 6.0);
   const Point b = a + Point(metres * place.pixels_per_metre(), 0.0);
   canvas->Line(a, b, 2.0, kInk);
-  canvas->Text(0.5 * (a + b) - Point(0.0, 9.0), fmt::format("{} m", metres),
-               {.size = 10.0, .paint = kInk});
+  canvas->Text(b + Point(6.0, 0.0), fmt::format("{} m", metres),
+               {.size = 10.0, .paint = kInk, .align = Align::kLeft});
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include <fmt/core.h>
 
@@ -18,7 +19,8 @@ using Vec = Eigen::Vector3f;
 constexpr Paint kWall = {0.1, 0.1, 0.12};
 constexpr Paint kWalkable = {0.1, 0.75, 0.35, 0.25};
 constexpr Paint kOtherIsland = {0.95, 0.6, 0.1, 0.3};
-constexpr float kMargin = 0.5f;  // metres around the scene
+constexpr float kMargin = 0.5f;           // metres around the scene
+constexpr float kFloorThickness = 0.08f;  // metres
 constexpr double kWallLine = 2.0;
 constexpr int kLabelSize = 15;  // pixels
 constexpr int kSmallestLabel = 10;
@@ -38,21 +40,94 @@ float FloorHeight(const sim::SceneMesh& mesh, const sim::Navmesh& navmesh) {
   return *middle;
 }
 
-void Look(const sim::SceneMesh& mesh, float cut, TopDownView* view) {
-  const sim::RenderMesh render_mesh(mesh);
-  const sim::Raycaster raycaster(render_mesh.corners);
+/// Corners on the map of the triangles of the largest island, or of all others.
+std::vector<Canvas::Point> IslandCorners(const sim::Navmesh& navmesh, const MapFrame& frame,
+                                         bool largest) {
+  std::vector<Canvas::Point> corners;
+  for (std::size_t t = 0; t < navmesh.triangle_islands().size(); ++t) {
+    if ((navmesh.triangle_islands()[t] == 0) != largest) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      corners.push_back(frame.pixel(navmesh.triangle_corners()[3 * t + k]));
+    }
+  }
+  return corners;
+}
+
+/// White where one can walk.
+sim::Image WalkableMask(const sim::Navmesh& navmesh, const TopDownView& view) {
+  Canvas canvas(view.colors.width, view.colors.height, {});
+  for (const bool largest : {true, false}) {
+    canvas.FillTriangles(IslandCorners(navmesh, view.frame, largest), {1.0, 1.0, 1.0});
+  }
+  return canvas.ToImage();
+}
+
+/// Looks at a scene from points of the cut's plane.
+class Looker {
+ public:
+  explicit Looker(const sim::SceneMesh& mesh) : mesh_(mesh), raycaster_(mesh_.corners) {}
+
+  struct Sight {
+    Vec at;
+    std::int32_t triangle;
+  };
+
+  /// What is seen straight below.
+  std::optional<Sight> Below(const Vec& from) const {
+    const sim::RayHit hit = raycaster_.Cast(from, -Vec::UnitY());
+    if (hit.triangle < 0) return std::nullopt;
+    return Sight{from - hit.t * Vec::UnitY(), hit.triangle};
+  }
+
+  /// The nearest surface seen from its back, if the point is inside something: a wardrobe without
+  /// its top, which nobody sees, is nothing but sides.
+  std::optional<Sight> Inside(const Vec& from) const {
+    std::optional<Sight> nearest;
+    float distance = std::numeric_limits<float>::infinity();
+    int backs = 0;
+    for (const Vec& direction : {Vec(1, 0, 0), Vec(-1, 0, 0), Vec(0, 0, 1), Vec(0, 0, -1)}) {
+      const sim::RayHit hit = raycaster_.Cast(from, direction);
+      if (hit.triangle < 0 || Normal(hit.triangle).dot(direction) <= 0.0f) continue;
+      ++backs;
+      if (hit.t >= distance) continue;
+      distance = hit.t;
+      nearest = {from + hit.t * direction, hit.triangle};
+    }
+    return backs >= 2 ? nearest : std::nullopt;  // two stand against walls in a corner
+  }
+
+  sim::Rgb8 Color(const Sight& sight, float pixel_m) const {
+    return sim::ShadePoint(mesh_, static_cast<std::size_t>(sight.triangle), sight.at,
+                           pixel_m * pixel_m);
+  }
+
+ private:
+  Vec Normal(std::int32_t triangle) const {
+    const auto& [a, b, c] = mesh_.corners[static_cast<std::size_t>(triangle)];
+    return (b - a).cross(c - a);
+  }
+
+  sim::RenderMesh mesh_;
+  sim::Raycaster raycaster_;
+};
+
+void Look(const sim::SceneMesh& mesh, const sim::Navmesh& navmesh, float cut, TopDownView* view) {
+  const Looker looker(mesh);
+  const sim::Image walkable = WalkableMask(navmesh, *view);
   const float pixel_m = view->frame.pixel_m;
   for (int y = 0; y < view->colors.height; ++y) {
     for (int x = 0; x < view->colors.width; ++x) {
       const Vec from(view->frame.origin.x() + pixel_m * (static_cast<float>(x) + 0.5f), cut,
                      view->frame.origin.y() + pixel_m * (static_cast<float>(y) + 0.5f));
-      const sim::RayHit hit = raycaster.Cast(from, -Vec::UnitY());
-      view->heights.push_back(hit.triangle < 0 ? std::numeric_limits<float>::quiet_NaN()
-                                               : cut - hit.t - view->floor_y);
-      if (hit.triangle < 0) continue;
-      const auto triangle = static_cast<std::size_t>(hit.triangle);
-      const sim::Rgb8 color =
-          sim::ShadePoint(render_mesh, triangle, from - hit.t * Vec::UnitY(), pixel_m * pixel_m);
+      auto sight = looker.Below(from);
+      const bool is_floor = !sight || sight->at.y() < view->floor_y + kFloorThickness;
+      if (is_floor && walkable.at(x, y)[0] == 0) {
+        if (const auto inside = looker.Inside(from)) sight = inside;
+      }
+      view->heights.push_back(sight ? sight->at.y() - view->floor_y
+                                    : std::numeric_limits<float>::quiet_NaN());
+      if (!sight) continue;
+      const sim::Rgb8 color = looker.Color(*sight, pixel_m);
       std::copy(color.begin(), color.end(), view->colors.at(x, y));
     }
   }
@@ -73,19 +148,6 @@ std::vector<Eigen::Vector2f> Sections(const sim::SceneMesh& mesh, float cut) {
     if (ends.size() == 2) sections.insert(sections.end(), ends.begin(), ends.end());
   }
   return sections;
-}
-
-void DrawWalkable(const sim::Navmesh& navmesh, const MapFrame& frame, Canvas* canvas) {
-  std::vector<Canvas::Point> largest;
-  std::vector<Canvas::Point> others;
-  for (std::size_t t = 0; t < navmesh.triangle_islands().size(); ++t) {
-    auto& corners = navmesh.triangle_islands()[t] == 0 ? largest : others;
-    for (std::size_t k = 0; k < 3; ++k) {
-      corners.push_back(frame.pixel(navmesh.triangle_corners()[3 * t + k]));
-    }
-  }
-  canvas->FillTriangles(largest, kWalkable);
-  canvas->FillTriangles(others, kOtherIsland);
 }
 
 void DrawLabel(const MapLabel& label, const MapFrame& frame, Canvas* canvas) {
@@ -128,7 +190,7 @@ TopDownView LookDown(const sim::SceneMesh& mesh, const sim::Navmesh& navmesh,
                            static_cast<int>(std::ceil(size.y() / view.frame.pixel_m)), 3);
   std::fill(view.colors.pixels.begin(), view.colors.pixels.end(), std::uint8_t{255});
   const float cut = view.floor_y + spec.cut_height_m;
-  Look(mesh, cut, &view);
+  Look(mesh, navmesh, cut, &view);
   view.sections = Sections(mesh, cut);
   return view;
 }
@@ -154,7 +216,10 @@ sim::Image DrawTopDown(const sim::SceneMesh& mesh, const sim::Navmesh& navmesh,
                        const std::vector<MapLabel>& labels, const TopDownSpec& spec) {
   const TopDownView view = LookDown(mesh, navmesh, spec);
   Canvas canvas(view.colors);
-  if (spec.walkable) DrawWalkable(navmesh, view.frame, &canvas);
+  if (spec.walkable) {
+    canvas.FillTriangles(IslandCorners(navmesh, view.frame, true), kWalkable);
+    canvas.FillTriangles(IslandCorners(navmesh, view.frame, false), kOtherIsland);
+  }
   for (std::size_t i = 0; i + 1 < view.sections.size(); i += 2) {
     canvas.Line(view.frame.pixel(view.sections[i]), view.frame.pixel(view.sections[i + 1]),
                 kWallLine, kWall);

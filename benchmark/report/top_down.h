@@ -39,7 +39,8 @@ struct TopDownView {
   MapFrame frame;
   float floor_y = 0.0f;
   sim::Image colors;           // RGB, true; white where there is nothing below the cut
-  std::vector<float> heights;  // [y, x] metres over the floor of what is seen; NaN: nothing
+  std::vector<float> heights;  // [y, x] metres over the floor of what is seen, the cut's for what
+                               // is cut through; NaN: nothing
   std::vector<Eigen::Vector2f> sections;  // where surfaces are cut: two ends of a line each
 };
 TopDownView LookDown(const sim::SceneMesh& mesh, const sim::Navmesh& navmesh,

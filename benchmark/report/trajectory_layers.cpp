@@ -17,7 +17,7 @@ constexpr double kRimWidth = 4.6;
 
 // Of what the agent's map says a place is, in the order of MapPicture::Kind.
 constexpr std::array<Paint, 4> kMapPaints = {Paint{0, 0, 0, 0}, kSkyBlue, kPurple, kOrange};
-constexpr std::array<double, 4> kMapOpacities = {0.0, 0.22, 0.85, 0.95};
+constexpr std::array<double, 4> kMapOpacities = {0.0, 0.22, 0.6, 0.95};
 
 sim::Image ToPicture(const agent::MapPicture& map) {
   sim::Image image(map.size, map.size, 4);

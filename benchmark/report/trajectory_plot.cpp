@@ -114,7 +114,7 @@ void AddBeliefEntries(const agent::Belief& belief, SideColumn* column, Canvas* c
   };
   if (belief.map) {
     box("its map: free", kSkyBlue.WithAlpha(0.35));
-    box("its map: obstacle", kPurple);
+    box("its map: obstacle", kPurple.WithAlpha(0.6));
     box("its map: felt wall", kOrange);
   }
   if (belief.graph) {
