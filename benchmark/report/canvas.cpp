@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/report/canvas.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <string_view>
 
 #include <cairo/cairo-svg.h>
 #include <cairo/cairo.h>
@@ -30,25 +32,30 @@ cairo_status_t Append(void* text, const unsigned char* bytes, unsigned int count
   return CAIRO_STATUS_SUCCESS;
 }
 
+/// Where the next name of a part begins in an SVG, at `from` or later.
+std::size_t NextName(const std::string& svg, std::size_t from) {
+  std::size_t next = std::string::npos;
+  for (const std::string_view before : {" id=\"", "xlink:href=\"#", "url(#"}) {
+    const std::size_t found = svg.find(before, from);
+    if (found != std::string::npos) next = std::min(next, found + before.size());
+  }
+  return next;
+}
+
 /// Cairo numbers the parts of an SVG from a counter of the whole process: counts them anew, by
 /// first appearance, so that the same picture is the same text.
 std::string Renumber(const std::string& svg) {
   std::string text;
-  std::map<std::string, int> numbers;
-  std::size_t at = 0;
-  while (at < svg.size()) {
-    const std::size_t key = std::min(svg.find("id=\"", at), svg.find("=\"#", at));
-    const std::size_t name = key == std::string::npos ? svg.size() : svg.find('"', key) + 1;
-    text.append(svg, at, name - at);
-    if (name >= svg.size()) break;
-    const std::size_t end = svg.find('"', name);
-    const std::size_t first = svg[name] == '#' ? name + 1 : name;
-    const std::string id = svg.substr(first, end - first);
-    const int number = numbers.try_emplace(id, static_cast<int>(numbers.size()) + 1).first->second;
-    text += (first > name ? "#part" : "part") + std::to_string(number);
-    at = end;
+  std::map<std::string, std::size_t> numbers;
+  std::size_t rest = 0;
+  for (std::size_t at = NextName(svg, 0); at != std::string::npos; at = NextName(svg, rest)) {
+    const std::size_t end = svg.find_first_of("\")", at);
+    const std::string name = svg.substr(at, end - at);
+    const std::size_t number = numbers.try_emplace(name, numbers.size() + 1).first->second;
+    text.append(svg, rest, at - rest).append("part").append(std::to_string(number));
+    rest = end;
   }
-  return text;
+  return text.append(svg, rest);
 }
 
 Surface MakeSurface(Canvas::Kind kind, const Eigen::Vector2d& size, double scale,
@@ -213,8 +220,7 @@ void Canvas::Picture(const sim::Image& image, const Eigen::Affine2d& place, bool
   cairo_transform(c, &matrix);
   cairo_set_source_surface(c, picture.get(), 0.0, 0.0);
   cairo_pattern_set_filter(cairo_get_source(c), smooth ? CAIRO_FILTER_GOOD : CAIRO_FILTER_NEAREST);
-  cairo_rectangle(c, 0.0, 0.0, image.width, image.height);
-  cairo_fill(c);
+  cairo_paint(c);
   cairo_restore(c);
 }
 

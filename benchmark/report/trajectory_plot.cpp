@@ -184,6 +184,11 @@ double DrawColumn(const EpisodeTrajectory& trajectory, bool belief, const Point&
   return column.bottom();
 }
 
+/// "1 step", "2 steps".
+std::string Count(int number, const char* what) {
+  return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
+}
+
 /// "success, SPL 0.73", or why there is none.
 std::string Verdict(const EpisodeTrajectory& trajectory) {
   const auto& goals = trajectory.result.goals;
@@ -220,7 +225,8 @@ std::vector<std::string> OutcomeLines(const EpisodeTrajectory& trajectory) {
   return {fmt::format("{}, {}, seed {}", result.key.setting, result.key.condition, result.key.seed),
           fmt::format("{}, episode {}{}", std::filesystem::path(result.key.scene).stem().string(),
                       result.key.episode, difficulty),
-          Verdict(trajectory), fmt::format("{} steps, {} collisions", steps, collisions),
+          Verdict(trajectory),
+          fmt::format("{}, {}", Count(steps, "step"), Count(collisions, "collision")),
           fmt::format("walked {:.1f} m, shortest {:.1f} m", path, shortest)};
 }
 
