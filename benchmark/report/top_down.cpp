@@ -87,7 +87,8 @@ class Looker {
     int backs = 0;
     for (const Vec& direction : {Vec(1, 0, 0), Vec(-1, 0, 0), Vec(0, 0, 1), Vec(0, 0, -1)}) {
       const sim::RayHit hit = raycaster_.Cast(from, direction);
-      if (hit.triangle < 0 || Normal(hit.triangle).dot(direction) <= 0.0f) continue;
+      if (hit.triangle < 0) return std::nullopt;  // out of doors, where walls show their backs too
+      if (Normal(hit.triangle).dot(direction) <= 0.0f) continue;
       ++backs;
       if (hit.t >= distance) continue;
       distance = hit.t;

@@ -31,7 +31,10 @@ class SideColumn {
 
   void Title(const std::string& text) {
     canvas_->Text(at_ + Point(0.0, 7.0), text,
-                  {.size = 13.0, .paint = kInk, .bold = true, .align = Align::kLeft});
+                  {.size = FittingSize(text, 13.0, true),
+                   .paint = kInk,
+                   .bold = true,
+                   .align = Align::kLeft});
     at_.y() += kLine + 3.0;
   }
 
@@ -81,9 +84,15 @@ class SideColumn {
   double bottom() const { return at_.y(); }
 
  private:
+  /// Long names and failures are printed smaller.
+  double FittingSize(const std::string& text, double size, bool bold) const {
+    const double width = canvas_->TextSize(text, size, bold).x();
+    return size * std::min(1.0, (kColumn - kMargin) / std::max(1.0, width));
+  }
+
   void TextAt(double x, const std::string& text) {
     canvas_->Text({x, at_.y() + 0.4 * kLine}, text,
-                  {.size = kText, .paint = kInk, .align = Align::kLeft});
+                  {.size = FittingSize(text, kText, false), .paint = kInk, .align = Align::kLeft});
     at_.y() += kLine;
   }
 
