@@ -231,10 +231,13 @@ std::vector<std::string> OutcomeLines(const EpisodeTrajectory& trajectory) {
   }
   const std::string difficulty =
       result.difficulty ? fmt::format(" ({})", DifficultyName(*result.difficulty)) : "";
+  // Generated episodes have their scene in their name.
+  const std::string scene = std::filesystem::path(result.key.scene).stem().string();
+  const std::string name = result.key.episode.starts_with(scene)
+                               ? result.key.episode
+                               : fmt::format("{}, episode {}", scene, result.key.episode);
   return {fmt::format("{}, {}, seed {}", result.key.setting, result.key.condition, result.key.seed),
-          fmt::format("{}, episode {}{}", std::filesystem::path(result.key.scene).stem().string(),
-                      result.key.episode, difficulty),
-          Verdict(trajectory),
+          name + difficulty, Verdict(trajectory),
           fmt::format("{}, {}", Count(steps, "step"), Count(collisions, "collision")),
           fmt::format("walked {:.1f} m, shortest {:.1f} m", path, shortest)};
 }

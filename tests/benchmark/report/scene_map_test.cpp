@@ -82,6 +82,11 @@ TEST(SceneMap, WhatTheCutGoesThroughIsFurnitureThoughItsTopIsMissing) {
   EXPECT_GT(box[0], box[2] + 30);
 }
 
+TEST(SceneMap, OutdoorsBetweenTwoWingsIsNoFurniture) {
+  const Drawn drawn(MapOf(tests::LCorridor(4, 4, 1.2f, 2.6f)));
+  EXPECT_THAT(drawn.At(1, -3), Each(Gt(250)));
+}
+
 TEST(SceneMap, WallsAreCutWhereThereIsNoPlan) {
   const Drawn drawn(MapOf(RoomWithBox(0.8f)));
   EXPECT_THAT(drawn.At(0.0, -2), Each(Lt(170)));

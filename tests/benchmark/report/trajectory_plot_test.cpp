@@ -126,6 +126,7 @@ TEST(TrajectoryPlot, BothKindsOfFilesAreWrittenUnderAnyName) {
 
 TEST(TrajectoryPlot, OutcomeSaysWhatBecameOfIt) {
   EpisodeTrajectory trajectory = tests::MadeUpTrajectory();
+  EXPECT_THAT(OutcomeLines(trajectory), Contains("house, episode 12 (easy)"));
   EXPECT_THAT(OutcomeLines(trajectory), Contains("success, SPL 0.62"));
   EXPECT_THAT(OutcomeLines(trajectory), Contains("26 steps, 1 collision"));
   trajectory.result.goals[0].success = false;
