@@ -76,20 +76,24 @@ std::uint32_t* Row(cairo_surface_t* surface, int y) {
       data + std::ptrdiff_t{cairo_image_surface_get_stride(surface)} * y);
 }
 
-/// A picture as cairo keeps it: colour multiplied by opacity.
+/// A pixel as cairo keeps it: colour multiplied by opacity.
+std::uint32_t ToArgb(const std::uint8_t* p, std::uint32_t alpha) {
+  const auto times_alpha = [&](std::uint32_t value) {
+    return (value * alpha + 127) / 255;
+  };
+  return alpha << 24 | times_alpha(p[0]) << 16 | times_alpha(p[1]) << 8 | times_alpha(p[2]);
+}
+
 Surface ToSurface(const sim::Image& image) {
   CHECK(image.channels == 3 || image.channels == 4);
-  Surface surface(cairo_image_surface_create(
-      image.channels == 4 ? CAIRO_FORMAT_ARGB32 : CAIRO_FORMAT_RGB24, image.width, image.height));
+  const bool has_alpha = image.channels == 4;
+  Surface surface(cairo_image_surface_create(has_alpha ? CAIRO_FORMAT_ARGB32 : CAIRO_FORMAT_RGB24,
+                                             image.width, image.height));
   for (int y = 0; y < image.height; ++y) {
     std::uint32_t* row = Row(surface.get(), y);
     for (int x = 0; x < image.width; ++x) {
       const std::uint8_t* p = image.at(x, y);
-      const std::uint32_t alpha = image.channels == 4 ? p[3] : 255;
-      const auto times_alpha = [&](std::uint32_t value) {
-        return (value * alpha + 127) / 255;
-      };
-      row[x] = alpha << 24 | times_alpha(p[0]) << 16 | times_alpha(p[1]) << 8 | times_alpha(p[2]);
+      row[x] = ToArgb(p, has_alpha ? p[3] : 255);
     }
   }
   cairo_surface_mark_dirty(surface.get());

@@ -28,20 +28,18 @@ constexpr Paint kLabel = {0.42, 0.42, 0.45};
 constexpr double kLabelSize = 11.0;
 constexpr double kSmallestLabel = 7.0;
 
+std::uint8_t Muted(std::uint8_t value) {
+  return static_cast<std::uint8_t>(kColorShare * static_cast<float>(value) +
+                                   (1.0f - kColorShare) * kGrey);
+}
+
 sim::Image Backdrop(const TopDownView& view) {
   sim::Image image(view.colors.width, view.colors.height, 4);
-  for (int y = 0; y < image.height; ++y) {
-    for (int x = 0; x < image.width; ++x) {
-      const float height =
-          view.heights[static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
-                       static_cast<std::size_t>(x)];
-      if (!(height > kFloorThickness)) continue;
-      for (int k = 0; k < 3; ++k) {
-        image.at(x, y)[k] = static_cast<std::uint8_t>(
-            kColorShare * static_cast<float>(view.colors.at(x, y)[k]) + (1 - kColorShare) * kGrey);
-      }
-      image.at(x, y)[3] = 255;
-    }
+  for (std::size_t i = 0; i < view.heights.size(); ++i) {
+    if (!(view.heights[i] > kFloorThickness)) continue;  // floor, or nothing
+    const std::uint8_t* color = &view.colors.pixels[3 * i];
+    std::transform(color, color + 3, &image.pixels[4 * i], Muted);
+    image.pixels[4 * i + 3] = 255;
   }
   return image;
 }

@@ -94,7 +94,7 @@ sim::NoiseMode ReadNoise(const JsonCursor& json) {
 
 /// A text with one letter a step.
 std::string ReadLetters(const JsonCursor& json, std::size_t steps, std::string_view letters) {
-  const std::string text = json.Text();
+  std::string text = json.Text();
   if (text.size() != steps || text.find_first_not_of(letters) != std::string::npos) {
     json.Fail(fmt::format("expected {} letters out of {}", steps, letters));
   }

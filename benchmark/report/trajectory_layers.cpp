@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "benchmark/report/marks.h"
 #include "benchmark/report/palette.h"
@@ -26,7 +27,7 @@ sim::Image ToPicture(const agent::MapPicture& map) {
     const Paint& paint = kMapPaints[kind];
     const std::array channels = {paint.red, paint.green, paint.blue, kMapOpacities[kind]};
     std::transform(channels.begin(), channels.end(), &image.pixels[4 * i], [](double value) {
-      return static_cast<std::uint8_t>(255.0 * value + 0.5);
+      return static_cast<std::uint8_t>(std::lround(255.0 * value));
     });
   }
   return image;
