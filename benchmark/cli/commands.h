@@ -9,6 +9,7 @@ namespace bulletnav::bench {
 void AddBenchCommand(CLI::App* program);
 void AddCompareCommand(CLI::App* program);
 void AddEpisodesCommand(CLI::App* program);
+void AddPlotCommand(CLI::App* program);
 void AddRenderCommand(CLI::App* program);
 /// Adds "generate" to the "scenes" command.
 void AddGenerateCommand(CLI::App* scenes);

@@ -31,6 +31,7 @@ int Run(int argc, char** argv) {
   bulletnav::bench::AddRenderCommand(&program);
   bulletnav::bench::AddEpisodesCommand(&program);
   bulletnav::bench::AddCompareCommand(&program);
+  bulletnav::bench::AddPlotCommand(&program);
   bulletnav::bench::AddBenchCommand(&program);
   try {
     program.parse(argc, argv);

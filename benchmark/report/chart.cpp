@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/report/chart.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include <fmt/core.h>
+
+#include "benchmark/report/palette.h"
+#include "sim/base/check.h"
+#include "sim/math/pose.h"
+
+namespace bulletnav::bench {
+namespace {
+
+using Point = Canvas::Point;
+
+constexpr double kPanelWidth = 300.0;
+constexpr double kPanelHeight = 210.0;
+constexpr double kLeft = 52.0;  // for the labels of the axes
+constexpr double kRight = 14.0;
+constexpr double kTop = 14.0;
+constexpr double kBottom = 44.0;
+constexpr double kLegendLine = 17.0;
+constexpr double kTick = 10.5;   // size of text
+constexpr double kLabel = 12.0;  // size of text
+constexpr Paint kGrid = {0.88, 0.88, 0.88};
+
+/// Shapes tell lines apart in print without colour.
+void DrawMarker(const Point& at, std::size_t series, Canvas* canvas) {
+  const Paint& paint = kLineColors[series % kLineColors.size()];
+  constexpr std::array<int, 4> kCorners = {0, 4, 3, 5};  // 0: a disc
+  const int corners = kCorners[(series + series / kLineColors.size()) % kCorners.size()];
+  if (corners == 0) {
+    canvas->Disc(at, 3.4, paint);
+    return;
+  }
+  std::vector<Point> polygon;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2.0 * sim::kPi * (i + (corners == 4 ? 0.5 : 0.0)) / corners;
+    polygon.push_back(at + 4.2 * Point(std::sin(angle), -std::cos(angle)));
+  }
+  canvas->Fill(polygon, paint);
+}
+
+/// One chart: where its values lie, and its parts.
+class Panel {
+ public:
+  Panel(const Chart& chart, const Point& corner, Canvas* canvas)
+      : chart_(chart), corner_(corner), canvas_(canvas) {
+    low_ = std::numeric_limits<double>::infinity();
+    high_ = -low_;
+    for (const Chart::Series& series : chart.series) {
+      for (const Chart::Value& value : series.values) {
+        low_ = std::min(low_, value.x);
+        high_ = std::max(high_, value.x);
+      }
+    }
+    if (!(low_ <= high_)) low_ = high_ = 0.0;
+    low_ -= 0.5;
+    high_ += 0.5;
+  }
+
+  void Axes() const {
+    for (int i = 0; i <= 5; ++i) {
+      const double y = 0.2 * i;
+      canvas_->Line(At(low_, y), At(high_, y), 0.8, kGrid);
+      canvas_->Text(At(low_, y) - Point(6.0, 0.0), fmt::format("{:.1f}", y),
+                    {.size = kTick, .paint = kInk, .align = Align::kRight});
+    }
+    const int step = high_ - low_ > 12.0 ? 2 : 1;
+    for (int x = static_cast<int>(std::ceil(low_)); x <= high_; x += step) {
+      canvas_->Line(At(x, 0.0), At(x, 0.0) + Point(0.0, 4.0), 1.0, kInk);
+      canvas_->Text(At(x, 0.0) + Point(0.0, 13.0), std::to_string(x),
+                    {.size = kTick, .paint = kInk});
+    }
+    canvas_->Line(At(low_, 0.0), At(high_, 0.0), 1.0, kInk);
+    canvas_->Line(At(low_, 0.0), At(low_, 1.0), 1.0, kInk);
+    canvas_->Text(At(0.5 * (low_ + high_), 0.0) + Point(0.0, 32.0), chart_.x_label,
+                  {.size = kLabel, .paint = kInk});
+    canvas_->Text(At(low_, 0.5) - Point(38.0, 0.0), chart_.y_label,
+                  {.size = kLabel, .paint = kInk, .upwards = true});
+  }
+
+  void Band(std::size_t i) const {
+    const auto& values = chart_.series[i].values;
+    std::vector<Point> band;
+    for (const Chart::Value& v : values) band.push_back(At(v.x, v.interval.high));
+    for (auto v = values.rbegin(); v != values.rend(); ++v) {
+      band.push_back(At(v->x, v->interval.low));
+    }
+    const Paint& paint = kLineColors[i % kLineColors.size()];
+    canvas_->Fill(band, paint.WithAlpha(0.15));
+    // A band of one value has no area: its interval as a bar.
+    if (values.size() == 1) canvas_->Line(band[0], band[1], 1.2, paint.WithAlpha(0.6));
+  }
+
+  void Line(std::size_t i) const {
+    std::vector<Point> points;
+    for (const Chart::Value& v : chart_.series[i].values) points.push_back(At(v.x, v.y));
+    canvas_->Polyline(points, {1.8, kLineColors[i % kLineColors.size()], {}});
+    for (const Point& p : points) DrawMarker(p, i, canvas_);
+  }
+
+ private:
+  Point At(double x, double y) const {
+    return corner_ + Point(kLeft + kPanelWidth * (x - low_) / (high_ - low_),
+                           kTop + kPanelHeight * (1.0 - y));
+  }
+
+  const Chart& chart_;
+  Point corner_;
+  Canvas* canvas_;
+  double low_ = 0.0;
+  double high_ = 0.0;
+};
+
+void DrawLegend(const Chart& chart, double top, Canvas* canvas) {
+  for (std::size_t i = 0; i < chart.series.size(); ++i) {
+    const Point at(kLeft, top + kLegendLine * (static_cast<double>(i) + 0.5));
+    canvas->Line(at, at + Point(24.0, 0.0), 1.8, kLineColors[i % kLineColors.size()]);
+    DrawMarker(at + Point(12.0, 0.0), i, canvas);
+    canvas->Text(at + Point(32.0, 0.0), chart.series[i].name,
+                 {.size = kTick, .paint = kInk, .align = Align::kLeft});
+  }
+}
+
+}  // namespace
+
+Figure ChartFigure(std::span<const Chart> charts) {
+  const auto shared = std::make_shared<const std::vector<Chart>>(charts.begin(), charts.end());
+  const std::size_t series = charts.empty() ? 0 : charts.front().series.size();
+  for (const Chart& chart : charts) CHECK_EQ(chart.series.size(), series);
+  const double pitch = kLeft + kPanelWidth + kRight;
+  const double legend = kTop + kPanelHeight + kBottom;
+  Figure figure;
+  figure.width =
+      static_cast<int>(pitch * static_cast<double>(std::max<std::size_t>(1, charts.size())));
+  figure.height = static_cast<int>(legend + kLegendLine * static_cast<double>(series) + 6.0);
+  figure.draw = [shared, series, pitch, legend](Canvas* canvas) {
+    if (series == 0) {
+      canvas->Text({0.5 * pitch, 0.5 * legend}, "no results", {.size = kLabel, .paint = kInk});
+      return;
+    }
+    for (std::size_t k = 0; k < shared->size(); ++k) {
+      const Panel panel((*shared)[k], {pitch * static_cast<double>(k), 0.0}, canvas);
+      panel.Axes();
+      for (std::size_t i = 0; i < series; ++i) panel.Band(i);
+      for (std::size_t i = 0; i < series; ++i) panel.Line(i);
+    }
+    DrawLegend(shared->front(), legend, canvas);
+  };
+  return figure;
+}
+
+}  // namespace bulletnav::bench

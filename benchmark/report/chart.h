@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <span>
+#include <string>
+#include <vector>
+
+#include "benchmark/evaluation/statistics.h"
+#include "benchmark/report/figure.h"
+
+namespace bulletnav::bench {
+
+/// Shares, all in [0, 1], against something countable, with their confidence.
+struct Chart {
+  struct Value {
+    double x = 0.0;
+    double y = 0.0;
+    Interval interval;
+  };
+  struct Series {
+    std::string name;
+    std::vector<Value> values;  // by rising x
+  };
+  std::string x_label;
+  std::string y_label;
+  std::vector<Series> series;  // as many, in the same order, in all charts of a figure
+};
+
+/// Charts side by side under a common legend: a line with marks a series and a band for its
+/// intervals. Expects: as many series in each (checked). With no chart or no series the figure says
+/// that there are no results.
+Figure ChartFigure(std::span<const Chart> charts);
+
+}  // namespace bulletnav::bench

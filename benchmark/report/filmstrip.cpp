@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/report/filmstrip.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/core.h>
+
+#include "benchmark/report/palette.h"
+#include "benchmark/report/replay.h"
+#include "benchmark/report/trajectory_layers.h"
+#include "benchmark/report/trajectory_plot.h"
+
+namespace bulletnav::bench {
+namespace {
+
+using Point = Canvas::Point;
+
+constexpr double kMargin = 12.0;
+constexpr double kCaption = 20.0;  // height of a line of text over each picture
+constexpr double kLine = 16.0;
+constexpr double kTextSize = 11.0;
+constexpr double kLeastMapHeight = 320.0;
+
+/// What a filmstrip is drawn from.
+struct Film {
+  SceneMap map;
+  EpisodeTrajectory trajectory;
+  std::vector<int> steps;
+  std::vector<sim::Image> frames;  // the goal's first, then one for each of `steps`
+  Eigen::AlignedBox2d map_box;
+  Point frame_size;
+  std::size_t columns = 1;
+
+  std::size_t rows() const { return (frames.size() + columns - 1) / columns; }
+  /// Of the goal's panorama, then of the frames: down the first column, then the next.
+  Point corner(std::size_t k) const {
+    const Point pitch(frame_size.x() + kMargin, frame_size.y() + kCaption);
+    const Point cell(static_cast<double>(k / rows()), static_cast<double>(k % rows()));
+    return Point(kMargin, kMargin + kCaption) + cell.cwiseProduct(pitch);
+  }
+};
+
+Paint FrameColor(const Film& film, std::size_t i) {
+  return TimeColor(film.steps[i] /
+                   std::max(1.0, static_cast<double>(film.trajectory.steps.size())));
+}
+
+/// A number in a disc.
+void DrawNumber(const Point& at, std::size_t number, const Paint& paint, Canvas* canvas) {
+  // White on the dark half of the colours, black on the light one.
+  const double luminance = 0.3 * paint.red + 0.6 * paint.green + 0.1 * paint.blue;
+  canvas->Disc(at, 8.5, kWhite);
+  canvas->Disc(at, 7.5, paint);
+  canvas->Text(at, std::to_string(number),
+               {.size = 9.5, .paint = luminance > 0.5 ? kBlack : kWhite, .bold = true});
+}
+
+std::string CaptionOf(const Film& film, std::size_t i) {
+  const int step = film.steps[i];
+  if (step == 0) return "start";
+  const sim::Action action = film.trajectory.steps[static_cast<std::size_t>(step) - 1].action;
+  std::string name(sim::ActionName(action));
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return fmt::format("step {}: {}", step, name);
+}
+
+/// Names of directions over the first picture.
+void DrawDirections(const Film& film, double y, Canvas* canvas) {
+  constexpr std::array<std::pair<double, const char*>, 3> kDirections = {
+      {{0.25, "left"}, {0.5, "ahead"}, {0.75, "right"}}};
+  for (const auto& [share, text] : kDirections) {
+    canvas->Text({kMargin + share * film.frame_size.x(), y}, text,
+                 {.size = 9.5, .paint = kInk.WithAlpha(0.7)});
+  }
+}
+
+void DrawFrames(const Film& film, Canvas* canvas) {
+  for (std::size_t k = 0; k < film.frames.size(); ++k) {
+    const Point corner = film.corner(k);
+    const double zoom = film.frame_size.x() / film.frames[k].width;
+    canvas->Picture(film.frames[k], Eigen::Translation2d(corner) * Eigen::Scaling(zoom), true);
+    const Point caption = corner - Point(0.0, 0.5 * kCaption);
+    if (k == 0) {
+      const std::string text = film.trajectory.goals.size() > 1 ? "first goal" : "goal";
+      canvas->Text(caption, text,
+                   {.size = kTextSize, .paint = kInk, .bold = true, .align = Align::kLeft});
+      DrawDirections(film, caption.y(), canvas);
+      continue;
+    }
+    DrawNumber(caption + Point(8.0, 0.0), k, FrameColor(film, k - 1), canvas);
+    canvas->Text(caption + Point(22.0, 0.0), CaptionOf(film, k - 1),
+                 {.size = kTextSize, .paint = kInk, .align = Align::kLeft});
+  }
+}
+
+void DrawMap(const Film& film, Canvas* canvas) {
+  const MapPlace place(film.map, film.map_box);
+  DrawSceneMap(film.map, place, canvas);
+  DrawShortestPath(film.trajectory, place, canvas);
+  DrawTruePath(film.trajectory, film.trajectory.steps.size(), place, canvas);
+  DrawMarks(film.trajectory, place, canvas);
+  const auto poses = TruePoses(film.trajectory);
+  for (std::size_t i = 0; i < film.steps.size(); ++i) {
+    const Point at = place.At(poses[static_cast<std::size_t>(film.steps[i])].position);
+    // Beside the path, so that start, goal and stop can still be seen.
+    DrawNumber(at + Point(11.0, -11.0), i + 1, FrameColor(film, i), canvas);
+  }
+}
+
+void DrawOutcome(const Film& film, Canvas* canvas) {
+  Point at(film.map_box.min().x(), film.map_box.max().y() + kLine);
+  canvas->Text(at, film.trajectory.result.key.agent,
+               {.size = 13.0, .paint = kInk, .bold = true, .align = Align::kLeft});
+  for (const std::string& line : OutcomeLines(film.trajectory)) {
+    at.y() += kLine;
+    canvas->Text(at, line, {.size = kTextSize, .paint = kInk, .align = Align::kLeft});
+  }
+}
+
+}  // namespace
+
+std::vector<int> FilmSteps(std::size_t steps, int frames) {
+  const auto last = static_cast<int>(steps);
+  const int gaps = std::max(1, std::min(frames - 1, last));
+  std::vector<int> chosen;
+  for (int i = 0; i <= gaps; ++i) {
+    const int step = (i * last + gaps / 2) / gaps;
+    if (chosen.empty() || step > chosen.back()) chosen.push_back(step);
+  }
+  return chosen;
+}
+
+Figure Filmstrip(const std::shared_ptr<const sim::World>& world, const SceneMap& map,
+                 const EpisodeTrajectory& trajectory, const FilmstripSpec& spec) {
+  auto film = std::make_shared<Film>();
+  film->map = map;
+  film->trajectory = trajectory;
+  film->steps = FilmSteps(trajectory.steps.size(), spec.frames);
+  film->frames = ReplayPanoramas(world, trajectory, spec.panorama, film->steps);
+  film->frames.insert(film->frames.begin(),
+                      LookFrom(*world, trajectory.body, spec.panorama, trajectory.goals.front()));
+  film->frame_size = {spec.frame_width, spec.frame_width * spec.panorama.rows / spec.panorama.cols};
+  film->columns = static_cast<std::size_t>(std::max(1, spec.columns));
+  const double text = kLine * (1.5 + static_cast<double>(OutcomeLines(trajectory).size()));
+  const double bottom = film->corner(film->rows() - 1).y() + film->frame_size.y();
+  const Point corner(film->corner(film->rows() * film->columns).x(), kMargin);
+  const Point map_size =
+      FittingSize(map, {spec.map_width, std::max(kLeastMapHeight, bottom - text - kMargin)});
+  film->map_box = {corner, corner + map_size};
+  Figure figure;
+  figure.width = static_cast<int>(std::ceil(corner.x() + map_size.x() + kMargin));
+  figure.height =
+      static_cast<int>(std::ceil(std::max(bottom, kMargin + map_size.y() + text) + kMargin));
+  figure.draw = [film](Canvas* canvas) {
+    DrawFrames(*film, canvas);
+    DrawMap(*film, canvas);
+    DrawOutcome(*film, canvas);
+  };
+  return figure;
+}
+
+}  // namespace bulletnav::bench

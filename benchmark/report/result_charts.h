@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <span>
+#include <vector>
+
+#include "benchmark/evaluation/summary.h"
+#include "benchmark/report/chart.h"
+
+namespace bulletnav::bench {
+
+/// Success and SPL of sequences by number of goals, from the rows "goals_1", "goals_2", ...: one
+/// series an agent, setting and condition. Empty if there are no such rows.
+std::vector<Chart> GoalCountCharts(std::span<const SummaryRow> rows,
+                                   std::span<const AgentRow> agents);
+
+/// Success (Wilson) and SPL (bootstrap) of single goals by geodesic distance from start to goal, in
+/// bins of a metre, at their middles. Bins of under five episodes are left out.
+std::vector<Chart> DistanceCharts(std::span<const EpisodeResult> results,
+                                  std::span<const AgentRow> agents);
+
+}  // namespace bulletnav::bench

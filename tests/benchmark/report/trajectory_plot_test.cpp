@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/report/trajectory_plot.h"
+
+#include <gmock/gmock.h>
+
+#include "benchmark/report/palette.h"
+#include "benchmark/report/trajectory_layers.h"
+#include "sim/base/files.h"
+#include "tests/support/scenes.h"
+#include "tests/support/svg.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/trajectories.h"
+
+namespace bulletnav::bench {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+
+/// The room of MadeUpTrajectory.
+const SceneMap& RoomMap() {
+  static const SceneMap map = [] {
+    const sim::SceneMesh mesh = tests::BoxRoom(4, 2.6f, 4);
+    return MakeSceneMap(mesh, sim::Navmesh(mesh, {}), {});
+  }();
+  return map;
+}
+
+const MapPlace& Place() {
+  static const MapPlace place(RoomMap(), {Canvas::Point(0, 0), Canvas::Point(500, 500)});
+  return place;
+}
+
+template <class Draw>
+sim::Image Layer(const Draw& draw) {
+  Canvas canvas(500, 500, kWhite);
+  draw(&canvas);
+  return canvas.ToImage();
+}
+
+Paint At(const sim::Image& image, double x, double z) {
+  const Canvas::Point p = Place().At(x, z);
+  const std::uint8_t* c = image.at(static_cast<int>(p.x()), static_cast<int>(p.y()));
+  return {c[0] / 255.0, c[1] / 255.0, c[2] / 255.0};
+}
+
+double Difference(const Paint& a, const Paint& b) {
+  return std::max(
+      {std::abs(a.red - b.red), std::abs(a.green - b.green), std::abs(a.blue - b.blue)});
+}
+
+TEST(TrajectoryLayers, TruePathHasTheColourOfItsTime) {
+  const EpisodeTrajectory trajectory = tests::MadeUpTrajectory();
+  const sim::Image image = Layer([&](Canvas* canvas) {
+    DrawTruePath(trajectory, trajectory.steps.size(), Place(), canvas);
+  });
+  const auto poses = static_cast<double>(trajectory.steps.size() + 1);
+  // In the middle of the fourth step's move, and of the second of those after eight and nine turns.
+  EXPECT_LT(Difference(At(image, 1.0, -1.875), TimeColor(4 / poses)), 0.03);
+  EXPECT_LT(Difference(At(image, 1.375, -3.0), TimeColor(19 / poses)), 0.03);
+  EXPECT_LT(Difference(At(image, 2.0, -2.0), kWhite), 0.01);
+}
+
+TEST(TrajectoryLayers, PathIsDrawnUntilTheStepAskedFor) {
+  const EpisodeTrajectory trajectory = tests::MadeUpTrajectory();
+  const sim::Image image = Layer([&](Canvas* canvas) {
+    DrawTruePath(trajectory, 4, Place(), canvas);
+  });
+  EXPECT_GT(Difference(At(image, 1.0, -1.875), kWhite), 0.3);
+  EXPECT_LT(Difference(At(image, 1.0, -2.625), kWhite), 0.01);
+}
+
+TEST(TrajectoryLayers, MapOfTheAgentLiesAsSeenFromTheStart) {
+  const EpisodeTrajectory trajectory = tests::MadeUpTrajectory();
+  EpisodeTrajectory map_only = trajectory;
+  map_only.belief.graph.reset();
+  map_only.belief.target.reset();
+  const sim::Image image = Layer([&](Canvas* canvas) {
+    DrawBelief(map_only, Place(), canvas);
+  });
+  // Cell (2, 1) of half a metre lies 0.75 m ahead of the start and 0.25 m to its left, cell (2, 2)
+  // 0.75 m to the left; the start looks along -z.
+  const Paint obstacle = At(image, 0.75, -1.75);
+  EXPECT_GT(Difference(obstacle, kWhite), 0.1);
+  EXPECT_LT(Difference(At(image, 0.25, -1.75), kOrange), 0.1) << "felt wall";
+  EXPECT_LT(Difference(At(image, 1.75, -1.75), kWhite), 0.01) << "unknown";
+}
+
+TEST(TrajectoryLayers, StopsAreGoodOnlyAtGoalsThatWereReached) {
+  EpisodeTrajectory trajectory = tests::MadeUpTrajectory();
+  EXPECT_TRUE(IsGoodStop(trajectory, trajectory.steps.back()));
+  EXPECT_FALSE(IsGoodStop(trajectory, trajectory.steps.front()));
+  trajectory.result.goals[0].success = false;
+  EXPECT_FALSE(IsGoodStop(trajectory, trajectory.steps.back()));
+}
+
+TEST(TrajectoryPlot, SvgIsSoundAndTheSameEachTime) {
+  const EpisodeTrajectory trajectory = tests::MadeUpTrajectory();
+  TrajectoryPlotSpec spec;
+  spec.belief = true;
+  const std::string svg = ToSvg(TrajectoryPlot(RoomMap(), trajectory, spec));
+  EXPECT_EQ(tests::SvgProblem(svg), "");
+  EXPECT_EQ(ToSvg(TrajectoryPlot(RoomMap(), trajectory, spec)), svg);
+  EXPECT_NE(ToSvg(TrajectoryPlot(RoomMap(), trajectory)), svg);
+}
+
+TEST(TrajectoryPlot, PicturesAreTheSameEachTime) {
+  const EpisodeTrajectory trajectory = tests::MadeUpTrajectory();
+  EXPECT_EQ(ToImage(TrajectoryPlot(RoomMap(), trajectory)).pixels,
+            ToImage(TrajectoryPlot(RoomMap(), trajectory)).pixels);
+}
+
+TEST(TrajectoryPlot, EpisodeWithoutStepsIsDrawn) {
+  EpisodeTrajectory trajectory = tests::MadeUpTrajectory();
+  trajectory.steps.clear();
+  trajectory.shortest_path.clear();
+  EXPECT_EQ(tests::SvgProblem(ToSvg(TrajectoryPlot(RoomMap(), trajectory))), "");
+}
+
+TEST(TrajectoryPlot, BothKindsOfFilesAreWrittenUnderAnyName) {
+  const tests::TemporaryFolder folder;
+  WriteFigure(TrajectoryPlot(RoomMap(), tests::MadeUpTrajectory()), folder.path() / "a-0.5");
+  EXPECT_THAT(sim::ReadTextFile(folder.path() / "a-0.5.svg"), HasSubstr("<svg"));
+  EXPECT_GT(sim::DecodeImage(sim::ReadFile(folder.path() / "a-0.5.png")).width, 500);
+}
+
+TEST(TrajectoryPlot, OutcomeSaysWhatBecameOfIt) {
+  EpisodeTrajectory trajectory = tests::MadeUpTrajectory();
+  EXPECT_THAT(OutcomeLines(trajectory), Contains("house, episode 12 (easy)"));
+  EXPECT_THAT(OutcomeLines(trajectory), Contains("success, SPL 0.62"));
+  EXPECT_THAT(OutcomeLines(trajectory), Contains("26 steps, 1 collision"));
+  trajectory.result.goals[0].success = false;
+  EXPECT_THAT(OutcomeLines(trajectory), Contains("failed, 0.2 m from the goal"));
+  trajectory.result.goals.push_back(trajectory.result.goals[0]);
+  trajectory.result.goals[1].success = true;
+  EXPECT_THAT(OutcomeLines(trajectory), Contains(HasSubstr("1 of 2 goals")));
+  trajectory.result.failure = "threw: no map";
+  EXPECT_THAT(OutcomeLines(trajectory), Contains("failed: threw: no map"));
+}
+
+}  // namespace
+}  // namespace bulletnav::bench
