@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "sim/math/pose.h"
@@ -19,12 +20,25 @@ struct MapPicture {
   std::vector<Kind> kinds;  // [y, x]
 };
 
+/// A picture of an agent's topological graph.
+struct GraphPicture {
+  struct Node {
+    double x = 0.0;
+    double y = 0.0;
+    bool is_ghost = false;  // a place not yet visited
+    bool operator==(const Node&) const = default;
+  };
+  std::vector<Node> nodes;
+  std::vector<std::pair<int, int>> edges;  // indices of nodes
+};
+
 /// What an agent believes, for drawing; poses are relative to its start, x ahead and y left. Any
 /// part may be missing.
 struct Belief {
   std::optional<sim::PlanarPose> pose;
   std::optional<sim::PlanarPose> target;  // where it is heading
   std::optional<MapPicture> map;
+  std::optional<GraphPicture> graph = std::nullopt;
 };
 
 }  // namespace bulletnav::agent
