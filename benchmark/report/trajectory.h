@@ -31,7 +31,7 @@ struct EpisodeTrajectory {
   sim::EpisodeKey key;
   sim::NoiseMode noise = sim::NoiseMode::kNone;
   sim::BodySpec body;
-  sim::BodyPose start;                // where the body really stood after the reset
+  sim::BodyPose start;                // as given to sim::Simulator::Reset
   std::vector<sim::BodyPose> goals;   // in order; their yaw is that of the goal's panorama
   std::vector<TrajectoryStep> steps;  // every action: the stops are stepped too, a last one at will
   std::vector<Eigen::Vector3d> shortest_path;  // from the start to each goal in turn
@@ -48,7 +48,7 @@ std::filesystem::path TrajectoryPath(const std::filesystem::path& run_folder, co
 ///   scene_file    text
 ///   run_seed, episode_number   the random key of noise
 ///   noise         "none", "ans_released", ...; body: object of sim::BodySpec's members
-///   start, goals  [x, y, z, yaw], list of them: true poses, metres and radians
+///   start, goals  [x, y, z, yaw], list of them: true poses, metres and radians, all digits
 ///   shortest_path list of [x, y, z]
 ///   actions       text, a letter a step: F forward, L left, R right, S stop
 ///   collided      text, a digit a step: 1 collided, 0 not
@@ -58,7 +58,7 @@ std::filesystem::path TrajectoryPath(const std::filesystem::path& run_folder, co
 ///                 map {size, cell, low_x, low_y, rows}, rows: a text a row of run lengths and
 ///                 kinds, "?" unknown, "." free, "#" obstacle, "!" felt wall, as in "12?3.1#";
 ///                 graph {nodes [[x, y, 1 if ghost]], edges [[i, j]]}
-/// All numbers of metres and radians are rounded to 1e-6 but those of result.
+/// Metres and radians of paths, poses, odometry and belief are rounded to 1e-6.
 std::string ToJson(const EpisodeTrajectory& trajectory);
 
 /// Reads what ToJson wrote. Throws sim::FileError, naming file and place in it.

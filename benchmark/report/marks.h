@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <string>
+
+#include "benchmark/report/canvas.h"
+
+namespace bulletnav::bench {
+
+/// Signs on maps, each centred at a point and told apart by shape, not colour alone.
+
+/// Where an episode starts; the tip points along `heading`, radians clockwise from right.
+void DrawStart(const Canvas::Point& at, double heading, Canvas* canvas);
+/// A star; with a number in it for one goal of several.
+void DrawGoal(const Canvas::Point& at, const std::string& number, Canvas* canvas);
+/// An octagon where the agent said stop: green at a goal, else vermillion and crossed out.
+void DrawStop(const Canvas::Point& at, bool success, Canvas* canvas);
+/// A square where the agent was when its steps were over.
+void DrawEnd(const Canvas::Point& at, Canvas* canvas);
+void DrawCollision(const Canvas::Point& at, Canvas* canvas);
+/// Where the agent wanted to go.
+void DrawTarget(const Canvas::Point& at, Canvas* canvas);
+/// A place of a topological graph.
+void DrawNode(const Canvas::Point& at, bool is_ghost, Canvas* canvas);
+
+}  // namespace bulletnav::bench

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/report/palette.h"
+
+#include <algorithm>
+
+namespace bulletnav::bench {
+namespace {
+
+// Viridis at 0, 1/9, ..., 1.
+constexpr std::array<std::array<double, 3>, 10> kViridis = {{{68, 1, 84},
+                                                             {72, 40, 120},
+                                                             {62, 74, 137},
+                                                             {49, 104, 142},
+                                                             {38, 130, 142},
+                                                             {31, 158, 137},
+                                                             {53, 183, 121},
+                                                             {109, 205, 89},
+                                                             {180, 222, 44},
+                                                             {253, 231, 37}}};
+constexpr double kLightest = 0.93;
+
+}  // namespace
+
+Paint TimeColor(double t) {
+  const double at = kLightest * std::clamp(t, 0.0, 1.0) * (kViridis.size() - 1);
+  const auto i = std::min(static_cast<std::size_t>(at), kViridis.size() - 2);
+  const double part = at - static_cast<double>(i);
+  const auto mixed = [&](std::size_t channel) {
+    return ((1.0 - part) * kViridis[i][channel] + part * kViridis[i + 1][channel]) / 255.0;
+  };
+  return {mixed(0), mixed(1), mixed(2)};
+}
+
+}  // namespace bulletnav::bench

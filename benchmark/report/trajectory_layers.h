@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <vector>
+
+#include "benchmark/report/canvas.h"
+#include "benchmark/report/scene_map.h"
+#include "benchmark/report/trajectory.h"
+
+namespace bulletnav::bench {
+
+/// Where the body stood at the start and after each step: one more than there are steps.
+std::vector<sim::BodyPose> TruePoses(const EpisodeTrajectory& trajectory);
+
+/// Whether the stop of this step ended at a goal that counts as reached.
+bool IsGoodStop(const EpisodeTrajectory& trajectory, const TrajectoryStep& step);
+
+/// The layers of a trajectory, to be drawn on a scene's map from first to last.
+
+/// What the agent believes: its metric map, as it lies seen from the start pose, its topological
+/// graph and where it is heading.
+void DrawBelief(const EpisodeTrajectory& trajectory, const MapPlace& place, Canvas* canvas);
+void DrawShortestPath(const EpisodeTrajectory& trajectory, const MapPlace& place, Canvas* canvas);
+/// The true way until a step, coloured by the share of all steps that is over.
+void DrawTruePath(const EpisodeTrajectory& trajectory, std::size_t until, const MapPlace& place,
+                  Canvas* canvas);
+void DrawOdometry(const EpisodeTrajectory& trajectory, const MapPlace& place, Canvas* canvas);
+/// Collisions, goals, start, stops.
+void DrawMarks(const EpisodeTrajectory& trajectory, const MapPlace& place, Canvas* canvas);
+
+/// The lines' looks, for legends.
+Stroke OdometryStroke();
+Stroke ShortestPathStroke();
+
+}  // namespace bulletnav::bench
