@@ -17,8 +17,7 @@ namespace {
 GoalMetrics NeverTried(const sim::NavmeshQuery& query, const Eigen::Vector3d& from,
                        const EpisodeGoal& goal) {
   GoalRecord record;
-  const double geodesic =
-      query.GeodesicDistance(from.cast<float>(), goal.position.cast<float>());
+  const double geodesic = query.GeodesicDistance(from.cast<float>(), goal.position.cast<float>());
   record.start_distance = std::isfinite(geodesic) ? geodesic : goal.geodesic_distance;
   record.distance_to_goal = geodesic;
   record.euclidean_distance = (goal.position - from).norm();
@@ -41,8 +40,8 @@ EpisodeRun::EpisodeRun(EpisodeTask task, const EpisodeRules& rules,
     body_.Reset(task_.episode.start(), random_key_);
     StartGoal();
   } catch (const sim::Error& e) {
-    throw sim::Error(fmt::format("episode '{}' in {}: {}", task_.episode.id, task_.episode.scene,
-                                 e.what()));
+    throw sim::Error(
+        fmt::format("episode '{}' in {}: {}", task_.episode.id, task_.episode.scene, e.what()));
   }
 }
 

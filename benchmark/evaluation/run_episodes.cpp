@@ -27,9 +27,8 @@ bool DrawEpisodes(const RunConfig& config, int workers, const StartProgress& sta
   const GeneratorSpec spec = config.generator();
   const std::vector<std::string> scenes = ScenesOf(spec);
   EpisodeSet set;
-  set.episodes =
-      GenerateEpisodes(spec, scenes, workers,
-                       start("drawing episodes, scenes", static_cast<int>(scenes.size())));
+  set.episodes = GenerateEpisodes(
+      spec, scenes, workers, start("drawing episodes, scenes", static_cast<int>(scenes.size())));
   WriteEpisodes(spec.out, set);
   return true;
 }
