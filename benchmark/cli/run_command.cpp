@@ -41,11 +41,12 @@ RunHooks MakeHooks(RunProgress* progress) {
   return hooks;
 }
 
-void RunBenchmark(const RunCommandOptions& options) {
+void PlayConfig(const RunCommandOptions& options) {
   RunConfig config = LoadRunConfig(options.config);
   const fs::path folder = options.out.empty() ? fs::path("results") / config.name : options.out;
   RunProgress progress;
-  const RunOutcome outcome = Run(std::move(config), folder, options.run, MakeHooks(&progress));
+  const RunOutcome outcome =
+      RunBenchmark(std::move(config), folder, options.run, MakeHooks(&progress));
   progress.End();
   fmt::print("{}\nresults: {}\n", outcome.table, folder.string());
   if (outcome.hung == 0) return;
@@ -70,7 +71,7 @@ void AddRunCommand(CLI::App* program) {
   command->add_flag("--require-all", options->run.require_all,
                     "Agents that are missing are errors, not remarks in the table");
   command->callback([options] {
-    RunBenchmark(*options);
+    PlayConfig(*options);
   });
 }
 

@@ -189,8 +189,8 @@ int Play(const Work& work, const fs::path& folder, int workers, const RunHooks& 
 
 }  // namespace
 
-RunOutcome Run(RunConfig config, const fs::path& folder, const RunOptions& options,
-               const RunHooks& hooks) {
+RunOutcome RunBenchmark(RunConfig config, const fs::path& folder, const RunOptions& options,
+                        const RunHooks& hooks) {
   const int workers = WorkerCount(options.workers);
   Work work = PlanWork(std::move(config), options, workers, hooks);
   ResultStore store(folder, sim::ToYaml(work.plan->config));

@@ -40,8 +40,8 @@ struct RunOutcome {
 /// started again. An agent that throws, answers with no action or exceeds its time budget fails
 /// that episode, with the reason in its result.
 /// Throws sim::Error: see PrepareEpisodes, RequireAll and ResultStore.
-RunOutcome Run(RunConfig config, const std::filesystem::path& folder, const RunOptions& options,
-               const RunHooks& hooks = {});
+RunOutcome RunBenchmark(RunConfig config, const std::filesystem::path& folder,
+                        const RunOptions& options, const RunHooks& hooks = {});
 
 /// Writes the tables of a folder of results again; returns the text of table.md.
 std::string RebuildTables(const std::filesystem::path& folder);
