@@ -245,9 +245,9 @@ TEST_F(RunnerTest, WithoutStopNoAgentDoesWorse) {
 }
 
 TEST_F(RunnerTest, SequencesGoOnFromGoalToGoal) {
-  const auto results =
-      Play(Config("{agent: shortest_path}, {agent: throws}", "max_steps: 300", "{sequential: 4}"),
-           "sequence");
+  RunConfig config = Config("{agent: shortest_path}, {agent: throws}", "", "{sequential: 4}");
+  config.max_steps = 300;
+  const auto results = Play(config, "sequence");
   for (const EpisodeResult& result : results) {
     ASSERT_EQ(result.goals.size(), 3u);
     const EpisodeTrajectory trajectory =
@@ -257,7 +257,6 @@ TEST_F(RunnerTest, SequencesGoOnFromGoalToGoal) {
       for (const GoalMetrics& goal : result.goals) EXPECT_TRUE(goal.success);
     } else if (!result.failure.empty()) {
       EXPECT_FALSE(result.goals[2].success);
-      EXPECT_EQ(result.goals[2].path_length, 0.0);
     }
   }
 }
