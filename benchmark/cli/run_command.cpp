@@ -48,7 +48,8 @@ void PlayConfig(const RunCommandOptions& options) {
   const RunOutcome outcome =
       RunBenchmark(std::move(config), folder, options.run, MakeHooks(&progress));
   progress.End();
-  fmt::print("{}\nresults: {}\n", outcome.table, folder.string());
+  fmt::print("{}\nresults: {}\nto draw them: bulletnav plot {}\n", outcome.table, folder.string(),
+             folder.string());
   if (outcome.hung == 0) return;
   fmt::print(stderr, "{} agents never came back and end with the program\n", outcome.hung);
   std::fflush(nullptr);

@@ -92,10 +92,10 @@ struct EpisodeSource {
   }
 };
 
-/// How long an agent may think: wall clock, against agents that hang. Those that keep to it are
-/// not influenced by it.
+/// How long an agent may think, in seconds that the program runs: against agents that hang. Those
+/// that keep to it are not influenced by it.
 struct TimeBudget {
-  double call_s = 30.0;      // one action
+  double call_s = 30.0;      // one answer
   double episode_s = 900.0;  // all of an episode's
 
   template <class V>

@@ -191,7 +191,6 @@ RunWorker::Called RunWorker::Call(const std::vector<std::size_t>& lanes,
   const std::optional<double> seconds = clock_.End();
   if (!seconds) return Called::kGivenUp;
   const TimeBudget& budget = plan_.config.time_budget;
-  if (why.empty() && *seconds > budget.call_s) why = TooSlow();
   for (const std::size_t lane : lanes) {
     lanes_[lane]->agent_s += *seconds / static_cast<double>(lanes.size());
     if (why.empty() && lanes_[lane]->agent_s > budget.episode_s) {
@@ -226,8 +225,8 @@ void RunWorker::Settle(Lane* lane, agent::Belief belief) {
   shared_->worlds.Done(trajectory.result.key.scene);
 }
 
-bool RunWorker::GiveUpIfHung() {
-  if (!clock_.GiveUpAfter(plan_.config.time_budget.call_s)) return false;
+bool RunWorker::GiveUpIfHung(double seconds) {
+  if (!clock_.Tick(seconds, plan_.config.time_budget.call_s)) return false;
   // It may spin for ever; let it take only what nobody else wants.
   const sched_param idle{};
   ::sched_setscheduler(thread_, SCHED_IDLE, &idle);

@@ -46,9 +46,10 @@ class RunWorker {
   /// Plays until no job is left or the worker was given up; hands what goes wrong to the queue.
   void Work();
 
-  /// To be called now and then by another thread: if the agent has kept the worker waiting for too
-  /// long, settles its episodes, gives the worker up and returns true. Throws what `finish` throws.
-  bool GiveUpIfHung();
+  /// To be called by another thread whenever `seconds` have passed: if the agent has kept the
+  /// worker waiting for too long, settles its episodes, gives the worker up and returns true.
+  /// Throws what `finish` throws.
+  bool GiveUpIfHung(double seconds);
 
  private:
   struct Lane {

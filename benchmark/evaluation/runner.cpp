@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::chrono::milliseconds kWatchStep{50};
+constexpr double kWatchStepS = 0.05;
 
 std::vector<RunRow> RowsOf(const RunConfig& config, const std::vector<RunAgent>& agents) {
   std::vector<RunRow> rows;
@@ -69,7 +69,7 @@ class Crew {
   /// Until all jobs are done. Returns how many workers had to be given up.
   int Watch() {
     while (!AllLeft()) {
-      std::this_thread::sleep_for(kWatchStep);
+      std::this_thread::sleep_for(std::chrono::duration<double>(kWatchStepS));
       for (std::size_t i = 0; i < members_.size(); ++i) Check(i);
     }
     shared_->queue.Rethrow();
@@ -102,7 +102,7 @@ class Crew {
       return;
     }
     try {
-      if (!members_[i].worker->GiveUpIfHung()) return;
+      if (!members_[i].worker->GiveUpIfHung(kWatchStepS)) return;
     } catch (...) {
       shared_->queue.Abort(std::current_exception());
     }
