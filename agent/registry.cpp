@@ -9,8 +9,8 @@ namespace bulletnav::agent {
 namespace {
 
 /// Filled before main by the registrations and only read after that.
-std::map<std::string, internal::Configure, std::less<>>& Registered() {
-  static std::map<std::string, internal::Configure, std::less<>> agents;
+std::map<std::string, internal::AgentType, std::less<>>& Registered() {
+  static std::map<std::string, internal::AgentType, std::less<>> agents;
   return agents;
 }
 
@@ -20,18 +20,26 @@ std::string UnknownName(std::string_view name) {
   return "unknown agent '" + std::string(name) + "'; known are: " + known;
 }
 
+const internal::AgentType& FindType(std::string_view name) {
+  const auto found = Registered().find(name);
+  if (found == Registered().end()) throw sim::Error(UnknownName(name));
+  return found->second;
+}
+
 }  // namespace
 
 std::vector<std::string> AgentNames() {
   std::vector<std::string> names;
-  for (const auto& [name, configure] : Registered()) names.push_back(name);
+  for (const auto& [name, type] : Registered()) names.push_back(name);
   return names;
 }
 
 AgentMaker ConfigureAgent(std::string_view name, const std::optional<sim::YamlNode>& config) {
-  const auto found = Registered().find(name);
-  if (found == Registered().end()) throw sim::Error(UnknownName(name));
-  return found->second(config);
+  return FindType(name).configure(config);
+}
+
+std::string ResolveConfig(std::string_view name, const std::optional<sim::YamlNode>& config) {
+  return FindType(name).resolve(config);
 }
 
 AgentMaker ConfigureAgent(const sim::YamlNode& name, const std::optional<sim::YamlNode>& config) {
@@ -40,8 +48,8 @@ AgentMaker ConfigureAgent(const sim::YamlNode& name, const std::optional<sim::Ya
   return ConfigureAgent(text, config);
 }
 
-void internal::Register(std::string_view name, const Configure& configure) {
-  if (!Registered().try_emplace(std::string(name), configure).second) {
+void internal::Register(std::string_view name, const AgentType& type) {
+  if (!Registered().try_emplace(std::string(name), type).second) {
     throw sim::Error("two agents are called '" + std::string(name) + "'");
   }
 }

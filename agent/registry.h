@@ -13,6 +13,7 @@
 #include "agent/agent.h"
 #include "agent/batch_agent.h"
 #include "sim/config/yaml_reader.h"
+#include "sim/config/yaml_writer.h"
 
 namespace bulletnav::agent {
 
@@ -30,12 +31,27 @@ AgentMaker ConfigureAgent(std::string_view name, const std::optional<sim::YamlNo
 /// The same with a name that stands in a file; an unknown one is an error at its place.
 AgentMaker ConfigureAgent(const sim::YamlNode& name, const std::optional<sim::YamlNode>& config);
 
+/// The config block of a registered agent with every default spelled out, as YAML text. Throws like
+/// ConfigureAgent.
+std::string ResolveConfig(std::string_view name, const std::optional<sim::YamlNode>& config);
+
 namespace internal {
 
-using Configure = std::function<AgentMaker(const std::optional<sim::YamlNode>&)>;
+/// What a registration knows of its agent's type.
+struct AgentType {
+  std::function<AgentMaker(const std::optional<sim::YamlNode>&)> configure;
+  std::function<std::string(const std::optional<sim::YamlNode>&)> resolve;
+};
 
 /// Throws Error if the name is taken.
-void Register(std::string_view name, const Configure& configure);
+void Register(std::string_view name, const AgentType& type);
+
+template <class Config>
+Config ReadConfig(const std::optional<sim::YamlNode>& yaml) {
+  Config config;
+  if (yaml && !yaml->yaml().IsNull()) sim::YamlReader::Read(*yaml, config);
+  return config;
+}
 
 template <class A>
 std::unique_ptr<BatchAgent> MakeLanes(const typename A::Config& config,
@@ -58,13 +74,16 @@ template <class A>
 class AgentRegistration {
  public:
   AgentRegistration() {
-    internal::Register(A::kName, [](const std::optional<sim::YamlNode>& yaml) -> AgentMaker {
-      typename A::Config config;
-      if (yaml && !yaml->yaml().IsNull()) sim::YamlReader::Read(*yaml, config);
-      return [config](std::span<const AgentContext> contexts) {
+    using Config = typename A::Config;
+    const auto configure = [](const std::optional<sim::YamlNode>& yaml) -> AgentMaker {
+      return [config = internal::ReadConfig<Config>(yaml)](std::span<const AgentContext> contexts) {
         return internal::MakeLanes<A>(config, contexts);
       };
-    });
+    };
+    const auto resolve = [](const std::optional<sim::YamlNode>& yaml) {
+      return sim::ToYaml(internal::ReadConfig<Config>(yaml));
+    };
+    internal::Register(A::kName, {configure, resolve});
   }
 };
 

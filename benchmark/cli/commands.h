@@ -13,6 +13,8 @@ void AddPlotCommand(CLI::App* program);
 void AddRenderCommand(CLI::App* program);
 /// Adds "generate" to the "scenes" command.
 void AddGenerateCommand(CLI::App* scenes);
+void AddRunCommand(CLI::App* program);
 void AddScenesCommand(CLI::App* program);
+void AddTableCommand(CLI::App* program);
 
 }  // namespace bulletnav::bench

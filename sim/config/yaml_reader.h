@@ -45,7 +45,7 @@ class YamlNode {
 ///   } };
 /// Unknown, duplicate, missing-required and wrong-type keys are errors at the key's line; an
 /// unknown key is answered with the nearest known one. Values not named keep their in-class
-/// default.
+/// default. A member of type std::optional<YamlNode> takes any content, for others to read.
 class YamlReader {
  public:
   explicit YamlReader(const YamlNode& map);
@@ -139,6 +139,8 @@ template <class T>
 void YamlReader::Read(const YamlNode& node, T& value) {
   if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T> || std::is_same_v<T, std::string>) {
     internal::ReadScalar(node, value);
+  } else if constexpr (std::is_same_v<T, std::optional<YamlNode>>) {
+    value = node;
   } else if constexpr (internal::kIsOptional<T>) {
     Read(node, value.emplace());
   } else if constexpr (internal::kIsVector<T>) {

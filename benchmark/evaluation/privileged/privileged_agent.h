@@ -34,4 +34,9 @@ std::vector<std::string> PrivilegedAgentNames();
 std::unique_ptr<PrivilegedAgent> MakePrivilegedAgent(
     std::string_view name, const std::optional<sim::YamlNode>& config = {});
 
+/// Its config block with every default spelled out, as YAML text; empty if there is no privileged
+/// agent of this name.
+std::string ResolvePrivilegedConfig(std::string_view name,
+                                    const std::optional<sim::YamlNode>& config);
+
 }  // namespace bulletnav::bench

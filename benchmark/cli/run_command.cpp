@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <vector>
+
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <fmt/core.h>
+
+#include "benchmark/cli/commands.h"
+#include "benchmark/cli/progress.h"
+#include "benchmark/cli/run_progress.h"
+#include "benchmark/evaluation/runner.h"
+
+namespace bulletnav::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct RunCommandOptions {
+  fs::path config;
+  fs::path out;
+  RunOptions run;
+};
+
+RunHooks MakeHooks(RunProgress* progress) {
+  RunHooks hooks;
+  hooks.prepare = [](const std::string& what, int total) {
+    const auto line = std::make_shared<Progress>(what, total);
+    return [line] {
+      line->Advance();
+    };
+  };
+  hooks.begin = [progress](std::size_t total, std::span<const EpisodeResult> before) {
+    progress->Begin(total, before);
+  };
+  hooks.finish = [progress](const EpisodeResult& result) {
+    progress->Add(result);
+  };
+  return hooks;
+}
+
+void PlayConfig(const RunCommandOptions& options) {
+  RunConfig config = LoadRunConfig(options.config);
+  const fs::path folder = options.out.empty() ? fs::path("results") / config.name : options.out;
+  RunProgress progress;
+  const RunOutcome outcome =
+      RunBenchmark(std::move(config), folder, options.run, MakeHooks(&progress));
+  progress.End();
+  fmt::print("{}\nresults: {}\nto draw them: bulletnav plot {}\n", outcome.table, folder.string(),
+             folder.string());
+  if (outcome.hung == 0) return;
+  fmt::print(stderr, "{} agents never came back and end with the program\n", outcome.hung);
+  std::fflush(nullptr);
+  std::_Exit(EXIT_SUCCESS);
+}
+
+}  // namespace
+
+void AddRunCommand(CLI::App* program) {
+  auto options = std::make_shared<RunCommandOptions>();
+  CLI::App* command = program->add_subcommand(
+      "run", "Play a config's episodes with its agents; goes on where it was stopped");
+  command->add_option("config", options->config, "YAML file, as configs/quickstart.yaml")
+      ->required();
+  command->add_option("--episodes", options->run.episodes, "Only the first so many")
+      ->check(CLI::Range(1, 100'000'000));
+  command->add_option("--workers", options->run.workers, "Threads (default: one a processor)")
+      ->check(CLI::Range(1, 1024));
+  command->add_option("--out", options->out, "Folder of results (default: results/NAME)");
+  command->add_flag("--require-all", options->run.require_all,
+                    "Agents that are missing are errors, not remarks in the table");
+  command->callback([options] {
+    PlayConfig(*options);
+  });
+}
+
+void AddTableCommand(CLI::App* program) {
+  auto folders = std::make_shared<std::vector<fs::path>>();
+  CLI::App* command = program->add_subcommand(
+      "table", "Make the tables and summary of results again, also while a run goes on");
+  command->add_option("folders", *folders, "Folders of results")->required();
+  command->callback([folders] {
+    for (const fs::path& folder : *folders) {
+      if (folders->size() > 1) fmt::print("# {}\n\n", folder.string());
+      fmt::print("{}\n", RebuildTables(folder));
+    }
+  });
+}
+
+}  // namespace bulletnav::bench

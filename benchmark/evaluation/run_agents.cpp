@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/evaluation/run_agents.h"
+
+#include <algorithm>
+#include <array>
+
+#include "benchmark/evaluation/privileged/oracle_goal_estimator.h"
+#include "sim/base/check.h"
+#include "sim/config/yaml_writer.h"
+
+namespace bulletnav::bench {
+namespace {
+
+/// Privileged agents behind the interface of the others: they see the truth instead of what the
+/// observations hold.
+class PrivilegedLanes final : public agent::BatchAgent {
+ public:
+  PrivilegedLanes(std::vector<std::unique_ptr<PrivilegedAgent>> agents,
+                  std::span<const GroundTruth* const> truths)
+      : agents_(std::move(agents)), truths_(truths.begin(), truths.end()) {
+    CHECK_EQ(agents_.size(), truths_.size());
+  }
+
+  int lanes() const override { return static_cast<int>(agents_.size()); }
+  void Reset(int lane, const agent::Panorama& /*goal*/, std::uint64_t /*seed*/) override {
+    const auto i = static_cast<std::size_t>(lane);
+    agents_.at(i)->Reset(*truths_.at(i));
+  }
+  void NextGoal(int lane, const agent::Panorama& goal, std::uint64_t seed) override {
+    Reset(lane, goal, seed);
+  }
+  void Act(std::span<const agent::LaneObservation> observations,
+           std::span<sim::Action> actions) override {
+    for (std::size_t i = 0; i < observations.size(); ++i) {
+      const auto lane = static_cast<std::size_t>(observations[i].lane);
+      actions[i] = agents_.at(lane)->Act(*truths_.at(lane));
+    }
+  }
+
+ private:
+  std::vector<std::unique_ptr<PrivilegedAgent>> agents_;
+  std::vector<const GroundTruth*> truths_;
+};
+
+bool IsIn(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Why the agent cannot be built; empty if it can.
+std::string WhyNot(const RunAgent& agent, const agent::Rig& rig) {
+  const GroundTruth nowhere;
+  const std::array<const GroundTruth*, 1> truths = {&nowhere};
+  try {
+    Build(agent, rig, truths);
+  } catch (const sim::Error& e) {
+    return e.what();
+  }
+  return "";
+}
+
+RunAgent FindAgent(const RunConfig& config, const AgentEntry& entry) {
+  RunAgent agent;
+  agent.entry = entry;
+  if (entry.parameters) {
+    sim::YamlWriter writer;
+    writer.Write(*entry.parameters);
+    agent.parameters = writer.text();
+  }
+  agent.is_privileged = IsIn(PrivilegedAgentNames(), entry.agent);
+  if (!agent.is_privileged && !IsIn(agent::AgentNames(), entry.agent)) {
+    agent.missing = "this version has no such agent yet";
+    return agent;
+  }
+  if (!agent.is_privileged) agent.maker = agent::ConfigureAgent(entry.agent, entry.parameters);
+  const auto& wanted = entry.settings.empty() ? config.settings : entry.settings;
+  for (const Setting setting : wanted) {
+    const std::string why = WhyNot(agent, RigOf(config, setting));
+    if (why.empty()) {
+      agent.settings.push_back(setting);
+    } else {
+      agent.missing += (agent.missing.empty() ? "not in " : "; not in ") +
+                       std::string(sim::NameOf(setting)) + ": " + why;
+    }
+  }
+  return agent;
+}
+
+}  // namespace
+
+AgentRow RunAgent::row() const {
+  AgentRow row;
+  row.agent = entry.name;
+  row.title = entry.title;
+  if (!settings.empty() && is_privileged) row.note = "privileged";
+  if (!settings.empty() && entry.goal_estimator == GoalEstimatorKind::kOracle) row.note = "oracle";
+  if (!missing.empty()) row.note += (row.note.empty() ? "" : "; ") + missing;
+  return row;
+}
+
+std::vector<RunAgent> FindAgents(const RunConfig& config) {
+  std::vector<RunAgent> agents;
+  for (const AgentEntry& entry : config.agents) agents.push_back(FindAgent(config, entry));
+  return agents;
+}
+
+void RequireAll(std::span<const RunAgent> agents) {
+  std::string missing;
+  for (const RunAgent& agent : agents) {
+    if (agent.missing.empty()) continue;
+    missing += (missing.empty() ? "" : "; ") + agent.entry.name + ": " + agent.missing;
+  }
+  if (!missing.empty()) throw sim::Error("not all agents can run: " + missing);
+}
+
+agent::Rig RigOf(const RunConfig& config, Setting setting) {
+  agent::Rig rig;
+  rig.panorama = config.panorama;
+  rig.has_color = true;
+  rig.has_depth = setting == Setting::kRgbd;
+  rig.camera_height = config.body.camera_height;
+  return rig;
+}
+
+std::unique_ptr<agent::BatchAgent> Build(const RunAgent& agent, const agent::Rig& rig,
+                                         std::span<const GroundTruth* const> truths) {
+  if (agent.is_privileged) {
+    const auto parameters = sim::ParseYaml(agent.parameters, "parameters of " + agent.entry.name);
+    std::vector<std::unique_ptr<PrivilegedAgent>> agents;
+    for (std::size_t i = 0; i < truths.size(); ++i) {
+      agents.push_back(MakePrivilegedAgent(agent.entry.agent, parameters));
+    }
+    return std::make_unique<PrivilegedLanes>(std::move(agents), truths);
+  }
+  std::vector<agent::AgentContext> contexts;
+  for (const GroundTruth* truth : truths) {
+    agent::AgentContext& context = contexts.emplace_back();
+    context.rig = rig;
+    switch (agent.entry.goal_estimator) {
+      case GoalEstimatorKind::kNone:
+        break;
+      case GoalEstimatorKind::kOracle:
+        context.goal_estimator = std::make_shared<OracleGoalEstimator>(*truth);
+        break;
+    }
+  }
+  return agent.maker(contexts);
+}
+
+}  // namespace bulletnav::bench

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "agent/registry.h"
+#include "benchmark/evaluation/privileged/ground_truth.h"
+#include "benchmark/evaluation/privileged/privileged_agent.h"
+#include "benchmark/evaluation/run_config.h"
+#include "benchmark/evaluation/summary.h"
+
+namespace bulletnav::bench {
+
+/// An agent of a run: ready to be built, or known to be missing.
+struct RunAgent {
+  AgentEntry entry;
+  std::vector<Setting> settings;  // in which it can run
+  std::string missing;            // why it cannot run in the others, or at all; empty if it can
+  bool is_privileged = false;
+  std::string parameters;   // YAML text: nodes are not to be shared between threads
+  agent::AgentMaker maker;  // of those that are not privileged
+
+  /// How tables speak of it.
+  AgentRow row() const;
+};
+
+/// Finds out, by building each agent once in each of its settings, what can run.
+std::vector<RunAgent> FindAgents(const RunConfig& config);
+
+/// Throws sim::Error that names every agent that cannot run in all of its settings.
+void RequireAll(std::span<const RunAgent> agents);
+
+/// What the bodies of a run carry.
+agent::Rig RigOf(const RunConfig& config, Setting setting);
+
+/// Builds an agent with one lane for each of `truths`, which must outlive it and be up to date at
+/// every call; only oracles and privileged agents look at them. May be called from several threads.
+std::unique_ptr<agent::BatchAgent> Build(const RunAgent& agent, const agent::Rig& rig,
+                                         std::span<const GroundTruth* const> truths);
+
+}  // namespace bulletnav::bench

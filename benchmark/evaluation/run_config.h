@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "benchmark/episodes/generator.h"
+#include "sim/noise/noise_model.h"
+#include "sim/simulator.h"
+
+namespace bulletnav::bench {
+
+/// What the panoramas hold.
+enum class Setting { kRgb, kRgbd };
+/// kNoNoise: exact motion and odometry. kNoStop: being near the goal ends the episode, a stop does
+/// nothing. Source: Neural Topological SLAM, table 2.
+enum class Condition { kNoise, kNoNoise, kNoStop };
+/// Who tells an agent where the goal is once it can be seen.
+enum class GoalEstimatorKind { kNone, kOracle };
+
+}  // namespace bulletnav::bench
+
+template <>
+struct bulletnav::sim::EnumNames<bulletnav::bench::Setting> {
+  static constexpr std::array kNames = {std::pair{"rgb", bulletnav::bench::Setting::kRgb},
+                                        std::pair{"rgbd", bulletnav::bench::Setting::kRgbd}};
+};
+template <>
+struct bulletnav::sim::EnumNames<bulletnav::bench::Condition> {
+  static constexpr std::array kNames = {
+      std::pair{"noise", bulletnav::bench::Condition::kNoise},
+      std::pair{"no_noise", bulletnav::bench::Condition::kNoNoise},
+      std::pair{"no_stop", bulletnav::bench::Condition::kNoStop}};
+};
+template <>
+struct bulletnav::sim::EnumNames<bulletnav::bench::GoalEstimatorKind> {
+  static constexpr std::array kNames = {
+      std::pair{"none", bulletnav::bench::GoalEstimatorKind::kNone},
+      std::pair{"oracle", bulletnav::bench::GoalEstimatorKind::kOracle}};
+};
+
+namespace bulletnav::bench {
+
+/// Houses that are generated if the folder has none yet; see sim::HouseSetSpec.
+struct HousesSpec {
+  std::string folder;
+  int count = 86;
+  std::uint64_t first_seed = 0;
+
+  template <class V>
+  void Visit(V& v) {
+    v.Required("folder", folder);
+    v("count", count);
+    v("first_seed", first_seed);
+  }
+  void Validate() const;
+};
+
+/// How a file of episodes is drawn if it is not there; see GeneratorSpec.
+struct DrawSpec {
+  std::vector<std::string> scenes;
+  std::optional<HouseSelection> houses;
+  EpisodeCounts counts;
+  int sequential_goals = 10;
+  std::uint64_t seed = 0;
+
+  template <class V>
+  void Visit(V& v) {
+    v("scenes", scenes);
+    v("houses", houses);
+    v.Required("counts", counts);
+    v("sequential_goals", sequential_goals);
+    v("seed", seed);
+  }
+};
+
+struct EpisodeSource {
+  std::string file;
+  std::optional<DrawSpec> draw;
+  std::vector<std::string> scene_folders;  // where the scenes that episodes name are looked for
+
+  template <class V>
+  void Visit(V& v) {
+    v.Required("file", file);
+    v("draw", draw);
+    v("scene_folders", scene_folders);
+  }
+};
+
+/// How long an agent may think, in seconds that the program runs: against agents that hang. Those
+/// that keep to it are not influenced by it.
+struct TimeBudget {
+  double call_s = 30.0;      // one answer
+  double episode_s = 900.0;  // all of an episode's
+
+  template <class V>
+  void Visit(V& v) {
+    v("call_s", call_s);
+    v("episode_s", episode_s);
+  }
+  void Validate() const;
+};
+
+/// One agent with its parameters.
+struct AgentEntry {
+  std::string agent;              // as it is registered
+  std::string name;               // of its rows and results; the agent's if empty
+  std::string title;              // for people; the paper's if empty
+  std::vector<Setting> settings;  // the run's if empty
+  GoalEstimatorKind goal_estimator = GoalEstimatorKind::kNone;
+  int lanes = 1;                            // episodes that one worker runs through it at once
+  std::optional<sim::YamlNode> parameters;  // the agent's own config
+
+  template <class V>
+  void Visit(V& v) {
+    v.Required("agent", agent);
+    v("name", name);
+    v("title", title);
+    v("settings", settings);
+    v("goal_estimator", goal_estimator);
+    v("lanes", lanes);
+    v("parameters", parameters);
+  }
+  void Validate() const;
+};
+
+/// What results were made from, as hashes of contents.
+struct Fingerprints {
+  std::string episodes;
+  std::map<std::string, std::string> scenes;
+
+  template <class V>
+  void Visit(V& v) {
+    v("episodes", episodes);
+    v("scenes", scenes);
+  }
+  bool operator==(const Fingerprints&) const = default;
+};
+
+/// An experiment: every agent under every condition and seed, over the same episodes.
+struct RunConfig {
+  std::string name;  // of the folder of results; the config file's if empty
+  std::optional<HousesSpec> houses;
+  EpisodeSource episodes;
+  ImportSpec import;
+  sim::NavmeshSpec navmesh;
+  sim::BodySpec body;
+  sim::PanoramaSpec panorama;
+  sim::Backend backend = sim::Backend::kAuto;
+  sim::NoiseMode noise = sim::NoiseMode::kAnsReleased;  // where the condition has noise
+  std::vector<Setting> settings = {Setting::kRgbd};
+  std::vector<Condition> conditions = {Condition::kNoise};
+  std::vector<std::uint64_t> seeds = {0};
+  double success_distance = 1.0;  // metres
+  int max_steps = 500;            // a goal
+  TimeBudget time_budget;
+  bool trajectories = true;  // kept for plots
+  std::vector<AgentEntry> agents;
+  std::optional<Fingerprints> fingerprints;  // in saved configs: checked
+
+  template <class V>
+  void Visit(V& v) {
+    v("name", name);
+    v("houses", houses);
+    v.Required("episodes", episodes);
+    v("import", import);
+    v("navmesh", navmesh);
+    v("body", body);
+    v("panorama", panorama);
+    v("backend", backend);
+    v("noise", noise);
+    v("settings", settings);
+    v("conditions", conditions);
+    v("seeds", seeds);
+    v("success_distance", success_distance);
+    v("max_steps", max_steps);
+    v("time_budget", time_budget);
+    v("trajectories", trajectories);
+    v.Required("agents", agents);
+    v("fingerprints", fingerprints);
+  }
+  void Validate() const;
+
+  /// What draws the episodes, where `episodes.draw` is given.
+  GeneratorSpec generator() const;
+};
+
+/// Agents that the tables have rows for although the program may not have them yet.
+bool IsPlannedAgent(const std::string& agent);
+
+/// Reads a config, fills in names and every default of the agents' parameters. Throws
+/// sim::FileError at file:line:column: unknown keys and agents with the nearest known one, values
+/// that make no sense, two rows of one name. Agents that IsPlannedAgent alone knows pass.
+RunConfig LoadRunConfig(const std::filesystem::path& file);
+RunConfig ParseRunConfig(const std::string& text, const std::filesystem::path& file);
+
+}  // namespace bulletnav::bench

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "benchmark/evaluation/run_agents.h"
+#include "benchmark/evaluation/run_config.h"
+#include "benchmark/evaluation/run_episodes.h"
+
+namespace bulletnav::bench {
+
+struct RunOptions {
+  std::optional<int> episodes;  // only the first so many
+  int workers = 0;              // < 1: one a processor
+  bool require_all = false;     // agents that cannot run are errors, not remarks in the table
+};
+
+/// What a run tells while it goes on; all may be empty.
+struct RunHooks {
+  StartProgress prepare;
+  /// Once, before the first episode: how many results there will be, and those there already are.
+  std::function<void(std::size_t total, std::span<const EpisodeResult> before)> begin;
+  /// Each finished episode, one at a time.
+  std::function<void(const EpisodeResult&)> finish;
+};
+
+struct RunOutcome {
+  std::string table;  // as in table.md
+  /// Threads of agents that never came back. They can only be ended with the process, which must
+  /// then leave by _Exit.
+  int hung = 0;
+};
+
+/// Plays every episode of a config that `folder` has no result of yet, and writes there config.yaml
+/// (everything that results depend on), episodes.jsonl, trajectories and tables. Results depend on
+/// the config alone: not on workers, on other episodes, or on how often the run was killed and
+/// started again. An agent that throws, answers with no action or exceeds its time budget fails
+/// that episode, with the reason in its result.
+/// Throws sim::Error: see PrepareEpisodes, RequireAll and ResultStore.
+RunOutcome RunBenchmark(RunConfig config, const std::filesystem::path& folder,
+                        const RunOptions& options, const RunHooks& hooks = {});
+
+/// Writes the tables of a folder of results again; returns the text of table.md.
+std::string RebuildTables(const std::filesystem::path& folder);
+
+}  // namespace bulletnav::bench
