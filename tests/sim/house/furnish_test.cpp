@@ -63,7 +63,7 @@ TEST(FurnishHouse, NearlyEveryRoomHasWhatTellsItsType) {
       });
       if (told) continue;
       ++lacking[room.type];
-      which += " " + std::to_string(seed) + ":" + room.name;
+      which.append(" ").append(std::to_string(seed)).append(":").append(room.name);
     }
   }
   for (const auto& [type, rooms] : count) {
