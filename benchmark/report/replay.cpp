@@ -46,10 +46,10 @@ std::vector<sim::Image> ReplayPanoramas(const std::shared_ptr<const sim::World>&
   body.Reset(trajectory.start, trajectory.key);
   std::vector<sim::Image> pictures;
   std::size_t done = 0;
-  for (const int wanted : steps) {
-    CHECK_LE(done, static_cast<std::size_t>(wanted));
-    CHECK_LE(static_cast<std::size_t>(wanted), trajectory.steps.size());
-    for (; done < static_cast<std::size_t>(wanted); ++done) {
+  for (const int number : steps) {
+    const auto wanted = static_cast<std::size_t>(number);
+    CHECK(done <= wanted && wanted <= trajectory.steps.size());
+    for (; done < wanted; ++done) {
       body.Step(trajectory.steps[done].action);
       RequireRecorded(trajectory, done, body.true_pose());
     }
