@@ -117,10 +117,10 @@ void Look(const sim::SceneMesh& mesh, const sim::Navmesh& navmesh, float cut, To
   const sim::Image walkable = WalkableMask(navmesh, *view);
   const float pixel_m = view->frame.pixel_m;
   const auto see = [&](const Vec& from, bool is_walkable) {
-    const auto below = looker.Below(from);
+    auto below = looker.Below(from);
     const bool is_floor = !below || below->at.y() < view->floor_y + kFloorThickness;
     if (is_walkable || !is_floor) return below;
-    const auto inside = looker.Inside(from);
+    auto inside = looker.Inside(from);
     return inside ? inside : below;
   };
   for (int y = 0; y < view->colors.height; ++y) {
