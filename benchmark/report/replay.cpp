@@ -31,6 +31,7 @@ void RequireRecorded(const EpisodeTrajectory& trajectory, std::size_t step,
 /// Takes the steps from one number to another.
 void Walk(const EpisodeTrajectory& trajectory, std::size_t from, std::size_t to,
           sim::SimulatedBody* body) {
+  CHECK_LE(from, to);
   CHECK_LE(to, trajectory.steps.size());
   for (std::size_t i = from; i < to; ++i) {
     body->Step(trajectory.steps[i].action);
@@ -58,7 +59,6 @@ std::vector<sim::Image> ReplayPanoramas(const std::shared_ptr<const sim::World>&
   std::size_t done = 0;
   for (const int number : steps) {
     const auto wanted = static_cast<std::size_t>(number);
-    CHECK_LE(done, wanted);
     Walk(trajectory, done, wanted, &body);
     done = wanted;
     pictures.push_back(Render(body.camera_pose(), renderer.get()));
