@@ -64,6 +64,7 @@ std::vector<Chosen> ReadAll(const fs::path& run) {
   if (files.empty()) throw sim::FileError(folder, "", "holds no trajectories to plot");
   std::sort(files.begin(), files.end());
   std::vector<Chosen> chosen;
+  chosen.reserve(files.size());
   for (const fs::path& file : files) {
     chosen.push_back({fs::relative(file, folder).replace_extension(), ReadTrajectory(file)});
   }

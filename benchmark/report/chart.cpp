@@ -88,6 +88,7 @@ class Panel {
   void Band(std::size_t i) const {
     const auto& values = chart_.series[i].values;
     std::vector<Point> band;
+    band.reserve(2 * values.size());
     for (const Chart::Value& v : values) band.push_back(At(v.x, v.interval.high));
     for (auto v = values.rbegin(); v != values.rend(); ++v) {
       band.push_back(At(v->x, v->interval.low));

@@ -37,7 +37,8 @@ struct Film {
   /// Of the goal's panorama, then of the frames: down the first column, then the next.
   Point corner(std::size_t k) const {
     const Point pitch(frame_size.x() + kMargin, frame_size.y() + kCaption);
-    const Point cell(static_cast<double>(k / rows()), static_cast<double>(k % rows()));
+    const std::size_t column = k / rows();
+    const Point cell(static_cast<double>(column), static_cast<double>(k % rows()));
     return Point(kMargin, kMargin + kCaption) + cell.cwiseProduct(pitch);
   }
 };

@@ -20,6 +20,7 @@ Point Direction(double angle) {
 
 std::vector<Point> Polygon(const Point& centre, double radius, int corners, double first) {
   std::vector<Point> points;
+  points.reserve(static_cast<std::size_t>(corners));
   for (int i = 0; i < corners; ++i) {
     points.push_back(centre + radius * Direction(first + 2.0 * sim::kPi * i / corners));
   }

@@ -28,6 +28,17 @@ void RequireRecorded(const EpisodeTrajectory& trajectory, std::size_t step,
       trajectory.result.key.episode, trajectory.result.key.scene, step + 1, deviation));
 }
 
+/// Takes the steps from one number to another.
+void Walk(const EpisodeTrajectory& trajectory, std::size_t from, std::size_t to,
+          sim::SimulatedBody* body) {
+  CHECK_LE(from, to);
+  CHECK_LE(to, trajectory.steps.size());
+  for (std::size_t i = from; i < to; ++i) {
+    body->Step(trajectory.steps[i].action);
+    RequireRecorded(trajectory, i, body->true_pose());
+  }
+}
+
 }  // namespace
 
 sim::Image LookFrom(const sim::World& world, const sim::BodySpec& body,
@@ -46,13 +57,10 @@ std::vector<sim::Image> ReplayPanoramas(const std::shared_ptr<const sim::World>&
   body.Reset(trajectory.start, trajectory.key);
   std::vector<sim::Image> pictures;
   std::size_t done = 0;
-  for (const int wanted : steps) {
-    CHECK_LE(done, static_cast<std::size_t>(wanted));
-    CHECK_LE(static_cast<std::size_t>(wanted), trajectory.steps.size());
-    for (; done < static_cast<std::size_t>(wanted); ++done) {
-      body.Step(trajectory.steps[done].action);
-      RequireRecorded(trajectory, done, body.true_pose());
-    }
+  for (const int number : steps) {
+    const auto wanted = static_cast<std::size_t>(number);
+    Walk(trajectory, done, wanted, &body);
+    done = wanted;
     pictures.push_back(Render(body.camera_pose(), renderer.get()));
   }
   return pictures;

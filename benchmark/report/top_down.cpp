@@ -116,15 +116,18 @@ void Look(const sim::SceneMesh& mesh, const sim::Navmesh& navmesh, float cut, To
   const Looker looker(mesh);
   const sim::Image walkable = WalkableMask(navmesh, *view);
   const float pixel_m = view->frame.pixel_m;
+  const auto see = [&](const Vec& from, bool is_walkable) {
+    auto below = looker.Below(from);
+    const bool is_floor = !below || below->at.y() < view->floor_y + kFloorThickness;
+    if (is_walkable || !is_floor) return below;
+    auto inside = looker.Inside(from);
+    return inside ? inside : below;
+  };
   for (int y = 0; y < view->colors.height; ++y) {
     for (int x = 0; x < view->colors.width; ++x) {
       const Vec from(view->frame.origin.x() + pixel_m * (static_cast<float>(x) + 0.5f), cut,
                      view->frame.origin.y() + pixel_m * (static_cast<float>(y) + 0.5f));
-      auto sight = looker.Below(from);
-      const bool is_floor = !sight || sight->at.y() < view->floor_y + kFloorThickness;
-      if (is_floor && walkable.at(x, y)[0] == 0) {
-        if (const auto inside = looker.Inside(from)) sight = inside;
-      }
+      const auto sight = see(from, walkable.at(x, y)[0] > 0);
       view->heights.push_back(sight ? sight->at.y() - view->floor_y
                                     : std::numeric_limits<float>::quiet_NaN());
       if (!sight) continue;
