@@ -67,6 +67,8 @@ class YamlReader {
   static void Read(const YamlNode& node, T& value);
 
  private:
+  template <class T>
+  static void ReadOptional(const YamlNode& node, std::optional<T>& value);
   std::optional<YamlNode> Take(std::string_view key);
 
   YamlNode map_;
@@ -132,13 +134,20 @@ void ReadScalar(const YamlNode& node, T& value) {
 }  // namespace internal
 
 template <class T>
+void YamlReader::ReadOptional(const YamlNode& node, std::optional<T>& value) {
+  if constexpr (std::is_same_v<T, YamlNode>) {
+    value.emplace(node);
+  } else {
+    Read(node, value.emplace());
+  }
+}
+
+template <class T>
 void YamlReader::Read(const YamlNode& node, T& value) {
   if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T> || std::is_same_v<T, std::string>) {
     internal::ReadScalar(node, value);
-  } else if constexpr (std::is_same_v<T, std::optional<YamlNode>>) {
-    value = node;
   } else if constexpr (internal::kIsOptional<T>) {
-    Read(node, value.emplace());
+    ReadOptional(node, value);
   } else if constexpr (internal::kIsVector<T>) {
     node.ExpectSequence(std::nullopt);
     value.clear();
