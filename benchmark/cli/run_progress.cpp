@@ -2,6 +2,7 @@
 #include "benchmark/cli/run_progress.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include <fmt/core.h>
@@ -18,7 +19,7 @@ double Seconds(std::chrono::steady_clock::duration d) {
 }
 
 std::string Duration(double seconds) {
-  const int s = static_cast<int>(seconds + 0.5);
+  const auto s = std::lround(seconds);
   if (s < 90) return fmt::format("{} s", s);
   if (s < 90 * 60) return fmt::format("{} min", (s + 30) / 60);
   return fmt::format("{} h {:02} min", s / 3600, s / 60 % 60);

@@ -56,7 +56,7 @@ void Resolve(const YamlNode& node, AgentEntry* entry) {
   } else {
     FailForUnknown(node.Child(node.yaml()["agent"]));
   }
-  entry->parameters = sim::ParseYaml(parameters, "parameters of " + entry->name);
+  entry->parameters.emplace(sim::ParseYaml(parameters, "parameters of " + entry->name));
 }
 
 }  // namespace

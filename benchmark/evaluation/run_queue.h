@@ -52,8 +52,8 @@ class RunQueue {
 /// Worlds that are loaded once, by the first who needs them, and dropped with their last episode.
 class WorldCache {
  public:
-  WorldCache(sim::WorldOptions options, std::map<std::string, std::filesystem::path> files)
-      : options_(std::move(options)), files_(std::move(files)) {}
+  WorldCache(const sim::WorldOptions& options, std::map<std::string, std::filesystem::path> files)
+      : options_(options), files_(std::move(files)) {}
 
   /// One more episode will need the scene.
   void Expect(const std::string& scene);

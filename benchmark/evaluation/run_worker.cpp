@@ -68,6 +68,7 @@ agent::BatchAgent& RunWorker::AgentFor(std::size_t row) {
   std::unique_ptr<agent::BatchAgent>& built = agents_[{agent_of(row), setting}];
   if (!built) {
     std::vector<const GroundTruth*> truths;
+    truths.reserve(lanes_.size());
     for (int i = 0; i < agent.entry.lanes; ++i) {
       truths.push_back(&lanes_[static_cast<std::size_t>(i)]->truth);
     }
@@ -98,7 +99,7 @@ bool RunWorker::PlayRow(const RunJob& first) {
       StartLane(lanes_[i].get(), *job);
     }
     if (Going().empty()) return true;
-    if (!PlayOn(row_)) return false;
+    if (!PlayOn()) return false;
   }
 }
 
@@ -110,8 +111,24 @@ std::vector<std::size_t> RunWorker::Going() const {
   return going;
 }
 
+/// What the agent believes, for drawing. That is no part of the episode: if it fails, there is
+/// none. Absent if the worker was given up.
+std::optional<agent::Belief> RunWorker::AskBelief(std::size_t lane) {
+  agent::Belief belief;
+  if (!plan_.config.trajectories) return belief;
+  if (!clock_.Begin()) return std::nullopt;
+  try {
+    belief = AgentFor(row_).belief(static_cast<int>(lane));
+  } catch (const std::exception&) {
+    belief = {};
+  }
+  if (!clock_.End()) return std::nullopt;
+  if (!IsFinite(belief.pose) || !IsFinite(belief.target)) belief = {};
+  return belief;
+}
+
 /// One step of all lanes.
-bool RunWorker::PlayOn(std::size_t row) {
+bool RunWorker::PlayOn() {
   if (shared_->queue.aborted()) return false;
   for (const std::size_t lane : Going()) {
     if (lanes_[lane]->run->TakeNewGoal() && !TellGoal(lane)) return false;
@@ -123,18 +140,9 @@ bool RunWorker::PlayOn(std::size_t row) {
   if (!lanes.empty() && !Act(lanes)) return false;
   for (const std::size_t lane : Going()) {
     if (!lanes_[lane]->run->is_over()) continue;
-    agent::Belief belief;
-    // What it says for drawing is no part of the episode: if that fails, there is none.
-    if (plan_.config.trajectories && clock_.Begin()) {
-      try {
-        belief = AgentFor(row).belief(static_cast<int>(lane));
-      } catch (const std::exception&) {
-        belief = {};
-      }
-      if (!clock_.End()) return false;
-    }
-    if (!IsFinite(belief.pose) || !IsFinite(belief.target)) belief = {};
-    Settle(lanes_[lane].get(), std::move(belief));
+    std::optional<agent::Belief> belief = AskBelief(lane);
+    if (!belief) return false;
+    Settle(lanes_[lane].get(), std::move(*belief));
   }
   return true;
 }
@@ -156,6 +164,7 @@ bool RunWorker::TellGoal(std::size_t lane) {
 
 bool RunWorker::Act(const std::vector<std::size_t>& lanes) {
   std::vector<agent::LaneObservation> observations;
+  observations.reserve(lanes.size());
   for (const std::size_t lane : lanes) {
     observations.push_back({static_cast<int>(lane), lanes_[lane]->run->Look()});
   }

@@ -63,7 +63,8 @@ class RunWorker {
   /// False if the worker was given up.
   bool PlayRow(const RunJob& first);
   void StartLane(Lane* lane, const RunJob& job);
-  bool PlayOn(std::size_t row);
+  bool PlayOn();
+  std::optional<agent::Belief> AskBelief(std::size_t lane);
   bool TellGoal(std::size_t lane);
   bool Act(const std::vector<std::size_t>& lanes);
   /// Calls the agent on behalf of some lanes, with an eye on the clock.

@@ -23,16 +23,18 @@ namespace fs = std::filesystem;
 
 constexpr double kWatchStepS = 0.05;
 
+void AddRows(const RunConfig& config, std::size_t agent, Setting setting,
+             std::vector<RunRow>* rows) {
+  for (const Condition condition : config.conditions) {
+    for (const std::uint64_t seed : config.seeds)
+      rows->push_back({agent, setting, condition, seed});
+  }
+}
+
 std::vector<RunRow> RowsOf(const RunConfig& config, const std::vector<RunAgent>& agents) {
   std::vector<RunRow> rows;
   for (std::size_t agent = 0; agent < agents.size(); ++agent) {
-    for (const Setting setting : agents[agent].settings) {
-      for (const Condition condition : config.conditions) {
-        for (const std::uint64_t seed : config.seeds) {
-          rows.push_back({agent, setting, condition, seed});
-        }
-      }
-    }
+    for (const Setting setting : agents[agent].settings) AddRows(config, agent, setting, &rows);
   }
   return rows;
 }
@@ -125,6 +127,7 @@ class Crew {
 
 std::vector<AgentRow> AgentRows(const std::vector<RunAgent>& agents) {
   std::vector<AgentRow> rows;
+  rows.reserve(agents.size());
   for (const RunAgent& agent : agents) rows.push_back(agent.row());
   return rows;
 }

@@ -71,6 +71,8 @@ class YamlReader {
   static void ReadMap(const YamlNode& node, T& value);
   template <class T>
   static void ReadStruct(const YamlNode& node, T& value);
+  template <class T>
+  static void ReadOptional(const YamlNode& node, std::optional<T>& value);
   std::optional<YamlNode> Take(std::string_view key);
 
   YamlNode map_;
@@ -136,13 +138,20 @@ void ReadScalar(const YamlNode& node, T& value) {
 }  // namespace internal
 
 template <class T>
+void YamlReader::ReadOptional(const YamlNode& node, std::optional<T>& value) {
+  if constexpr (std::is_same_v<T, YamlNode>) {
+    value.emplace(node);
+  } else {
+    Read(node, value.emplace());
+  }
+}
+
+template <class T>
 void YamlReader::Read(const YamlNode& node, T& value) {
   if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T> || std::is_same_v<T, std::string>) {
     internal::ReadScalar(node, value);
-  } else if constexpr (std::is_same_v<T, std::optional<YamlNode>>) {
-    value = node;
   } else if constexpr (internal::kIsOptional<T>) {
-    Read(node, value.emplace());
+    ReadOptional(node, value);
   } else if constexpr (internal::kIsVector<T>) {
     node.ExpectSequence(std::nullopt);
     value.clear();

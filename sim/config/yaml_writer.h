@@ -37,18 +37,18 @@ class YamlWriter {
   void WriteScalar(const T& value);
   template <class T>
   void WriteList(const T& values);
+  template <class T>
+  void WriteCompound(const T& value);
 
   YAML::Emitter emitter_;
 };
 
 template <class T>
 void YamlWriter::WriteScalar(const T& value) {
-  if constexpr (std::is_same_v<T, bool>) {
+  if constexpr (std::is_same_v<T, bool> || std::is_same_v<T, std::string>) {
     emitter_ << value;
   } else if constexpr (std::is_enum_v<T>) {
     emitter_ << std::string(NameOf(value));
-  } else if constexpr (std::is_same_v<T, std::string>) {
-    emitter_ << value;
   } else {
     std::array<char, 64> digits{};
     const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
@@ -75,7 +75,14 @@ void YamlWriter::Write(const T& value) {
   } else if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T> ||
                        std::is_same_v<T, std::string>) {
     WriteScalar(value);
-  } else if constexpr (internal::kIsOptional<T>) {
+  } else {
+    WriteCompound(value);
+  }
+}
+
+template <class T>
+void YamlWriter::WriteCompound(const T& value) {
+  if constexpr (internal::kIsOptional<T>) {
     CHECK(value.has_value());
     Write(*value);
   } else if constexpr (internal::kIsVector<T> || internal::kIsArray<T>) {

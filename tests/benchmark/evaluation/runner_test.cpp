@@ -6,6 +6,8 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <functional>
+#include <map>
 #include <sstream>
 #include <thread>
 
@@ -14,6 +16,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "benchmark/episodes/episode_file.h"
 #include "benchmark/evaluation/result_store.h"
 #include "benchmark/report/trajectory.h"
 #include "sim/base/files.h"
@@ -309,6 +312,35 @@ TEST_F(RunnerTest, SavedConfigRunsAgainAndOtherEpisodesAreRefused) {
   EXPECT_EQ(Bytes("first"), Bytes("second"));
   saved.fingerprints->episodes = "0";
   EXPECT_THROW(Play(saved, "third"), sim::FileError);
+}
+
+TEST_F(RunnerTest, EpisodesThatCannotBePlayedAreRefusedBeforeTheRun) {
+  RunConfig config = Config("{agent: random}");
+  Play(config, "good");
+  const EpisodeSet good = ReadEpisodes(config.episodes.file);
+  const fs::path bad = folder("bad.json");
+  config.episodes.file = bad.string();
+  config.episodes.draw.reset();
+  const auto complaint = [&](const std::function<void(Episode*)>& spoil) -> std::string {
+    EpisodeSet set = good;
+    spoil(&set.episodes[3]);
+    WriteEpisodes(bad, set);
+    try {
+      RunBenchmark(config, folder("bad"), {});
+    } catch (const sim::Error& e) {
+      return e.what();
+    }
+    return "nothing";
+  };
+  EXPECT_EQ(complaint([](Episode*) {}), "nothing");
+  EXPECT_THAT(complaint([](Episode* episode) {
+                episode->scene = "nowhere.glb";
+              }),
+              HasSubstr("scene nowhere.glb: no such file"));
+  EXPECT_THAT(complaint([](Episode* episode) {
+                episode->start_position.x() += 500.0;
+              }),
+              HasSubstr("episode '" + good.episodes[3].id + "'"));
 }
 
 /// What happened in every episode of a small run, as text. To write it again after a change that is
