@@ -43,7 +43,7 @@ class RunProgress {
   std::size_t total_ = 0;
   std::size_t before_ = 0;
   std::size_t done_ = 0;
-  double steps_ = 0.0;  // of this session
+  double steps_ = 0.0;  // since this process started
   std::vector<Row> rows_;
   Clock::time_point start_;
   Clock::time_point shown_;

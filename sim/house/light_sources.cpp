@@ -16,7 +16,7 @@ constexpr float kLampPower = 0.62f;    // of one lamp, whatever its size
 constexpr float kLampReach = 0.6f;     // parts nearer than this belong to one lamp, metres
 constexpr float kLongestPatch = 0.8f;  // windows are cut down to this, metres
 constexpr float kFarthest = 9.0f;      // light from farther away is left out, metres
-constexpr float kFaintest = 0.004f;    // light that would not be seen is not looked for
+constexpr float kFaintest = 0.0002f;   // light that would not be seen is not looked for
 constexpr float kStandOff = 0.12f;     // shadow rays stop short of a lamp's own shade, metres
 const Vec kSkyColor(0.97f, 1.0f, 1.04f);
 const Vec kLampColor(1.05f, 0.99f, 0.90f);
