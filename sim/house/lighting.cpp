@@ -25,7 +25,7 @@ constexpr float kAmbientReach = 1.2f;   // occluders farther than this do not di
 constexpr float kBounce = 1.25f;        // makes up for the bounces left out
 constexpr float kExposure = 2.3f;
 constexpr float kDarkest = 0.22f;  // of display brightness
-constexpr int kRefineRounds = 14;
+constexpr int kRefineRounds = 40;
 constexpr float kFiner = 0.6f;
 
 std::vector<std::array<Vec, 3>> Corners(const SceneMesh& mesh) {

@@ -24,7 +24,7 @@ constexpr int kMaxTarget = 16384;
 double Oversampling(const SceneBuffers& scene, const PanoramaSpec& spec) {
   const double triangles = static_cast<double>(scene.mesh.corners.size());
   const double wanted =
-      scene.shade_on_device ? 3.0 : std::clamp(std::sqrt(triangles / 10'000.0), 1.5, 3.0);
+      scene.shade_on_device ? 3.0 : std::clamp(std::sqrt(triangles / 10'000.0), 2.6, 3.0);
   return std::min(wanted, 0.8 * kMaxTarget / spec.cols);
 }
 
