@@ -21,6 +21,6 @@ struct House {
 /// seed gives the same house to the last bit on every machine.
 /// `textures`: pictures to share between calls; one a thread. Cost: seconds, most of them light.
 House GenerateHouse(std::uint64_t seed, TextureCache* textures, const PlanOptions& plan = {},
-                    const LightSpec& light = {});
+                    const LightSpec& light = {.min_triangles = 24'000});
 
 }  // namespace bulletnav::sim

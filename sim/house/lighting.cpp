@@ -102,8 +102,12 @@ class Baker {
       RefineEdges(&mesh_, &glow_, 1, [&](std::uint32_t a, std::uint32_t b) {
         return ShouldHalve(a, b);
       });
-      if (mesh_.triangles.size() > before) continue;
-      if (static_cast<int>(before) >= spec_.min_triangles) return;
+      // Growth may trickle on for long: houses that stay small get finer every few rounds.
+      if (mesh_.triangles.size() > before && round % 4 != 3) continue;
+      if (static_cast<int>(mesh_.triangles.size()) >= spec_.min_triangles) {
+        if (mesh_.triangles.size() == before) return;
+        continue;
+      }
       spec_.coarse_edge_m *= kFiner;
       spec_.fine_edge_m *= kFiner;
     }

@@ -11,7 +11,7 @@ struct LightSpec {
   float coarse_edge_m = 1.4f;  // longer edges are always halved
   float fine_edge_m = 0.35f;   // edges are halved down to this where light changes along them
   float change = 0.1f;         // by this share of full light
-  int min_triangles = 24'000;  // below this, edges are halved down to less
+  int min_triangles = 0;       // below this, edges are halved down to less
   int max_triangles = 60'000;  // above this, no further round of halving
 };
 
