@@ -18,26 +18,25 @@ std::string BothValues(const A& a, const B& b) {
   return out.str();
 }
 
+template <class Holds, class A, class B>
+void CheckBoth(const Holds& holds, const A& a, const B& b, std::string_view file, int line,
+               std::string_view condition) {
+  if (!holds(a, b)) CheckFailed(file, line, condition, BothValues(a, b));
+}
+
 }  // namespace bulletnav::sim::internal
 
 // NOLINTBEGIN(bugprone-macro-parentheses): the operator cannot be parenthesised.
-#define CHECK(condition)                                                           \
-  do {                                                                             \
-    if (!(condition)) {                                                            \
-      ::bulletnav::sim::internal::CheckFailed(__FILE__, __LINE__, #condition, {}); \
-    }                                                                              \
-  } while (false)
+#define CHECK(condition) \
+  ((condition) ? void(0) \
+               : ::bulletnav::sim::internal::CheckFailed(__FILE__, __LINE__, #condition, {}))
 
-#define BULLETNAV_CHECK_OP(a, op, b)                                 \
-  do {                                                               \
-    const auto& check_a = (a);                                       \
-    const auto& check_b = (b);                                       \
-    if (!(check_a op check_b)) {                                     \
-      ::bulletnav::sim::internal::CheckFailed(                       \
-          __FILE__, __LINE__, #a " " #op " " #b,                     \
-          ::bulletnav::sim::internal::BothValues(check_a, check_b)); \
-    }                                                                \
-  } while (false)
+#define BULLETNAV_CHECK_OP(a, op, b)                 \
+  ::bulletnav::sim::internal::CheckBoth(             \
+      [](const auto& check_a, const auto& check_b) { \
+        return check_a op check_b;                   \
+      },                                             \
+      a, b, __FILE__, __LINE__, #a " " #op " " #b)
 // NOLINTEND(bugprone-macro-parentheses)
 
 #define CHECK_EQ(a, b) BULLETNAV_CHECK_OP(a, ==, b)

@@ -39,7 +39,7 @@ template <std::size_t kCount, class Visit>
 void CastHemisphere(const Raycaster& scene, const std::array<Eigen::Vector3f, kCount>& directions,
                     std::size_t first, const Eigen::Vector3f& point, const Eigen::Vector3f& normal,
                     const Visit& visit) {
-  std::array<std::array<float, 16>, 3> rays;
+  std::array<std::array<float, 16>, 3> rays{};
   for (std::size_t i = 0; i < 16; ++i) {
     const Eigen::Vector3f d = Turned(directions[i * (kCount / 16) + first], normal);
     for (int axis = 0; axis < 3; ++axis) rays[static_cast<std::size_t>(axis)][i] = d[axis];

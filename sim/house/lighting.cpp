@@ -17,6 +17,7 @@ namespace {
 using Vec = Eigen::Vector3f;
 
 constexpr int kPackets = 2;             // of 16 directions a gathering
+constexpr std::size_t kDirections = 32;  // all of them
 constexpr float kLift = 0.004f;         // sample points stand off their surface, metres
 constexpr float kInward = 0.06f;        // and are drawn in towards their triangle's middle
 constexpr float kNearBackFace = 0.12f;  // a back face this near: the point is inside something
@@ -240,12 +241,15 @@ class Baker {
       const bool glows = glow_[t] != static_cast<int>(Glow::kNone);
       for (const std::uint32_t v : mesh_.triangles[t]) {
         const Vec e = light[v].value_or(Vec::Constant(kAmbient));
-        for (int c = 0; c < 3; ++c) {
-          const float shown = glows ? 1.0f : Display(e[c]);
-          mesh_.colors[v][static_cast<std::size_t>(c)] =
-              static_cast<std::uint8_t>(std::lround(255.0f * std::min(1.0f, shown)));
-        }
+        WriteColor(glows ? Vec::Ones() : Vec(e.unaryExpr(&Baker::Display)), v);
       }
+    }
+  }
+
+  void WriteColor(const Vec& shown, std::uint32_t v) {
+    for (int c = 0; c < 3; ++c) {
+      mesh_.colors[v][static_cast<std::size_t>(c)] =
+          static_cast<std::uint8_t>(std::lround(255.0f * std::min(1.0f, shown[c])));
     }
   }
 
@@ -255,13 +259,8 @@ class Baker {
       std::vector<Vec> sum(light->size(), Vec::Zero());
       std::vector<float> count(light->size(), 0.0f);
       for (const auto& t : mesh_.triangles) {
-        for (std::size_t k = 0; k < 3; ++k) {
-          if ((*light)[t[k]]) continue;
-          for (const std::uint32_t other : t) {
-            if (!(*light)[other]) continue;
-            sum[t[k]] += *(*light)[other];
-            count[t[k]] += 1.0f;
-          }
+        for (const std::uint32_t dark : t) {
+          if (!(*light)[dark]) AddLit(*light, t, &sum[dark], &count[dark]);
         }
       }
       for (std::size_t v = 0; v < light->size(); ++v) {
@@ -270,11 +269,20 @@ class Baker {
     }
   }
 
+  static void AddLit(const std::vector<std::optional<Vec>>& light,
+                     const std::array<std::uint32_t, 3>& corners, Vec* sum, float* count) {
+    for (const std::uint32_t v : corners) {
+      if (!light[v]) continue;
+      *sum += *light[v];
+      *count += 1.0f;
+    }
+  }
+
   SceneMesh& mesh_;
   LightSpec spec_;
   std::vector<int> glow_;
   std::vector<Vec> normals_;
-  const std::array<Vec, 16 * kPackets> directions_ = HemisphereDirections<16 * kPackets>();
+  const std::array<Vec, kDirections> directions_ = HemisphereDirections<kDirections>();
   std::optional<LightSources> sources_;
   std::optional<Raycaster> coarse_;
 };

@@ -72,9 +72,11 @@ ViewLayout::ViewLayout(const PanoramaSpec& spec, double oversampling) {
 std::vector<std::int32_t> PlacesOfRays(const ViewLayout& layout, const RayGrid& rays, int stride) {
   const std::size_t cols = rays.x.size();
   const auto width = static_cast<std::size_t>(stride);
-  std::vector<std::int32_t> places(width * rays.y.size(), 0);
+  std::vector<std::int32_t> places(width * rays.y.size());
   for (std::size_t r = 0; r < rays.y.size(); ++r) {
-    for (std::size_t c = 0; c < cols; ++c) {
+    for (std::size_t column = 0; column < width; ++column) {
+      const std::size_t c =
+          std::min(column, cols - 1);  // the padding looks where the last one does
       const Vec d(rays.x[c], rays.y[r], rays.z[c]);
       std::size_t v = c * static_cast<std::size_t>(layout.ring) / cols;
       if (static_cast<int>(layout.views.size()) > layout.ring) v = MostAhead(layout, d);
@@ -89,7 +91,7 @@ std::vector<std::int32_t> PlacesOfRays(const ViewLayout& layout, const RayGrid& 
       const int low_y = std::clamp(static_cast<int>(std::floor(y)), 1, view.height - 3);
       const int nearest = (x - static_cast<float>(low_x) > 0.5f ? 1 : 0) +
                           (y - static_cast<float>(low_y) > 0.5f ? 2 : 0);
-      places[r * width + c] = 4 * (low_y * layout.width + view.first_x + low_x) + nearest;
+      places[r * width + column] = 4 * (low_y * layout.width + view.first_x + low_x) + nearest;
     }
   }
   return places;

@@ -388,21 +388,37 @@ class Sweep {
     int last = triangle.last_row;
     if (last - first >= kTallRows) CutRows(triangle, base, &first, &last);
     if (first > last) return;
-    const IW id = Splat<IW>(triangle.id);
-    for (int r = first; r <= last; ++r) {
-      const float y = grid_.y[r];
-      float* inverse_t = hits_.inverse_t + r * grid_.stride + column;
-      std::int32_t* ids = hits_.id + r * grid_.stride + column;
-      const FW inside = Min(Min(base[0] + triangle.plane[1] * y, base[1] + triangle.plane[4] * y),
-                            base[2] + triangle.plane[7] * y);
-      const FW hit = inside >= 0.0f ? base[3] + triangle.plane[10] * y : FW{};
-      const FW old = Load<FW>(inverse_t);
-      Store(inverse_t, hit > old ? hit : old);
-      Store(ids, hit > old ? id : Load<IW>(ids));
-    }
+    DrawRows(triangle, base, column, first, last);
     const std::uint32_t tile = 1u << (column >> grid_.tile_column_shift);
     const int last_tile = last >> grid_.tile_row_shift;
     for (int r = first >> grid_.tile_row_shift; r <= last_tile; ++r) scratch_.dirty[r] |= tile;
+  }
+
+  /// Everything is read before the loop: the compiler must take any store for one that changes it.
+  void DrawRows(const Triangle& triangle, const FW (&base)[4], int column, int first,
+                int last) const {
+    const IW id = Splat<IW>(triangle.id);
+    const FW slope0 = Splat<FW>(triangle.plane[1]);
+    const FW slope1 = Splat<FW>(triangle.plane[4]);
+    const FW slope2 = Splat<FW>(triangle.plane[7]);
+    const FW slope3 = Splat<FW>(triangle.plane[10]);
+    const FW base0 = base[0];
+    const FW base1 = base[1];
+    const FW base2 = base[2];
+    const FW base3 = base[3];
+    const float* y = grid_.y + first;
+    const float* const end = grid_.y + last;
+    const int stride = grid_.stride;
+    float* inverse_t = hits_.inverse_t + first * stride + column;
+    std::int32_t* ids = hits_.id + first * stride + column;
+    for (; y <= end; ++y, inverse_t += stride, ids += stride) {
+      const FW inside = Min(Min(base0 + slope0 * *y, base1 + slope1 * *y), base2 + slope2 * *y);
+      const FW hit = inside >= 0.0f ? base3 + slope3 * *y : FW{};
+      const FW old = Load<FW>(inverse_t);
+      const IW nearer = hit > old;
+      Store(inverse_t, nearer ? hit : old);
+      Store(ids, nearer ? id : Load<IW>(ids));
+    }
   }
 
   /// Narrows the rows to those where some lane can be inside: each edge function is linear in y.
