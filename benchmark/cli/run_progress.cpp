@@ -21,7 +21,7 @@ double Seconds(std::chrono::steady_clock::duration d) {
 std::string Duration(double seconds) {
   const auto s = std::lround(seconds);
   if (s < 90) return fmt::format("{} s", s);
-  if (s < 90 * 60) return fmt::format("{} min", (s + 30) / 60);
+  if (s < 5400) return fmt::format("{} min", (s + 30) / 60);
   return fmt::format("{} h {:02} min", s / 3600, s / 60 % 60);
 }
 

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <fstream>
 #include <memory>
 #include <string>
 
@@ -16,13 +17,10 @@ namespace bulletnav::bench {
 namespace {
 
 double ResidentMb() {
-  unsigned long total = 0;     // NOLINT(google-runtime-int): scanf's type
-  unsigned long resident = 0;  // NOLINT(google-runtime-int)
-  if (FILE* statm = std::fopen("/proc/self/statm", "r")) {
-    if (std::fscanf(statm, "%lu %lu", &total, &resident) != 2) resident = 0;
-    std::fclose(statm);
-  }
-  return static_cast<double>(resident) * static_cast<double>(::sysconf(_SC_PAGESIZE)) / 1048576.0;
+  double total_pages = 0.0;
+  double resident_pages = 0.0;
+  std::ifstream("/proc/self/statm") >> total_pages >> resident_pages;
+  return resident_pages * static_cast<double>(::sysconf(_SC_PAGESIZE)) / 1048576.0;
 }
 
 std::string Quoted(const std::string& text) {

@@ -138,22 +138,21 @@ class SimulatorBench {
                       std::vector<float>* depth) {
     const float c = std::cos(camera.yaw);
     const float s = std::sin(camera.yaw);
-    std::array<std::array<float, 16>, 3> rays;
+    const auto cols = static_cast<std::size_t>(spec.cols);
+    const std::size_t tiles_a_row = cols / 4;
+    std::array<std::array<float, 16>, 3> rays{};
     std::array<sim::RayHit, 16> hits;
-    for (int row = 0; row < spec.rows; row += 4) {
-      for (int col = 0; col < spec.cols; col += 4) {
-        for (std::size_t i = 0; i < 16; ++i) {
-          const std::size_t x = static_cast<std::size_t>(col) + i % 4;
-          rays[0][i] = grid.x[x] * c + grid.z[x] * s;
-          rays[1][i] = grid.y[static_cast<std::size_t>(row) + i / 4];
-          rays[2][i] = grid.z[x] * c - grid.x[x] * s;
-        }
-        raycaster.CastPacket(camera.position, rays, &hits);
-        for (std::size_t i = 0; i < 16; ++i) {
-          (*depth)[(static_cast<std::size_t>(row) + i / 4) * static_cast<std::size_t>(spec.cols) +
-                   static_cast<std::size_t>(col) + i % 4] = hits[i].t;
-        }
+    for (std::size_t tile = 0; tile < spec.pixels() / 16; ++tile) {
+      const std::size_t row = 4 * (tile / tiles_a_row);
+      const std::size_t col = 4 * (tile % tiles_a_row);
+      for (std::size_t i = 0; i < 16; ++i) {
+        const std::size_t x = col + i % 4;
+        rays[0][i] = grid.x[x] * c + grid.z[x] * s;
+        rays[1][i] = grid.y[row + i / 4];
+        rays[2][i] = grid.z[x] * c - grid.x[x] * s;
       }
+      raycaster.CastPacket(camera.position, rays, &hits);
+      for (std::size_t i = 0; i < 16; ++i) (*depth)[(row + i / 4) * cols + col + i % 4] = hits[i].t;
     }
   }
 

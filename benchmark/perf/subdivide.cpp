@@ -12,7 +12,7 @@ namespace {
 std::uint32_t AddMiddle(std::uint32_t a, std::uint32_t b, sim::SceneMesh* mesh) {
   mesh->positions.push_back(0.5f * (mesh->positions[a] + mesh->positions[b]));
   mesh->uvs.push_back(0.5f * (mesh->uvs[a] + mesh->uvs[b]));
-  sim::Rgb8 color;
+  sim::Rgb8 color{};
   for (std::size_t c = 0; c < 3; ++c) {
     color[c] = static_cast<std::uint8_t>((mesh->colors[a][c] + mesh->colors[b][c]) / 2);
   }
@@ -20,37 +20,58 @@ std::uint32_t AddMiddle(std::uint32_t a, std::uint32_t b, sim::SceneMesh* mesh) 
   return static_cast<std::uint32_t>(mesh->positions.size()) - 1;
 }
 
+/// Cuts `cut` of the mesh's triangles, evenly spread over the list, into four.
+class Cutter {
+ public:
+  explicit Cutter(sim::SceneMesh* mesh) : mesh_(*mesh) {}
+
+  void Run(std::size_t cut) {
+    const auto before = std::exchange(mesh_.triangles, {});
+    const auto materials = std::exchange(mesh_.triangle_materials, {});
+    const std::size_t n = before.size();
+    for (std::size_t t = 0; t < n; ++t) {
+      if ((t + 1) * cut / n == t * cut / n) {
+        Add(before[t], materials[t]);
+      } else {
+        Cut(before[t], materials[t]);
+      }
+    }
+  }
+
+ private:
+  void Cut(const std::array<std::uint32_t, 3>& triangle, std::uint32_t material) {
+    const auto [a, b, c] = triangle;
+    const std::uint32_t ab = Middle(a, b);
+    const std::uint32_t bc = Middle(b, c);
+    const std::uint32_t ca = Middle(c, a);
+    for (const auto& part : {std::array{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}}) {
+      Add(part, material);
+    }
+  }
+
+  void Add(const std::array<std::uint32_t, 3>& triangle, std::uint32_t material) {
+    mesh_.triangles.push_back(triangle);
+    mesh_.triangle_materials.push_back(material);
+  }
+
+  /// A shared edge gets one middle.
+  std::uint32_t Middle(std::uint32_t a, std::uint32_t b) {
+    const auto [place, is_new] = middles_.try_emplace(std::minmax(a, b), 0);
+    if (is_new) place->second = AddMiddle(a, b, &mesh_);
+    return place->second;
+  }
+
+  sim::SceneMesh& mesh_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles_;
+};
+
 }  // namespace
 
 sim::SceneMesh Subdivided(const sim::SceneMesh& mesh, std::size_t triangles) {
   sim::SceneMesh fine = mesh;
   while (fine.triangles.size() < triangles) {
-    // Every triangle into four; a shared edge gets one middle.
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
-    const auto middle = [&](std::uint32_t a, std::uint32_t b) {
-      const auto [place, is_new] = middles.try_emplace(std::minmax(a, b), 0);
-      if (is_new) place->second = AddMiddle(a, b, &fine);
-      return place->second;
-    };
-    const auto before = std::exchange(fine.triangles, {});
-    const auto materials = std::exchange(fine.triangle_materials, {});
-    const std::size_t n = before.size();
-    const std::size_t cut = std::min(n, (triangles - n + 2) / 3);
-    for (std::size_t t = 0; t < n; ++t) {
-      const auto [a, b, c] = before[t];
-      if ((t + 1) * cut / n == t * cut / n) {
-        fine.triangles.push_back(before[t]);
-        fine.triangle_materials.push_back(materials[t]);
-        continue;
-      }
-      const std::uint32_t ab = middle(a, b);
-      const std::uint32_t bc = middle(b, c);
-      const std::uint32_t ca = middle(c, a);
-      for (const auto& part : {std::array{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}}) {
-        fine.triangles.push_back(part);
-        fine.triangle_materials.push_back(materials[t]);
-      }
-    }
+    const std::size_t n = fine.triangles.size();
+    Cutter(&fine).Run(std::min(n, (triangles - n + 2) / 3));
   }
   return fine;
 }

@@ -16,14 +16,14 @@ namespace {
 
 using Vec = Eigen::Vector3f;
 
-constexpr int kPackets = 2;             // of 16 directions a gathering
+constexpr int kPackets = 2;              // of 16 directions a gathering
 constexpr std::size_t kDirections = 32;  // all of them
-constexpr float kLift = 0.004f;         // sample points stand off their surface, metres
-constexpr float kInward = 0.06f;        // and are drawn in towards their triangle's middle
-constexpr float kNearBackFace = 0.12f;  // a back face this near: the point is inside something
-constexpr float kAmbient = 0.16f;       // light that has bounced more than once
-constexpr float kAmbientReach = 1.2f;   // occluders farther than this do not dim it, metres
-constexpr float kBounce = 1.25f;        // makes up for the bounces left out
+constexpr float kLift = 0.004f;          // sample points stand off their surface, metres
+constexpr float kInward = 0.06f;         // and are drawn in towards their triangle's middle
+constexpr float kNearBackFace = 0.12f;   // a back face this near: the point is inside something
+constexpr float kAmbient = 0.16f;        // light that has bounced more than once
+constexpr float kAmbientReach = 1.2f;    // occluders farther than this do not dim it, metres
+constexpr float kBounce = 1.25f;         // makes up for the bounces left out
 constexpr float kExposure = 2.3f;
 constexpr float kDarkest = 0.22f;  // of display brightness
 constexpr int kRefineRounds = 40;
