@@ -22,16 +22,6 @@ double Level(const Eigen::Vector3d& v) {
   return std::hypot(v.x(), v.z());
 }
 
-/// Turns as near as turns get to the direction of a point, then goes.
-Action Towards(const Eigen::Vector3d& point, const sim::BodyPose& pose) {
-  const Eigen::Vector3d way = point - pose.position;
-  const double off = sim::WrapAngle(std::atan2(-way.x(), -way.z()) - pose.yaw);
-  if (std::fabs(off) <= 0.5 * sim::NominalMotion(Action::kTurnLeft).yaw + 1e-6) {
-    return Action::kMoveForward;
-  }
-  return off > 0.0 ? Action::kTurnLeft : Action::kTurnRight;
-}
-
 Eigen::Vector3d NextCorner(const sim::Path& path, const sim::BodyPose& pose) {
   for (const Eigen::Vector3f& corner : path.points) {
     if (Level(corner.cast<double>() - pose.position) >= kPassed) return corner.cast<double>();
@@ -43,6 +33,9 @@ Eigen::Vector3d NextCorner(const sim::Path& path, const sim::BodyPose& pose) {
 
 void ShortestPathAgent::Config::Validate() const {
   if (!(stop_distance > 0.0)) throw sim::Error("stop_distance must be positive");
+  if (!(turn_tolerance_deg >= 5.0) || !(turn_tolerance_deg <= 45.0)) {
+    throw sim::Error("turn_tolerance_deg must lie between 5, half a turn, and 45");
+  }
 }
 
 void ShortestPathAgent::Reset(const GroundTruth& truth) {
@@ -65,6 +58,15 @@ Action ShortestPathAgent::Act(const GroundTruth& truth) {
   way_out_.assign(way.begin(), way.end());
   patience_ = kPatience * static_cast<int>(way.size()) + 18;
   return FollowWayOut(truth.pose).value_or(action);
+}
+
+Action ShortestPathAgent::Towards(const Eigen::Vector3d& point, const sim::BodyPose& pose) const {
+  const Eigen::Vector3d way = point - pose.position;
+  const double off = sim::WrapAngle(std::atan2(-way.x(), -way.z()) - pose.yaw);
+  if (std::fabs(off) <= sim::DegToRad(config_.turn_tolerance_deg) + 1e-6) {
+    return Action::kMoveForward;
+  }
+  return off > 0.0 ? Action::kTurnLeft : Action::kTurnRight;
 }
 
 std::optional<Action> ShortestPathAgent::FollowWayOut(const sim::BodyPose& pose) {
