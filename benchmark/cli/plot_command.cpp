@@ -13,8 +13,8 @@
 
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/progress.h"
-#include "benchmark/cli/scene_options.h"
 #include "benchmark/evaluation/result_store.h"
+#include "benchmark/evaluation/runner.h"
 #include "benchmark/report/filmstrip.h"
 #include "benchmark/report/result_charts.h"
 #include "benchmark/report/trajectory_plot.h"
@@ -38,7 +38,6 @@ struct PlotOptions {
   bool all = false;
   bool belief = false;
   bool film = false;
-  SceneOptions scene;  // how to import
 };
 
 /// A trajectory and the name of its pictures, without extension, below the folder of plots.
@@ -107,12 +106,13 @@ std::optional<sim::FloorPlan> PlanOf(const fs::path& scene, double scale) {
 }
 
 /// Draws the trajectories of one scene.
-void DrawScene(const PlotOptions& options, const fs::path& scene,
+void DrawScene(const PlotOptions& options, const RunConfig& config, const fs::path& scene,
                const std::vector<const Chosen*>& chosen, Progress* progress) {
-  const sim::ImportedScene imported = sim::ImportScene(scene, options.scene.import());
+  const sim::WorldOptions as_run = {config.import.options(), config.navmesh, config.backend};
+  const sim::ImportedScene imported = sim::ImportScene(scene, as_run.import);
   const auto world =
-      std::make_shared<const sim::World>(scene.filename().string(), imported, sim::WorldOptions{});
-  const auto plan = PlanOf(scene, options.scene.scale);
+      std::make_shared<const sim::World>(scene.filename().string(), imported, as_run);
+  const auto plan = PlanOf(scene, config.import.scale);
   std::map<long, SceneMap> storeys;  // by height of the start in half metres
   for (const Chosen* one : chosen) {
     const EpisodeTrajectory& trajectory = one->trajectory;
@@ -133,24 +133,26 @@ void DrawScene(const PlotOptions& options, const fs::path& scene,
   }
 }
 
-void WriteCharts(const fs::path& run, const fs::path& out) {
+void WriteCharts(const fs::path& run, const RunConfig& config, const fs::path& out) {
   const std::vector<EpisodeResult> results = ReadResults(run);
-  const auto goals = GoalCountCharts(Summarize(results, {}), {});
-  const auto distances = DistanceCharts(results, {});
+  const std::vector<AgentRow> agents = AgentRowsOf(config);
+  const auto goals = GoalCountCharts(Summarize(results, agents), agents);
+  const auto distances = DistanceCharts(results, agents);
   if (!goals.empty()) WriteFigure(ChartFigure(goals), out / "by_goals");
   if (!distances.empty()) WriteFigure(ChartFigure(distances), out / "by_distance");
 }
 
 void Plot(PlotOptions options) {
   if (options.out.empty()) options.out = options.run / "plots";
+  const RunConfig config = LoadRunConfig(options.run / "config.yaml");
   const std::vector<Chosen> chosen = Choose(options);
   std::map<fs::path, std::vector<const Chosen*>> by_scene;
   for (const Chosen& one : chosen) by_scene[one.trajectory.scene_file].push_back(&one);
   {
     Progress progress("plots", static_cast<int>(chosen.size()));
-    for (const auto& [scene, ones] : by_scene) DrawScene(options, scene, ones, &progress);
+    for (const auto& [scene, ones] : by_scene) DrawScene(options, config, scene, ones, &progress);
   }
-  WriteCharts(options.run, options.out);
+  WriteCharts(options.run, config, options.out);
   fmt::print("{} episode{} drawn in {}\n", chosen.size(), chosen.size() == 1 ? "" : "s",
              options.out.string());
 }
@@ -174,7 +176,6 @@ void AddPlotCommand(CLI::App* program) {
   command->add_flag("--belief", options->belief, "Add the agent's own map or graph");
   command->add_flag("--film", options->film, "Add filmstrips of panoramas beside the map");
   command->add_option("--out", options->out, "Folder for the pictures (default: RUN/plots)");
-  options->scene.AddImportOptions(command);
   command->callback([options] {
     Plot(*options);
   });

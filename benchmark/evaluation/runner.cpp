@@ -205,9 +205,13 @@ RunOutcome RunBenchmark(RunConfig config, const fs::path& folder, const RunOptio
   return outcome;
 }
 
+std::vector<AgentRow> AgentRowsOf(const RunConfig& config) {
+  return AgentRows(FindAgents(config));
+}
+
 std::string RebuildTables(const fs::path& folder) {
   const std::vector<EpisodeResult> results = ReadResults(folder);
-  return WriteTables(folder, results, AgentRows(FindAgents(LoadRunConfig(folder / "config.yaml"))));
+  return WriteTables(folder, results, AgentRowsOf(LoadRunConfig(folder / "config.yaml")));
 }
 
 }  // namespace bulletnav::bench

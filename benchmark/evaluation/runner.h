@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "benchmark/evaluation/run_agents.h"
 #include "benchmark/evaluation/run_config.h"
@@ -42,6 +43,9 @@ struct RunOutcome {
 /// Throws sim::Error: see PrepareEpisodes, RequireAll and ResultStore.
 RunOutcome RunBenchmark(RunConfig config, const std::filesystem::path& folder,
                         const RunOptions& options, const RunHooks& hooks = {});
+
+/// How tables and charts speak of a run's agents.
+std::vector<AgentRow> AgentRowsOf(const RunConfig& config);
 
 /// Writes the tables of a folder of results again; returns the text of table.md.
 std::string RebuildTables(const std::filesystem::path& folder);

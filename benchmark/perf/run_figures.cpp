@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/perf/run_figures.h"
+
+#include <chrono>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "benchmark/evaluation/episode_run.h"
+#include "benchmark/evaluation/runner.h"
+#include "benchmark/perf/temporary_folder.h"
+
+namespace bulletnav::bench {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int kRounds = 3;  // of each way to play the episodes, in turn
+
+double SecondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+std::string ConfigText(const std::filesystem::path& scene, const std::filesystem::path& folder) {
+  return fmt::format(
+      "name: bench\n"
+      "backend: embree\n"
+      "episodes:\n"
+      "  file: '{}'\n"
+      "  draw: {{scenes: ['{}'], counts: {{easy: 8, medium: 8, hard: 8}}, seed: 0}}\n"
+      "agents: [{{agent: metric_map_fbe, goal_estimator: oracle}}]\n",
+      (folder / "episodes.json.gz").string(), scene.string());
+}
+
+/// What playing the episodes without the runner took.
+struct PlainTimes {
+  double all_s = 0.0;
+  double agent_s = 0.0;
+  long steps = 0;
+};
+
+class RunBench {
+ public:
+  explicit RunBench(const BenchScene& scene)
+      : config_(ParseRunConfig(ConfigText(scene.file, folder_.path()), "bench.yaml")) {
+    config_.import.scale = scene.import.scale;
+    config_.import.up = scene.import.up;
+    config_.import.ground_plane = scene.import.ground_plane;
+    agents_ = FindAgents(config_);
+    RequireAll(agents_);
+    RunConfig copy = config_;
+    episodes_ = PrepareEpisodes(&copy, {}, 1, [](const std::string&, int) {
+      return [] {};
+    });
+    truth_.world =
+        sim::World::Load(scene.file, {config_.import.options(), config_.navmesh, config_.backend});
+  }
+
+  PlainTimes Plain() {
+    PlainTimes times;
+    const Clock::time_point start = Clock::now();
+    const GroundTruth* truth = &truth_;
+    const auto agent = Build(agents_.front(), RigOf(config_, Setting::kRgbd), {&truth, 1});
+    for (const Episode& episode : episodes_.episodes) PlayPlain(episode, agent.get(), &times);
+    times.all_s = SecondsSince(start);
+    return times;
+  }
+
+  /// Seconds until the last episode is on the disk, the scene's loading included.
+  double WithRunner(int workers) {
+    const TemporaryFolder results;
+    Clock::time_point start;
+    double seconds = 0.0;
+    RunHooks hooks;
+    hooks.begin = [&](std::size_t, std::span<const EpisodeResult>) {
+      start = Clock::now();
+    };
+    hooks.finish = [&](const EpisodeResult&) {
+      seconds = SecondsSince(start);
+    };
+    RunBenchmark(config_, results.path(), {{}, workers, true}, hooks);
+    return seconds;
+  }
+
+  double LoadSeconds() const {
+    const Clock::time_point start = Clock::now();
+    sim::World::Load(episodes_.scene_files.begin()->second,
+                     {config_.import.options(), config_.navmesh, config_.backend});
+    return SecondsSince(start);
+  }
+
+ private:
+  void PlayPlain(const Episode& episode, agent::BatchAgent* agent, PlainTimes* times) {
+    EpisodeRules rules;
+    rules.noise = config_.noise;
+    EpisodeTask task;
+    task.episode = episode;
+    task.scene_file = episodes_.scene_files.at(episode.scene);
+    EpisodeRun run(std::move(task), rules, truth_.world, &truth_);
+    while (!run.is_over()) {
+      if (run.TakeNewGoal()) agent->Reset(0, run.goal(), run.agent_seed());
+      const agent::LaneObservation seen = {0, run.Look()};
+      sim::Action action = sim::Action::kStop;
+      const Clock::time_point start = Clock::now();
+      agent->Act({&seen, 1}, {&action, 1});
+      times->agent_s += SecondsSince(start);
+      run.Apply(action);
+      ++times->steps;
+    }
+  }
+
+  TemporaryFolder folder_;
+  RunConfig config_;
+  std::vector<RunAgent> agents_;
+  RunEpisodes episodes_;
+  GroundTruth truth_;
+};
+
+}  // namespace
+
+void MeasureRuns(const BenchScene& scene, const std::function<void(const Figure&)>& tell) {
+  RunBench bench(scene);
+  std::vector<double> plain;
+  std::vector<double> one;
+  std::vector<double> two;
+  std::vector<double> agent_ms;
+  double steps = 0.0;
+  for (int round = 0; round < kRounds; ++round) {
+    const PlainTimes times = bench.Plain();
+    steps = static_cast<double>(times.steps);
+    plain.push_back(times.all_s);
+    agent_ms.push_back(1e3 * times.agent_s / steps);
+    const double load = bench.LoadSeconds();
+    one.push_back(bench.WithRunner(1) - load);
+    two.push_back(bench.WithRunner(2) - load);
+  }
+  const std::string name = scene.file.filename().string();
+  const double alone = Median(one);
+  tell({"fbe_run_steps", steps / alone, "steps/s", name, "embree", 1});
+  tell({"fbe_mapping_and_planning", Median(agent_ms), "ms/step", name, "", 1});
+  tell({"runner_overhead", 100.0 * (alone - Median(plain)) / alone, "%", name, "embree", 1});
+  tell({"fbe_run_steps_two_workers", steps / Median(two), "steps/s", name, "embree", 2});
+  tell({"run_two_workers_over_one", alone / Median(two), "ratio", name, "embree", 2});
+}
+
+}  // namespace bulletnav::bench

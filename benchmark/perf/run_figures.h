@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <functional>
+
+#include "benchmark/perf/figure.h"
+#include "benchmark/perf/simulator_figures.h"
+
+namespace bulletnav::bench {
+
+/// The figures of runs on one scene, with metric_map_fbe and its oracle: steps a second of the
+/// whole run with one worker and with two, what the agent takes of a step, and what the runner
+/// (bookkeeping, files) takes of the run, as the difference to the same episodes played in a plain
+/// loop. `tell` is called with each as it is ready. Throws sim::Error if no episodes can be drawn.
+void MeasureRuns(const BenchScene& scene, const std::function<void(const Figure&)>& tell);
+
+}  // namespace bulletnav::bench
