@@ -11,7 +11,7 @@
 #include "benchmark/perf/process.h"
 #include "benchmark/perf/run_figures.h"
 #include "benchmark/perf/simulator_figures.h"
-#include "benchmark/perf/temporary_folder.h"
+#include "sim/base/temporary_folder.h"
 #include "sim/house/house_set.h"
 
 namespace bulletnav::bench {
@@ -24,7 +24,7 @@ struct BenchOptions {
 };
 
 void Bench(const BenchOptions& options) {
-  std::optional<TemporaryFolder> houses;
+  std::optional<sim::TemporaryFolder> houses;
   std::filesystem::path file = options.scene.file;
   if (file.empty()) {
     fmt::print(stderr, "generating a house (seed 0)\n");

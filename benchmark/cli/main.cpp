@@ -9,6 +9,7 @@
 #include <CLI/Formatter.hpp>
 
 #include "benchmark/cli/commands.h"
+#include "benchmark/evaluation/program_version.h"
 #include "sim/base/error.h"
 
 namespace {
@@ -26,7 +27,7 @@ int Run(int argc, char** argv) {
       "BulletNav: embodied navigation in indoor meshes, with physics, panoramas and noise",
       "bulletnav");
   program.require_subcommand(1);
-  program.set_version_flag("--version", "bulletnav " BULLETNAV_VERSION);
+  program.set_version_flag("--version", "bulletnav " + bulletnav::bench::ProgramVersion());
   bulletnav::bench::AddScenesCommand(&program);
   bulletnav::bench::AddRenderCommand(&program);
   bulletnav::bench::AddEpisodesCommand(&program);

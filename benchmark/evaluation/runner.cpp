@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "benchmark/evaluation/program_version.h"
 #include "benchmark/evaluation/result_store.h"
 #include "benchmark/evaluation/run_worker.h"
 #include "benchmark/report/run_tables.h"
@@ -198,6 +199,7 @@ RunOutcome RunBenchmark(RunConfig config, const fs::path& folder, const RunOptio
   Work work = PlanWork(std::move(config), options, workers, hooks);
   ResultStore store(folder, sim::ToYaml(work.plan->config));
   const std::vector<EpisodeResult> done = TakeDone(store, &work);
+  if (!work.jobs.empty()) NoteVersion(folder);
   if (hooks.begin) hooks.begin(done.size() + work.jobs.size(), done);
   RunOutcome outcome;
   outcome.hung = Play(work, folder, workers, hooks, &store);

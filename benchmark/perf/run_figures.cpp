@@ -10,7 +10,7 @@
 
 #include "benchmark/evaluation/episode_run.h"
 #include "benchmark/evaluation/runner.h"
-#include "benchmark/perf/temporary_folder.h"
+#include "sim/base/temporary_folder.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -70,7 +70,7 @@ class RunBench {
 
   /// Seconds until the last episode is on the disk, the scene's loading included.
   double WithRunner(int workers) {
-    const TemporaryFolder results;
+    const sim::TemporaryFolder results;
     Clock::time_point start;
     double seconds = 0.0;
     RunHooks hooks;
@@ -111,7 +111,7 @@ class RunBench {
     }
   }
 
-  TemporaryFolder folder_;
+  sim::TemporaryFolder folder_;
   RunConfig config_;
   std::vector<RunAgent> agents_;
   RunEpisodes episodes_;

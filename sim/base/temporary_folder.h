@@ -2,7 +2,7 @@
 #pragma once
 #include <filesystem>
 
-namespace bulletnav::bench {
+namespace bulletnav::sim {
 
 /// A new empty folder where temporary files belong, removed with all it holds.
 class TemporaryFolder {
@@ -21,4 +21,4 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-}  // namespace bulletnav::bench
+}  // namespace bulletnav::sim

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "benchmark/perf/temporary_folder.h"
+#include "sim/base/temporary_folder.h"
 
 #include <cstdlib>
 #include <string>
@@ -7,7 +7,7 @@
 
 #include "sim/base/error.h"
 
-namespace bulletnav::bench {
+namespace bulletnav::sim {
 
 TemporaryFolder::TemporaryFolder() {
   std::string pattern = (std::filesystem::temp_directory_path() / "bulletnav_XXXXXX").string();
@@ -22,4 +22,4 @@ TemporaryFolder::~TemporaryFolder() {
   std::filesystem::remove_all(path_, ignored);
 }
 
-}  // namespace bulletnav::bench
+}  // namespace bulletnav::sim

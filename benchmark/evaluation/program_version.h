@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <filesystem>
+#include <string>
+
+namespace bulletnav::bench {
+
+/// "0.1.0 (3f2a...)": the version and the git commit it was built from, "-dirty" if files differed
+/// from it.
+std::string ProgramVersion();
+
+/// Notes in a folder of results which version plays episodes there: versions.txt, a line for each
+/// that did, in order. Throws sim::FileError.
+void NoteVersion(const std::filesystem::path& folder);
+
+}  // namespace bulletnav::bench
