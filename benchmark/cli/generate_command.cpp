@@ -49,6 +49,7 @@ void AddGenerateCommand(CLI::App* scenes) {
   command
       ->add_option("--seed", options->set.first_seed,
                    "Seed of the first house; the others count on from it")
+      ->check(CLI::Range(0, 1'000'000'000))
       ->capture_default_str();
   command->add_option("--out", options->out, "Folder to write to")->capture_default_str();
   command->add_option("--workers", options->set.workers, "Threads; 0: one a processor")

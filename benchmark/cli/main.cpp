@@ -22,6 +22,13 @@ int Complain(const std::string& what, int status) {
   return status;
 }
 
+bool HasCommand(const CLI::App& program, const std::string& name) {
+  const auto found = program.get_subcommands([&](const CLI::App* command) {
+    return command->get_name() == name;
+  });
+  return !found.empty();
+}
+
 int Run(int argc, char** argv) {
   CLI::App program(
       "BulletNav: embodied navigation in indoor meshes, with physics, panoramas and noise",
@@ -40,6 +47,10 @@ int Run(int argc, char** argv) {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return program.exit(e);
+    const std::string command = argc > 1 ? argv[1] : "";
+    if (!command.empty() && command[0] != '-' && !HasCommand(program, command)) {
+      return Complain("there is no command '" + command + "'; see --help", kBadUse);
+    }
     return Complain(std::string(e.what()) + "; see --help", kBadUse);
   }
   return 0;

@@ -78,7 +78,11 @@ std::vector<BodyPose> RandomPoses(const sim::World& world, int count, std::uint6
 
 BodyPose GivenPose(const sim::World& world, const std::vector<double>& pose) {
   sim::CapsuleBody body(world.physics(), {});
-  body.Reset({{pose[0], pose[1], pose[2]}, sim::DegToRad(pose[3])});
+  try {
+    body.Reset({{pose[0], pose[1], pose[2]}, sim::DegToRad(pose[3])});
+  } catch (const sim::PoseError& e) {
+    throw sim::Error(std::string("--pose: ").append(e.what()));
+  }
   return body.pose();
 }
 
@@ -143,7 +147,8 @@ void AddRenderCommand(CLI::App* program) {
   command->add_option("--random", options->random, "This many random free places (default 1)")
       ->check(CLI::Range(1, 1'000'000))
       ->excludes(pose);
-  command->add_option("--seed", options->seed, "Seed of the random places");
+  command->add_option("--seed", options->seed, "Seed of the random places")
+      ->check(CLI::Range(0, 1'000'000'000));
   AddBackendOption(command, &options->backend);
   AddEnumOption(command, "--projection", &options->panorama.projection, "Projection");
   command->add_option("--size", options->size, "Width and height in pixels: WxH");

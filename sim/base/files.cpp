@@ -42,16 +42,20 @@ fs::path TemporaryName(const fs::path& file) {
   return file.string() + ".tmp" + std::to_string(::getpid()) + "-" + std::to_string(counter++);
 }
 
-void SyncFile(const fs::path& file) {
-  const Descriptor fd(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+void SyncFile(const fs::path& temporary, const fs::path& file) {
+  const Descriptor fd(::open(temporary.c_str(), O_RDONLY | O_CLOEXEC));
   if (fd.get() < 0 || ::fsync(fd.get()) != 0) {
     throw FileError(file, "", "cannot be written: " + Reason());
   }
 }
 
-void WriteAll(const fs::path& file, std::span<const std::uint8_t> bytes) {
-  const Descriptor fd(::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644));
-  if (fd.get() < 0) throw FileError(file, "", "cannot be created: " + Reason());
+/// `file` is what users know of.
+void WriteAll(const fs::path& temporary, const fs::path& file,
+              std::span<const std::uint8_t> bytes) {
+  const Descriptor fd(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644));
+  if (fd.get() < 0) {
+    throw FileError(file, "", "cannot be created: " + Reason() + "; choose another place");
+  }
   while (!bytes.empty()) {
     const ssize_t n = ::write(fd.get(), bytes.data(), bytes.size());
     if (n < 0 && errno == EINTR) continue;
@@ -99,7 +103,7 @@ void WriteFileAtomically(const fs::path& file, const std::function<void(const fs
   const fs::path temporary = TemporaryName(file);
   try {
     write(temporary);
-    SyncFile(temporary);
+    SyncFile(temporary, file);
     fs::rename(temporary, file);
   } catch (const fs::filesystem_error& e) {
     std::error_code ignored;
@@ -114,7 +118,7 @@ void WriteFileAtomically(const fs::path& file, const std::function<void(const fs
 
 void WriteFileAtomically(const fs::path& file, std::span<const std::uint8_t> bytes) {
   WriteFileAtomically(file, [&](const fs::path& temporary) {
-    WriteAll(temporary, bytes);
+    WriteAll(temporary, file, bytes);
   });
 }
 

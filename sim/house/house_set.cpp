@@ -41,8 +41,8 @@ HouseEntry WriteHouse(const std::filesystem::path& folder, const HouseEntry& pla
   std::filesystem::path json = glb;
   json.replace_extension(".json");
   const HouseDescription description{house.seed, std::string(NameOf(house.style.kind)), house.plan};
-  WriteFileAtomically(json, ToJson(description));
   WriteFileAtomically(glb, EncodeGlb(house.mesh));
+  WriteFileAtomically(json, ToJson(description));
   return entry;
 }
 
