@@ -53,6 +53,19 @@ void ParseSize(const std::string& text, sim::PanoramaSpec* spec) {
   }
 }
 
+/// The body's pose at a random free place. Throws sim::PoseError if none is found.
+BodyPose RandomPose(const sim::NavmeshQuery& query, sim::CapsuleBody* body, sim::Rng* rng) {
+  for (int attempt = 0;; ++attempt) {
+    const Eigen::Vector3f p = query.RandomPoint(rng, 0);
+    try {
+      body->Reset({p.cast<double>(), rng->Uniform(-sim::kPi, sim::kPi)});
+      return body->pose();
+    } catch (const sim::PoseError&) {
+      if (attempt == kTries) throw;
+    }
+  }
+}
+
 /// Free places drawn evenly from the walkable floor, seen in random directions.
 std::vector<BodyPose> RandomPoses(const sim::World& world, int count, std::uint64_t seed) {
   world.RequireFloor();
@@ -60,19 +73,8 @@ std::vector<BodyPose> RandomPoses(const sim::World& world, int count, std::uint6
   sim::Rng rng(sim::RngKey{seed, world.id()});
   sim::CapsuleBody body(world.physics(), {});
   std::vector<BodyPose> poses;
-  while (static_cast<int>(poses.size()) < count) {
-    for (int attempt = 0;; ++attempt) {
-      const Eigen::Vector3f p = query.RandomPoint(&rng, 0);
-      const BodyPose pose{p.cast<double>(), rng.Uniform(-sim::kPi, sim::kPi)};
-      try {
-        body.Reset(pose);
-        poses.push_back(body.pose());
-        break;
-      } catch (const sim::PoseError& e) {
-        if (attempt == kTries) throw;
-      }
-    }
-  }
+  poses.reserve(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) poses.push_back(RandomPose(query, &body, &rng));
   return poses;
 }
 
@@ -93,6 +95,7 @@ void WritePictures(const std::filesystem::path& folder, const std::string& stem,
   image.pixels = color;
   sim::WritePng(folder / (stem + "_color.png"), image);
   std::vector<std::uint16_t> millimetres;
+  millimetres.reserve(depth.size());
   for (const float d : depth) {
     millimetres.push_back(static_cast<std::uint16_t>(std::min(65535.0f, std::round(1000.0f * d))));
   }

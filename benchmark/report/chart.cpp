@@ -33,7 +33,8 @@ constexpr Paint kGrid = {0.88, 0.88, 0.88};
 void DrawMarker(const Point& at, std::size_t series, Canvas* canvas) {
   const Paint& paint = kLineColors[series % kLineColors.size()];
   constexpr std::array<int, 4> kCorners = {0, 4, 3, 5};  // 0: a disc
-  const int corners = kCorners[(series % kLineColors.size() + series / kLineColors.size()) % kCorners.size()];
+  const int corners =
+      kCorners[(series % kLineColors.size() + series / kLineColors.size()) % kCorners.size()];
   if (corners == 0) {
     canvas->Disc(at, 3.4, paint);
     return;

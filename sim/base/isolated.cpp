@@ -5,6 +5,7 @@
 #include <csignal>
 #include <cstring>
 #include <exception>
+#include <fstream>
 #include <new>
 #include <string_view>
 
@@ -73,11 +74,8 @@ void Limit(int resource, rlim_t value) {
 
 /// What the address space already holds; limits count it.
 std::uint64_t AddressSpace() {
-  unsigned long pages = 0;  // NOLINT(google-runtime-int): scanf's type
-  if (FILE* statm = std::fopen("/proc/self/statm", "r")) {
-    if (std::fscanf(statm, "%lu", &pages) != 1) pages = 0;
-    std::fclose(statm);
-  }
+  std::uint64_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
   return pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
 }
 

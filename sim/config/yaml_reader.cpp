@@ -49,8 +49,8 @@ std::string NearestWord(std::string_view word, const std::vector<std::string>& k
   return best;
 }
 
-YamlNode::YamlNode(YAML::Node node, std::filesystem::path file)
-    : node_(std::move(node)), file_(std::move(file)) {}
+YamlNode::YamlNode(const YAML::Node& node, std::filesystem::path file)
+    : node_(node), file_(std::move(file)) {}
 
 void YamlNode::Fail(const std::string& what) const {
   throw FileError(file_, Place(node_.Mark()), what);

@@ -21,7 +21,7 @@ namespace bulletnav::sim {
 /// A node together with the file it came from, so that every complaint can say where.
 class YamlNode {
  public:
-  YamlNode(YAML::Node node, std::filesystem::path file);
+  YamlNode(const YAML::Node& node, std::filesystem::path file);
 
   const YAML::Node& yaml() const { return node_; }
   YamlNode Child(const YAML::Node& node) const { return {node, file_}; }

@@ -80,6 +80,7 @@ std::vector<HouseEntry> WriteHouseSet(const std::filesystem::path& folder, const
     throw Error(fmt::format("count is {}; it must be in 1..{}", spec.count, kMost));
   }
   std::vector<HouseEntry> entries;
+  entries.reserve(static_cast<std::size_t>(spec.count));
   for (int i = 0; i < spec.count; ++i) {
     entries.push_back({fmt::format("house_{:03}.glb", i), SplitOf(i, spec.count),
                        spec.first_seed + static_cast<std::uint64_t>(i), 0, 0.0});

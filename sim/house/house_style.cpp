@@ -33,10 +33,10 @@ RoomStyle DrawRoom(const StyleBook& book, const HouseTheme& theme, const FloorPl
   RoomStyle best = style::DecorateRoom(book, theme, plan, room, rng);
   double margin = Margin(plan, before, best);
   for (int i = 0; i < kTries && margin < 1.0; ++i) {
-    RoomStyle other = style::DecorateRoom(book, theme, plan, room, rng);
+    const RoomStyle other = style::DecorateRoom(book, theme, plan, room, rng);
     const double other_margin = Margin(plan, before, other);
     if (other_margin <= margin) continue;
-    best = std::move(other);
+    best = other;
     margin = other_margin;
   }
   return best;

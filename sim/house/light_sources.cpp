@@ -18,31 +18,37 @@ constexpr float kLongestPatch = 0.8f;  // windows are cut down to this, metres
 constexpr float kFarthest = 9.0f;      // light from farther away is left out, metres
 constexpr float kFaintest = 0.0002f;   // light that would not be seen is not looked for
 constexpr float kStandOff = 0.12f;     // shadow rays stop short of a lamp's own shade, metres
-const Vec kSkyColor(0.97f, 1.0f, 1.04f);
-const Vec kLampColor(1.05f, 0.99f, 0.90f);
 constexpr auto kPiF = static_cast<float>(kPi);
+
+Vec SkyColor() {
+  return {0.97f, 1.0f, 1.04f};
+}
+
+Vec LampColor() {
+  return {1.05f, 0.99f, 0.90f};
+}
 
 }  // namespace
 
 LightSources::LightSources(const SceneMesh& mesh, std::span<const int> glow_of_triangle) {
-  for (const Glow glow : {Glow::kSky, Glow::kLamp}) {
+  const auto add_all = [&](Glow glow, const auto& add) {
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
       if (glow_of_triangle[t] != static_cast<int>(glow)) continue;
-      const Vec& a = mesh.positions[mesh.triangles[t][0]];
-      const Vec& b = mesh.positions[mesh.triangles[t][1]];
-      const Vec& c = mesh.positions[mesh.triangles[t][2]];
-      if (glow == Glow::kSky) {
-        AddWindowTriangle(a, b, c, 3);
-      } else {
-        AddLampPart((a + b + c) / 3.0f, 0.5f * (b - a).cross(c - a).norm());
-      }
+      const auto& corners = mesh.triangles[t];
+      add(mesh.positions[corners[0]], mesh.positions[corners[1]], mesh.positions[corners[2]]);
     }
-    if (glow == Glow::kSky) windows_ = patches_.size();
-  }
+  };
+  add_all(Glow::kSky, [&](const Vec& a, const Vec& b, const Vec& c) {
+    AddWindowTriangle(a, b, c, 3);
+  });
+  windows_ = patches_.size();
+  add_all(Glow::kLamp, [&](const Vec& a, const Vec& b, const Vec& c) {
+    AddLampPart((a + b + c) / 3.0f, 0.5f * (b - a).cross(c - a).norm());
+  });
   for (std::size_t i = windows_; i < patches_.size(); ++i) {
     // Until here a lamp's centre is summed over its area, which power counts.
     patches_[i].centre /= patches_[i].power.x();
-    patches_[i].power = kLampPower * kLampColor;
+    patches_[i].power = kLampPower * LampColor();
   }
 }
 
@@ -66,7 +72,7 @@ void LightSources::AddWindowTriangle(const Vec& a, const Vec& b, const Vec& c, i
   }
   const Vec n = (b - a).cross(c - a);
   patches_.push_back(
-      {(a + b + c) / 3.0f, n.normalized(), 0.5f * n.norm() * kSkyRadiance * kSkyColor});
+      {(a + b + c) / 3.0f, n.normalized(), 0.5f * n.norm() * kSkyRadiance * SkyColor()});
 }
 
 void LightSources::AddLampPart(const Vec& centre, float area) {

@@ -255,17 +255,19 @@ class Baker {
 
   /// Vertices inside something take the light of the other corners of their triangles.
   void FillFromNeighbours(std::vector<std::optional<Vec>>* light) const {
-    for (int round = 0; round < 3; ++round) {
-      std::vector<Vec> sum(light->size(), Vec::Zero());
-      std::vector<float> count(light->size(), 0.0f);
-      for (const auto& t : mesh_.triangles) {
-        for (const std::uint32_t dark : t) {
-          if (!(*light)[dark]) AddLit(*light, t, &sum[dark], &count[dark]);
-        }
+    for (int round = 0; round < 3; ++round) FillOnce(light);
+  }
+
+  void FillOnce(std::vector<std::optional<Vec>>* light) const {
+    std::vector<Vec> sum(light->size(), Vec::Zero());
+    std::vector<float> count(light->size(), 0.0f);
+    for (const auto& t : mesh_.triangles) {
+      for (const std::uint32_t dark : t) {
+        if (!(*light)[dark]) AddLit(*light, t, &sum[dark], &count[dark]);
       }
-      for (std::size_t v = 0; v < light->size(); ++v) {
-        if (count[v] > 0.0f) (*light)[v] = sum[v] / count[v];
-      }
+    }
+    for (std::size_t v = 0; v < light->size(); ++v) {
+      if (count[v] > 0.0f) (*light)[v] = sum[v] / count[v];
     }
   }
 

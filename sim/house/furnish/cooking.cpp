@@ -11,19 +11,20 @@ constexpr std::array<std::string_view, 9> kCounterClutter = {
     "kettle", "toaster", "coffee_machine", "knife_block", "cutting_board",
     "pot",    "plates",  "bowl_of_fruit",  "bottles"};
 
+bool PlaceIsland(RoomFurnisher* room) {
+  const Placed* island = room->InTheOpen("kitchen_island", {.width = 1.6f});
+  if (island == nullptr) return false;
+  room->OnTops(*island, kCounterClutter, 2);
+  for (const float x : {-0.4f, 0.4f}) {
+    room->At(*island, "bar_stool", {x, -0.5f * island->size.z() - 0.3f, 0.0f});
+  }
+  room->Light("pendant_lamp", island);
+  return true;
+}
+
 void PlaceTable(RoomFurnisher* room) {
   if (room->area() < 11.0f) return;
-  if (room->area() > 14.0f && room->Chance(0.5)) {
-    const Placed* island = room->InTheOpen("kitchen_island", {.width = 1.6f});
-    if (island != nullptr) {
-      room->OnTops(*island, kCounterClutter, 2);
-      for (const float x : {-0.4f, 0.4f}) {
-        room->At(*island, "bar_stool", {x, -0.5f * island->size.z() - 0.3f, 0.0f});
-      }
-      room->Light("pendant_lamp", island);
-      return;
-    }
-  }
+  if (room->area() > 14.0f && room->Chance(0.5) && PlaceIsland(room)) return;
   const std::string_view kind = room->Chance(0.5) ? "round_dining_table" : "dining_table";
   const Placed* table = room->InTheOpen(kind, {.width = 1.3f});
   if (table == nullptr) return;

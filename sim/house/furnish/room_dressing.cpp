@@ -139,10 +139,11 @@ void RoomFurnisher::DressWindow(const shell::Side& side, const shell::Hole& wind
     return true;
   };
   if (curtain) {
-    for (const float drop : {top - 0.02f, top - window.bottom + 0.12f}) {
-      for (const float more : {0.55f, 0.3f}) {
-        if (hang("curtain", width + more, drop)) return;
-      }
+    const float floor = top - 0.02f;
+    const float sill = top - window.bottom + 0.12f;
+    for (const auto& [drop, more] :
+         {std::pair{floor, 0.55f}, {floor, 0.3f}, {sill, 0.55f}, {sill, 0.3f}}) {
+      if (hang("curtain", width + more, drop)) return;
     }
   }
   // Blinds are rarely all the way down.

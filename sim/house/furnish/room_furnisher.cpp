@@ -244,8 +244,9 @@ const Placed* RoomFurnisher::InTheOpen(std::string_view kind, const Wish& wish) 
     // Long pieces lie along long rooms.
     const double along = (turn == 0.0f) == is_long ? 0.3 : 0.0;
     for (int cell = 0; cell < cells; ++cell) {
+      const int row = cell / cols;
       const PlanPoint at = bounds.min() + kStep * PlanPoint(static_cast<float>(cell % cols),
-                                                            static_cast<float>(cell / cols));
+                                                            static_cast<float>(row));
       const Eigen::Affine3f pose = Moved(at.x(), 0.0f, at.y(), turn);
       if (!Fits(draft, pose, {})) continue;
       candidates.push_back({pose, along - (at - target).norm()});

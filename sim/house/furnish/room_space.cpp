@@ -20,22 +20,23 @@ Box Shrunk(const Box& box, float by) {
   return {box.min() + Eigen::Vector3f::Constant(by), box.max() - Eigen::Vector3f::Constant(by)};
 }
 
+/// The larger of `best` and the rectangles around p, q and the height of a corner that lie inside.
+Rect LargestAround(const Room& room, const PlanPoint& p, const PlanPoint& q, Rect best) {
+  for (const PlanPoint& r : room.outline) {
+    Rect rect(p);
+    rect.extend(q);
+    rect.extend(PlanPoint(p.x(), r.y()));
+    const float best_area = best.isEmpty() ? 0.0f : best.volume();
+    if (rect.volume() > best_area && Contains(room.outline, rect)) best = rect;
+  }
+  return best;
+}
+
 /// The largest rectangle between coordinates of the outline.
 Rect LargestRect(const Room& room) {
   Rect best;
-  float best_area = 0.0f;
   for (const PlanPoint& p : room.outline) {
-    for (const PlanPoint& q : room.outline) {
-      for (const PlanPoint& r : room.outline) {
-        Rect rect(p);
-        rect.extend(q);
-        rect.extend(PlanPoint(p.x(), r.y()));
-        const float area = rect.volume();
-        if (area <= best_area || !Contains(room.outline, rect)) continue;
-        best = rect;
-        best_area = area;
-      }
-    }
+    for (const PlanPoint& q : room.outline) best = LargestAround(room, p, q, best);
   }
   return best;
 }

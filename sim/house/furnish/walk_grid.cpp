@@ -49,7 +49,7 @@ WalkGrid::WalkGrid(const Room& room, std::vector<PlanPoint> mouths, std::span<co
 }
 
 void WalkGrid::FindFloor(std::span<const Rect> leaves) {
-  open_.assign(static_cast<std::size_t>(cols_ * rows_), 0);
+  open_.assign(static_cast<std::size_t>(cols_) * static_cast<std::size_t>(rows_), 0);
   const PlanPoint reach = PlanPoint::Constant(margin_);
   for (int cell = 0; cell < cols_ * rows_; ++cell) {
     const PlanPoint centre = CentreOf(cell);
@@ -82,8 +82,9 @@ int WalkGrid::CellOf(const PlanPoint& point) const {
 }
 
 PlanPoint WalkGrid::CentreOf(int cell) const {
-  return origin_ + kCell * PlanPoint(static_cast<float>(cell % cols_) + 0.5f,
-                                     static_cast<float>(cell / cols_) + 0.5f);
+  const int row = cell / cols_;
+  return origin_ +
+         kCell * PlanPoint(static_cast<float>(cell % cols_) + 0.5f, static_cast<float>(row) + 0.5f);
 }
 
 void WalkGrid::Mark(const Rect& obstacle, std::vector<char>* open) const {
@@ -93,9 +94,8 @@ void WalkGrid::Mark(const Rect& obstacle, std::vector<char>* open) const {
   for (int row = low / cols_; row <= high / cols_; ++row) {
     for (int col = low % cols_; col <= high % cols_; ++col) {
       const int cell = row * cols_ + col;
-      if (obstacle.exteriorDistance(CentreOf(cell)) < margin_) {
-        (*open)[static_cast<std::size_t>(cell)] = 0;
-      }
+      const bool is_clear = obstacle.exteriorDistance(CentreOf(cell)) >= margin_;
+      if (!is_clear) (*open)[static_cast<std::size_t>(cell)] = 0;
     }
   }
 }

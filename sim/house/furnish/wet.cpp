@@ -37,7 +37,7 @@ void FurnishBathroom(RoomFurnisher* room) {
   }
   if (wash == nullptr) wash = room->InCorner("shower_cabin");
   if (wash == nullptr && !has_tub) {
-    wash = room->AgainstWall("bathtub", {.width = 1.7f, .min_width = 1.4f, .anchor = Anchor::kEnd});
+    room->AgainstWall("bathtub", {.width = 1.7f, .min_width = 1.4f, .anchor = Anchor::kEnd});
   }
   if (has_tub && room->area() > 8.0f && room->Chance(0.6)) room->InCorner("shower_cabin");
   PlaceBasin(room, room->area() > 6.0f ? 1.2f : 0.8f);

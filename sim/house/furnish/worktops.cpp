@@ -41,22 +41,26 @@ bool IsUsable(const RoomSpace& space, const shell::Side& side, float x) {
          !space.MeetsDoorway(FootOf(counter)) && !space.MeetsClearance(FootOf(counter));
 }
 
+/// The longest stretch of a wall, or `best` if that is no shorter.
+Stretch LongestOf(const RoomSpace& space, const shell::Side& side, Stretch best) {
+  Stretch now{&side, 0.02f, 0.02f};
+  const int slices = static_cast<int>((side.length() - 0.03f) / kStep);
+  for (int i = 0; i < slices; ++i) {
+    const float x = 0.02f + kStep * static_cast<float>(i);
+    if (!IsUsable(space, side, x)) {
+      now = {&side, x + kStep, x + kStep};
+      continue;
+    }
+    now.x1 = x + kStep;
+    if (now.length() > best.length()) best = now;
+  }
+  return best;
+}
+
 /// The longest stretch of any wall.
 Stretch FindStretch(const RoomSpace& space) {
   Stretch best;
-  for (const shell::Side& side : space.sides()) {
-    Stretch now{&side, 0.02f, 0.02f};
-    const int slices = static_cast<int>((side.length() - 0.03f) / kStep);
-    for (int i = 0; i < slices; ++i) {
-      const float x = 0.02f + kStep * static_cast<float>(i);
-      if (!IsUsable(space, side, x)) {
-        now = {&side, x + kStep, x + kStep};
-        continue;
-      }
-      now.x1 = x + kStep;
-      if (now.length() > best.length()) best = now;
-    }
-  }
+  for (const shell::Side& side : space.sides()) best = LongestOf(space, side, best);
   return best;
 }
 
