@@ -91,7 +91,8 @@ Vec LightSources::Irradiance(const Raycaster& scene, const Vec& point, const Vec
   for (const LightPatch& light : patches_) {
     const Vec way = light.centre - point;
     const float squared = way.squaredNorm();
-    if (squared > kFarthest * kFarthest) continue;
+    // A point can be a lamp's centre itself: there is no direction to it.
+    if (squared == 0.0f || squared > kFarthest * kFarthest) continue;
     const float distance = std::sqrt(squared);
     const float cosine = normal.dot(way) / distance;
     if (cosine <= 0.0f) continue;

@@ -135,6 +135,11 @@ TEST(LightSources, ALampShinesAllAround) {
   EXPECT_NEAR(stage.Light({0, 2, -2}, Vec::UnitZ()), below, 1e-3f * below);
 }
 
+TEST(LightSources, ALampGivesNoLightToItsOwnCentre) {
+  EXPECT_EQ(OneLamp({0, 2, 0}, 0.2f).Light({0, 2, 0}, Vec::UnitY()), 0.0f);
+  EXPECT_EQ(OneLamp({0, 2, 0}, 0.2f).Light({0, 2, 0}, Vec::Zero()), 0.0f);
+}
+
 TEST(LightSources, ALampGivesTheSameWhateverItsSizeAndParts) {
   const Vec point(0.0f, 0.0f, 1.0f);
   const float light = OneLamp({0, 2, 0}, 0.1f).Light(point, Vec::UnitY());
