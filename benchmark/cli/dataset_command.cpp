@@ -76,8 +76,8 @@ void AddDatasetCommand(CLI::App* program) {
       ->required();
   command->add_option("--workers", options->workers, "Threads (default: one a processor)")
       ->check(CLI::Range(1, 1024));
-  auto* draw = command->add_option("--draw", options->draw,
-                                   "Folder for pictures of some points of one scene; label no more");
+  auto* draw = command->add_option(
+      "--draw", options->draw, "Folder for pictures of some points of one scene; label no more");
   command->add_option("--scene", options->scene, "Scene to draw (default: the first)")->needs(draw);
   command->add_option("--count", options->count, "Points to draw")
       ->needs(draw)
