@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/training/data_config.h"
 
-#include "agent/perception/semantic_model.h"
+#include "agent/mapping/map_spec.h"
 #include "benchmark/episodes/generator.h"
 #include "sim/base/files.h"
 #include "sim/config/yaml_writer.h"
@@ -23,8 +23,8 @@ void DataConfig::Validate() const {
   body.Validate();
   navmesh.Validate();
   panorama.Validate();
-  if (!(double{panorama.max_depth_m} > agent::kNodeRadius)) {
-    throw Error("the panorama's max_depth_m must be more than 3, the reach of the labels");
+  if (!(double{panorama.max_depth_m} >= agent::MapSpec{}.vision)) {
+    throw Error("the panorama's max_depth_m must be at least 3.2, as far as labels look");
   }
 }
 

@@ -1,15 +1,32 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "benchmark/episodes/import_spec.h"
 #include "sim/navmesh/navmesh.h"
 #include "sim/physics/body_spec.h"
 #include "sim/render/projection.h"
+
+namespace bulletnav::bench {
+
+/// Whether the ways that decide if a direction is explorable may lead over floor that the source
+/// cannot see, behind a door's jamb or furniture. kFree is the paper's: its map is of obstacles.
+enum class HiddenFloor { kFree, kBlocked };
+
+}  // namespace bulletnav::bench
+
+template <>
+struct bulletnav::sim::EnumNames<bulletnav::bench::HiddenFloor> {
+  static constexpr std::array kNames = {
+      std::pair{"free", bulletnav::bench::HiddenFloor::kFree},
+      std::pair{"blocked", bulletnav::bench::HiddenFloor::kBlocked}};
+};
 
 namespace bulletnav::bench {
 
@@ -33,6 +50,7 @@ struct DataConfig {
   ImportSpec import;                 // of all scenes
   int points = 300;                  // a scene; all ordered pairs of them are labelled
   std::uint64_t seed = 0;
+  HiddenFloor hidden = HiddenFloor::kFree;
   sim::BodySpec body;
   sim::NavmeshSpec navmesh;
   sim::PanoramaSpec panorama;
@@ -45,6 +63,7 @@ struct DataConfig {
     v("import", import);
     v("points", points);
     v("seed", seed);
+    v("hidden", hidden);
     v("body", body);
     v("navmesh", navmesh);
     v("panorama", panorama);

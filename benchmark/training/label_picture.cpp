@@ -45,6 +45,11 @@ std::size_t ColumnOf(const sim::RayGrid& rays, double bearing) {
   return best;
 }
 
+std::uint8_t Grey(agent::CellState state) {
+  if (state == agent::CellState::kUnknown) return 170;
+  return state == agent::CellState::kBlocked ? 70 : 240;
+}
+
 /// A goal in another room if there is one.
 int ChooseGoal(const SceneSamples& samples, int source) {
   const int n = samples.count();
@@ -66,8 +71,7 @@ class LabelPictures {
         panoramas_(*render_scene_, config),
         map_(MakeSceneMap(imported_.mesh, sim::Navmesh(imported_.mesh, config.navmesh),
                           std::nullopt)),
-        near_({config.panorama, false, true, config.body.camera_height},
-              double{config.body.radius}) {}
+        near_(config) {}
 
   sim::Image Draw(int source) {
     Canvas canvas(static_cast<int>(kWidth), static_cast<int>(kHeight), kWhite);
@@ -142,8 +146,7 @@ class LabelPictures {
     sim::Image image(size, size, 3);
     for (int y = 0; y < size; ++y) {
       for (int x = 0; x < size; ++x) {
-        const bool is_free = near_.states()[{x, y}] == agent::CellState::kFree;
-        std::fill_n(image.at(size - 1 - y, size - 1 - x), 3, is_free ? 235 : 90);
+        std::fill_n(image.at(size - 1 - y, size - 1 - x), 3, Grey(near_.states()[{x, y}]));
       }
     }
     const double scale = kNear / size;

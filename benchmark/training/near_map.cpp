@@ -6,7 +6,6 @@
 
 #include "agent/perception/semantic_model.h"
 #include "benchmark/training/labels.h"
-#include "sim/base/error.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -17,18 +16,23 @@ using agent::CellState;
 constexpr double kLongestWay = 1.05 * agent::kNodeRadius;
 constexpr double kRoundingSlack = 0.01;  // cells: a radius in single precision is no whole number
 
-}  // namespace
-
-NearMap::NearMap(const agent::Rig& rig, double body_radius)
-    : ring_(rig, spec_),
-      body_(static_cast<int>(std::ceil(body_radius / spec_.cell - kRoundingSlack))),
-      middle_{ring_.reach(), ring_.reach()},
-      states_(2 * ring_.reach() + 1),
-      march_(states_.size()) {
-  if (double{rig.panorama.max_depth_m} < spec_.vision) {
-    throw sim::Error("labels need a panorama whose max_depth_m is at least 3.2");
+void MarchAll(const agent::Grid<CellState>& states, const agent::FastMarching::Query& query,
+              agent::FastMarching* march) {
+  march->Start(states, query);
+  while (march->Next()) {
   }
 }
+
+}  // namespace
+
+NearMap::NearMap(const DataConfig& config)
+    : ring_({config.panorama, false, true, config.body.camera_height}, spec_),
+      body_(static_cast<int>(std::ceil(double{config.body.radius} / spec_.cell - kRoundingSlack))),
+      hidden_(config.hidden == HiddenFloor::kFree ? CellState::kUnknown : CellState::kBlocked),
+      middle_{ring_.reach(), ring_.reach()},
+      states_(2 * ring_.reach() + 1),
+      seen_ways_(states_.size()),
+      ways_(states_.size()) {}
 
 void NearMap::Project(std::span<const float> depth) {
   ring_.Project(depth, 0.5, 0.5, 0.0);
@@ -36,7 +40,7 @@ void NearMap::Project(std::span<const float> depth) {
   const int last = states_.size() - 1;
   for (int y = 1; y < last; ++y) {
     for (int x = 1; x < last; ++x) {
-      if (ring_.seen()[{x, y}] != 0) states_[{x, y}] = CellState::kFree;
+      states_[{x, y}] = ring_.seen()[{x, y}] != 0 ? CellState::kFree : hidden_;
     }
   }
   const double reach = agent::kNodeRadius / spec_.cell;
@@ -47,9 +51,8 @@ void NearMap::Project(std::span<const float> depth) {
     }
   }
   FreeMiddle();
-  march_.Start(states_, {.from = middle_});
-  while (march_.Next()) {
-  }
+  MarchAll(states_, {.from = middle_}, &seen_ways_);
+  MarchAll(states_, {.from = middle_, .through_unknown = true}, &ways_);
 }
 
 void NearMap::BlockAround(const Cell& obstacle) {
@@ -86,17 +89,15 @@ bool NearMap::IsExplorable(int direction) const {
 
 double NearMap::WayTo(int direction) const {
   const Cell target = CellAlong(direction, agent::kNodeRadius);
-  if (states_[target] != CellState::kFree) return std::numeric_limits<double>::infinity();
-  // A straight way has its exact length, without the march's error.
-  if (const auto straight = LineCost(states_, middle_, target)) return *straight * spec_.cell;
-  return double{march_.distance(target)} * spec_.cell;
+  if (states_[target] == CellState::kBlocked) return std::numeric_limits<double>::infinity();
+  if (LineCost(states_, middle_, target)) return agent::kNodeRadius;
+  return double{ways_.distance(target)} * spec_.cell;
 }
 
 double NearMap::Reach(int direction) const {
-  const double farthest = agent::kNodeRadius / spec_.cell;
-  for (double cells = farthest; cells > 0.5; cells -= 1.0) {
+  for (double cells = agent::kNodeRadius / spec_.cell; cells > 0.5; cells -= 1.0) {
     const Cell cell = CellAlong(direction, cells * spec_.cell);
-    if (std::isfinite(march_.distance(cell))) return cells * spec_.cell;
+    if (std::isfinite(seen_ways_.distance(cell))) return cells * spec_.cell;
   }
   return 0.0;
 }

@@ -6,35 +6,35 @@
 #include "agent/mapping/fast_marching.h"
 #include "agent/mapping/grid.h"
 #include "agent/mapping/map_spec.h"
-#include "agent/observation.h"
+#include "benchmark/training/data_config.h"
 
 namespace bulletnav::bench {
 
 /// The map that one panorama of depth gives of the 3 m around its camera, and the ways in it.
 /// Cells of 5 cm in the frame of the body: it stands in the middle of the middle cell and looks
 /// along x. Obstacles are points 0.25 to 1.5 m above the floor within 3 m, grown by the body's
-/// radius; farther ones are ignored. A cell can be walked on if it was looked at or over and no
-/// obstacle is near: what is hidden behind obstacles cannot, as nobody knows whether there is a
-/// floor. The body's own place can always be walked on.
+/// radius; farther ones are ignored, as are those on the body's own place. Cells that were looked
+/// at or over are free, others hidden. Ways to the points 3 m away may lead through hidden cells
+/// if config.hidden says so; the farthest points were seen, and ways to them lead over seen cells.
 /// Source: Neural Topological SLAM, appendix B, inter-node labels; cells and heights of Active
-/// Neural SLAM's mapper; the treatment of hidden cells is ours.
+/// Neural SLAM's mapper.
 class NearMap {
  public:
-  /// Throws sim::Error if the rig's depth ends within the map.
-  NearMap(const agent::Rig& rig, double body_radius);
+  explicit NearMap(const DataConfig& config);
 
-  /// Expects: depth of the rig's size (checked).
+  /// Expects: depth of the config's panorama (checked).
   void Project(std::span<const float> depth);
 
   /// Whether the shortest way to the point 3 m away in a direction is less than 1.05 * 3 m.
   bool IsExplorable(int direction) const;
-  /// Length in metres of the shortest way to the point 3 m away; infinite if there is none.
+  /// Metres of the shortest way to the point 3 m away; infinite if there is none. Straight ways
+  /// are exact, others up to 2% too long.
   double WayTo(int direction) const;
   /// Metres to the farthest point of a direction, up to 3 m, that was seen and can be walked to; 0
   /// if there is none.
   double Reach(int direction) const;
 
-  /// kFree or kBlocked.
+  /// Hidden cells are kUnknown where ways may lead through them, else kBlocked.
   const agent::Grid<agent::CellState>& states() const { return states_; }
   const agent::Cell& middle() const { return middle_; }
   double cell() const { return spec_.cell; }
@@ -47,9 +47,11 @@ class NearMap {
   agent::MapSpec spec_;
   agent::DepthRing ring_;
   int body_;  // radius, in cells
+  agent::CellState hidden_;
   agent::Cell middle_;
   agent::Grid<agent::CellState> states_;
-  agent::FastMarching march_;
+  agent::FastMarching seen_ways_;
+  agent::FastMarching ways_;
 };
 
 }  // namespace bulletnav::bench

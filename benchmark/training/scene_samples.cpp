@@ -18,10 +18,6 @@ using agent::kDirections;
 
 constexpr double kReachStep = 0.05;  // metres
 
-agent::Rig RigOf(const DataConfig& config) {
-  return {config.panorama, false, true, config.body.camera_height};
-}
-
 /// Labels the points of one scene, in the order of its methods.
 class Labeller {
  public:
@@ -31,7 +27,7 @@ class Labeller {
         grid_(world.navmesh(), storey_),
         panoramas_(world.render_scene(), config),
         sight_(config.panorama),
-        map_(RigOf(config), double{config.body.radius}),
+        map_(config),
         depth_(config.panorama.pixels()) {
     samples_.poses = DrawPoints(world, storey_, config);
     samples_.pairs.resize(samples_.poses.size() * samples_.poses.size());
