@@ -20,6 +20,9 @@ void DataConfig::Validate() const {
   if (scenes.empty() && !houses) throw Error("names no scenes; give 'scenes' or 'houses'");
   if (points < 1 || points > kMostPoints) throw Error("points must lie between 1 and 2000");
   if (cache.empty()) throw Error("'cache' is empty; name a folder for the labels");
+  if (!(target_slack >= 0.0 && target_slack <= 0.5)) {
+    throw Error("target_slack must lie between 0 and 0.5 m");
+  }
   body.Validate();
   navmesh.Validate();
   panorama.Validate();

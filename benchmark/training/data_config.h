@@ -51,6 +51,9 @@ struct DataConfig {
   int points = 300;                  // a scene; all ordered pairs of them are labelled
   std::uint64_t seed = 0;
   HiddenFloor hidden = HiddenFloor::kFree;
+  /// Metres that the nearest free floor may lie beside the point 3 m away in a direction, for those
+  /// that end in a wall just behind a doorway. 0: the paper's rule.
+  double target_slack = 0.0;
   sim::BodySpec body;
   sim::NavmeshSpec navmesh;
   sim::PanoramaSpec panorama;
@@ -64,6 +67,7 @@ struct DataConfig {
     v("points", points);
     v("seed", seed);
     v("hidden", hidden);
+    v("target_slack", target_slack);
     v("body", body);
     v("navmesh", navmesh);
     v("panorama", panorama);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/training/near_map.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -28,6 +29,7 @@ void MarchAll(const agent::Grid<CellState>& states, const agent::FastMarching::Q
 NearMap::NearMap(const DataConfig& config)
     : ring_({config.panorama, false, true, config.body.camera_height}, spec_),
       body_(static_cast<int>(std::ceil(double{config.body.radius} / spec_.cell - kRoundingSlack))),
+      slack_(static_cast<int>(std::lround(config.target_slack / spec_.cell))),
       hidden_(config.hidden == HiddenFloor::kFree ? CellState::kUnknown : CellState::kBlocked),
       middle_{ring_.reach(), ring_.reach()},
       states_(2 * ring_.reach() + 1),
@@ -89,9 +91,22 @@ bool NearMap::IsExplorable(int direction) const {
 
 double NearMap::WayTo(int direction) const {
   const Cell target = CellAlong(direction, agent::kNodeRadius);
-  if (states_[target] == CellState::kBlocked) return std::numeric_limits<double>::infinity();
-  if (LineCost(states_, middle_, target)) return agent::kNodeRadius;
-  return double{ways_.distance(target)} * spec_.cell;
+  double least = std::numeric_limits<double>::infinity();
+  for (int dy = -slack_; dy <= slack_; ++dy) {
+    for (int dx = -slack_; dx <= slack_; ++dx) {
+      const Cell cell{target.x + dx, target.y + dy};
+      const double gap = Distance(cell, target);
+      if (gap <= slack_ && states_.Contains(cell)) least = std::min(least, CellsTo(cell) + gap);
+    }
+  }
+  return least * spec_.cell;
+}
+
+/// Length of the way to a cell, in cells.
+double NearMap::CellsTo(const Cell& cell) const {
+  if (states_[cell] == CellState::kBlocked) return std::numeric_limits<double>::infinity();
+  if (LineCost(states_, middle_, cell)) return Distance(middle_, cell);
+  return double{ways_.distance(cell)};
 }
 
 double NearMap::Reach(int direction) const {

@@ -27,8 +27,9 @@ class NearMap {
 
   /// Whether the shortest way to the point 3 m away in a direction is less than 1.05 * 3 m.
   bool IsExplorable(int direction) const;
-  /// Metres of the shortest way to the point 3 m away; infinite if there is none. Straight ways
-  /// are exact, others up to 2% too long.
+  /// Metres of the shortest way to the point 3 m away, or within config.target_slack of it and
+  /// from there as the crow flies; infinite if there is none. Straight ways are exact, others up to
+  /// 2% too long.
   double WayTo(int direction) const;
   /// Metres to the farthest point of a direction, up to 3 m, that was seen and can be walked to; 0
   /// if there is none.
@@ -41,12 +42,14 @@ class NearMap {
 
  private:
   agent::Cell CellAlong(int direction, double distance) const;
+  double CellsTo(const agent::Cell& cell) const;
   void BlockAround(const agent::Cell& obstacle);
   void FreeMiddle();
 
   agent::MapSpec spec_;
   agent::DepthRing ring_;
   int body_;  // radius, in cells
+  int slack_;
   agent::CellState hidden_;
   agent::Cell middle_;
   agent::Grid<agent::CellState> states_;
