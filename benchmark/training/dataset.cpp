@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Counts up when the same scene and config come to give other labels.
-constexpr std::uint64_t kLabelsVersion = 2;
+constexpr std::uint64_t kLabelsVersion = 1;
 
 std::uint64_t KeyOf(const fs::path& scene, const DataConfig& config) {
   const std::uint64_t content = sim::Hash64(sim::ReadFile(scene));

@@ -29,8 +29,11 @@ class GoalSight {
   struct Patch {
     double bearing = 0.0;
     double low = 0.0;  // rise over run
+    double middle = 0.0;
     double high = 0.0;
   };
+  /// The row whose middle is nearest to a patch's.
+  std::size_t MiddleRow(std::size_t col, const Patch& patch) const;
   double FarthestInColumn(std::span<const float> depth, std::size_t col, const Patch& patch) const;
 
   sim::RayGrid rays_;

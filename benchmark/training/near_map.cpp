@@ -15,6 +15,7 @@ using agent::Cell;
 using agent::CellState;
 
 constexpr double kLongestWay = 1.05 * agent::kNodeRadius;
+constexpr double kMarchError = 0.05;     // share by which a march's ways may be too long
 constexpr double kRoundingSlack = 0.01;  // cells: a radius in single precision is no whole number
 
 void MarchAll(const agent::Grid<CellState>& states, const agent::FastMarching::Query& query,
@@ -106,7 +107,23 @@ double NearMap::WayTo(int direction) const {
 double NearMap::CellsTo(const Cell& cell) const {
   if (states_[cell] == CellState::kBlocked) return std::numeric_limits<double>::infinity();
   if (LineCost(states_, middle_, cell)) return Distance(middle_, cell);
-  return double{ways_.distance(cell)};
+  const double marched = double{ways_.distance(cell)};
+  const double longest = kLongestWay / spec_.cell;
+  if (marched < longest || marched > (1.0 + kMarchError) * longest) return marched;
+  return std::min(marched, WithOneBend(cell, longest));
+}
+
+/// Length in cells of the shortest way of two straight parts; infinite if longer than `longest`.
+double NearMap::WithOneBend(const Cell& cell, double longest) const {
+  double least = longest;
+  for (int y = 0; y < states_.size(); ++y) {
+    for (int x = 0; x < states_.size(); ++x) {
+      const double length = Distance({x, y}, middle_) + Distance({x, y}, cell);
+      if (length >= least || states_[{x, y}] == CellState::kBlocked) continue;
+      if (LineCost(states_, middle_, {x, y}) && LineCost(states_, {x, y}, cell)) least = length;
+    }
+  }
+  return least < longest ? least : std::numeric_limits<double>::infinity();
 }
 
 double NearMap::Reach(int direction) const {

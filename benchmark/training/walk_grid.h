@@ -44,7 +44,8 @@ class WalkGrid {
 };
 
 /// Geodesic distances from one place to all others of a storey, many at a time: for labels, which
-/// need millions. Within 2% and 10 cm of Detour's, which is exact or a little too long itself.
+/// need millions. In houses 2% longer than Detour's on average, 5.5% at the 99th percentile, which
+/// is 0.01 of a score; in the open 0.6%. Detour's own are up to 20% too long in a few cases.
 /// Cost: some tens of nanoseconds a cell, 2 ms for a house; against 20-120 us for each of Detour's.
 class WalkDistances {
  public:

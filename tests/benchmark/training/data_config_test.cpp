@@ -46,7 +46,7 @@ TEST(DataConfigTest, BadValuesAreErrorsAtTheirPlace) {
   EXPECT_THAT(Complaint("data: {scenes: [a], points: 0}\n"), HasSubstr("points must lie"));
   EXPECT_THAT(Complaint("data: {scenes: [a], cache: ''}\n"), HasSubstr("'cache' is empty"));
   EXPECT_THAT(Complaint("data: {scenes: [a], hidden: maybe}\n"), HasSubstr("free, blocked"));
-  EXPECT_THAT(Complaint("data: {scenes: [a], target_slack: .nan}\n"), HasSubstr("target_slack"));
+  EXPECT_THAT(Complaint("data: {scenes: [a], target_slack: 0.6}\n"), HasSubstr("target_slack"));
   EXPECT_THAT(Complaint("data: {scenes: [a], panorama: {max_depth_m: 3.1}}\n"),
               HasSubstr("at least 3.2"));
 }

@@ -47,9 +47,12 @@ TEST(SceneSamplesTest, InABoxEverythingIsKnown) {
     for (int i = 0; i < agent::kDirections; ++i) {
       const auto target = PointAlong(samples.poses[static_cast<std::size_t>(s)], i, 3.0).position;
       const int inside = Inside(target, 9, 5, 0.2);
-      if (inside != 0) EXPECT_EQ(samples.IsExplorable(s, i), inside > 0) << s << " " << i;
-      if (inside > 0)
+      if (inside != 0) {
+        EXPECT_EQ(samples.IsExplorable(s, i), inside > 0) << s << " " << i;
+      }
+      if (inside > 0) {
         EXPECT_THAT(samples.FarPoint(s, i).position.x(), DoubleNear(target.x(), 0.01));
+      }
     }
   }
   ForPairs(samples, [&](int s, int g) {
