@@ -15,6 +15,9 @@ using agent::Cell;
 using agent::CellState;
 
 constexpr double kLongestWay = 1.05 * agent::kNodeRadius;
+/// Metres; about as far as a way of 1.05 r can stray from the straight line, r sqrt(1.05^2 - 1)
+/// / 2.
+constexpr double kHiddenReach = 0.5;
 constexpr double kMarchError = 0.05;     // share by which a march's ways may be too long
 constexpr double kRoundingSlack = 0.01;  // cells: a radius in single precision is no whole number
 
@@ -93,6 +96,7 @@ bool NearMap::IsExplorable(int direction) const {
 double NearMap::WayTo(int direction) const {
   const Cell target = CellAlong(direction, agent::kNodeRadius);
   double least = std::numeric_limits<double>::infinity();
+  if (!IsNearSeenFloor(target)) return least;
   for (int dy = -slack_; dy <= slack_; ++dy) {
     for (int dx = -slack_; dx <= slack_; ++dx) {
       const Cell cell{target.x + dx, target.y + dy};
@@ -101,6 +105,18 @@ double NearMap::WayTo(int direction) const {
     }
   }
   return least * spec_.cell;
+}
+
+bool NearMap::IsNearSeenFloor(const Cell& cell) const {
+  const int reach = static_cast<int>(std::lround(kHiddenReach / spec_.cell));
+  for (int dy = -reach; dy <= reach; ++dy) {
+    for (int dx = -reach; dx <= reach; ++dx) {
+      const Cell other{cell.x + dx, cell.y + dy};
+      if (dx * dx + dy * dy > reach * reach || !states_.Contains(other)) continue;
+      if (std::isfinite(seen_ways_.distance(other))) return true;
+    }
+  }
+  return false;
 }
 
 /// Length of the way to a cell, in cells.

@@ -15,9 +15,10 @@ namespace bulletnav::bench {
 /// along x. Obstacles are points 0.25 to 1.5 m above the floor within 3 m, grown by the body's
 /// radius; farther ones are ignored, as are those on the body's own place. Cells that were looked
 /// at or over are free, others hidden. Ways to the points 3 m away may lead through hidden cells
-/// if config.hidden says so; the farthest points were seen, and ways to them lead over seen cells.
-/// Source: Neural Topological SLAM, appendix B, inter-node labels; cells and heights of Active
-/// Neural SLAM's mapper.
+/// if config.hidden says so, but not to points more than 0.5 m from floor that was seen and can be
+/// walked to: what lies deep behind a wardrobe is a wall. The farthest points were seen, and ways
+/// to them lead over seen cells. Source: Neural Topological SLAM, appendix B, inter-node labels;
+/// cells and heights of Active Neural SLAM's mapper.
 class NearMap {
  public:
   explicit NearMap(const DataConfig& config);
@@ -42,6 +43,7 @@ class NearMap {
 
  private:
   agent::Cell CellAlong(int direction, double distance) const;
+  bool IsNearSeenFloor(const agent::Cell& cell) const;
   double CellsTo(const agent::Cell& cell) const;
   double WithOneBend(const agent::Cell& cell, double longest) const;
   void BlockAround(const agent::Cell& obstacle);

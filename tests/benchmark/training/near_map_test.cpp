@@ -122,6 +122,13 @@ TEST(NearMapTest, HiddenFloorCanBeWalkedOnOnlyIfTheConfigSaysSo) {
   EXPECT_EQ(free.Reach(0), blocked.Reach(0));
 }
 
+TEST(NearMapTest, AWallHiddenBehindAWardrobeIsNotExplorable) {
+  sim::SceneMesh mesh = tests::BoxRoom(4, 2.5f, 4);
+  tests::AddBox({1.75f, 0, -3.1f}, {2.25f, 2.2f, -3}, {90, 60, 30}, &mesh);
+  // Round the wardrobe and through the part of the wall that it hides the way would be 3.09 m.
+  EXPECT_THAT(Explorable(MapOf(mesh, StandingAt(2, -2))), IsEmpty());
+}
+
 TEST(NearMapTest, LowThingsAreWalkedOverAndTablesAreNot) {
   sim::SceneMesh low = tests::BoxRoom(10, 2.5f, 10);
   tests::AddBox({4, 0, -7.5f}, {6, 0.2f, -7}, {90, 60, 30}, &low);
