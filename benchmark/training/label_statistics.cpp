@@ -21,7 +21,10 @@ constexpr int kBarLength = 40;
 void LabelStatistics::Add(const SceneSamples& samples) {
   ++scenes_;
   points_ += samples.count();
-  for (const std::uint16_t bits : samples.explorable) explorable_ += std::popcount(bits);
+  for (const std::uint16_t bits : samples.explorable) {
+    explorable_ += std::popcount(bits);
+    without_explorable_ += bits == 0 ? 1 : 0;
+  }
   for (int source = 0; source < samples.count(); ++source) {
     for (int goal = 0; goal < samples.count(); ++goal) {
       ++pairs_;
@@ -48,11 +51,17 @@ double LabelStatistics::mean_explorable() const {
   return Share(explorable_, points_);
 }
 
+double LabelStatistics::share_without_explorable() const {
+  return Share(without_explorable_, points_);
+}
+
 std::string LabelStatistics::ToText() const {
   std::string text = fmt::format(
       "{} scenes, {} points, {} pairs\n{:.2f}% of the pairs of different points are of one node\n"
-      "{:.2f} of {} directions are explorable, on average\nscores of pairs that are not:\n",
-      scenes_, points_, pairs_, 100.0 * connected_share(), mean_explorable(), agent::kDirections);
+      "{:.2f} of {} directions are explorable, on average; none at {:.1f}% of the points\n"
+      "scores of pairs that are not of one node:\n",
+      scenes_, points_, pairs_, 100.0 * connected_share(), mean_explorable(), agent::kDirections,
+      100.0 * share_without_explorable());
   const std::int64_t sum = std::accumulate(scores_.begin(), scores_.end(), std::int64_t{0});
   const std::int64_t most = *std::max_element(scores_.begin(), scores_.end());
   for (std::size_t bin = 0; bin < scores_.size(); ++bin) {

@@ -20,6 +20,8 @@ class LabelStatistics {
   double connected_share() const;
   /// Explorable directions a place.
   double mean_explorable() const;
+  /// Share of the places without any.
+  double share_without_explorable() const;
   /// Scores of pairs that are not of one node, in ten bins from 0 to 1; the last one holds 1.
   const std::array<std::int64_t, kScoreBins>& scores() const { return scores_; }
 
@@ -35,6 +37,7 @@ class LabelStatistics {
   std::int64_t different_ = 0;
   std::int64_t connected_ = 0;
   std::int64_t explorable_ = 0;
+  std::int64_t without_explorable_ = 0;
   std::array<std::int64_t, kScoreBins> scores_{};
 };
 

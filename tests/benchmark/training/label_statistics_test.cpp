@@ -24,6 +24,7 @@ TEST(LabelStatisticsTest, CountsByHand) {
   EXPECT_EQ(statistics.pairs(), 8);
   EXPECT_EQ(statistics.connected_share(), 0.5);
   EXPECT_EQ(statistics.mean_explorable(), 2.0);
+  EXPECT_EQ(statistics.share_without_explorable(), 0.0);
   EXPECT_EQ(statistics.scores()[5], 22);
   EXPECT_EQ(statistics.scores()[9], 2);
   EXPECT_THAT(statistics.ToText(), HasSubstr("2 scenes, 4 points, 8 pairs"));
