@@ -65,9 +65,8 @@ void NearMap::BlockAround(const Cell& obstacle) {
   for (int dy = -body_; dy <= body_; ++dy) {
     for (int dx = -body_; dx <= body_; ++dx) {
       const Cell cell{obstacle.x + dx, obstacle.y + dy};
-      if (dx * dx + dy * dy <= body_ * body_ && states_.Contains(cell)) {
-        states_[cell] = CellState::kBlocked;
-      }
+      if (dx * dx + dy * dy > body_ * body_ || !states_.Contains(cell)) continue;
+      states_[cell] = CellState::kBlocked;
     }
   }
 }
@@ -143,9 +142,9 @@ double NearMap::WithOneBend(const Cell& cell, double longest) const {
 }
 
 double NearMap::Reach(int direction) const {
-  for (double cells = agent::kNodeRadius / spec_.cell; cells > 0.5; cells -= 1.0) {
-    const Cell cell = CellAlong(direction, cells * spec_.cell);
-    if (std::isfinite(seen_ways_.distance(cell))) return cells * spec_.cell;
+  for (auto cells = std::lround(agent::kNodeRadius / spec_.cell); cells > 0; --cells) {
+    const double reach = static_cast<double>(cells) * spec_.cell;
+    if (std::isfinite(seen_ways_.distance(CellAlong(direction, reach)))) return reach;
   }
   return 0.0;
 }

@@ -97,7 +97,8 @@ class Labeller {
   /// The map knows what is in the way, not whether there is a floor to walk on.
   std::uint16_t ReachOnFloor(int source, int direction) const {
     const sim::BodyPose& pose = samples_.poses[static_cast<std::size_t>(source)];
-    for (double reach = map_.Reach(direction); reach > 0.5 * kReachStep; reach -= kReachStep) {
+    for (auto steps = std::lround(map_.Reach(direction) / kReachStep); steps > 0; --steps) {
+      const double reach = static_cast<double>(steps) * kReachStep;
       if (!grid_.CellAt(PointAlong(pose, direction, reach).position)) continue;
       return static_cast<std::uint16_t>(std::lround(1e2 * reach));
     }
