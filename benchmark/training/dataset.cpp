@@ -50,6 +50,7 @@ LabelledScene LabelScene(const fs::path& scene, const DataConfig& config) {
   }
   const auto world =
       sim::World::Load(scene, {config.import.options(), config.navmesh, sim::Backend::kEmbree});
+  sim::RequireFloor(scene.string(), world->report(), world->navmesh());
   labelled.samples = MakeSceneSamples(*world, config);
   WriteSamples(file, labelled.samples, key);
   return labelled;
