@@ -16,7 +16,8 @@
 namespace bulletnav::bench {
 
 /// Whether the ways that decide if a direction is explorable may lead over floor that the source
-/// cannot see, behind a door's jamb or furniture. kFree is the paper's: its map is of obstacles.
+/// cannot see, behind a door's jamb or furniture. kFree is the paper's, whose map is of obstacles,
+/// but for what is deep behind furniture; see NearMap.
 enum class HiddenFloor { kFree, kBlocked };
 
 }  // namespace bulletnav::bench
