@@ -8,6 +8,7 @@ namespace bulletnav::bench {
 /// trouble by throwing sim::Error.
 void AddBenchCommand(CLI::App* program);
 void AddCompareCommand(CLI::App* program);
+void AddDatasetCommand(CLI::App* program);
 void AddEpisodesCommand(CLI::App* program);
 void AddPlotCommand(CLI::App* program);
 void AddRenderCommand(CLI::App* program);

@@ -38,6 +38,7 @@ int Run(int argc, char** argv) {
   bulletnav::bench::AddScenesCommand(&program);
   bulletnav::bench::AddRenderCommand(&program);
   bulletnav::bench::AddEpisodesCommand(&program);
+  bulletnav::bench::AddDatasetCommand(&program);
   bulletnav::bench::AddRunCommand(&program);
   bulletnav::bench::AddTableCommand(&program);
   bulletnav::bench::AddCompareCommand(&program);

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <memory>
+#include <mutex>
+
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <fmt/core.h>
+
+#include "benchmark/cli/commands.h"
+#include "benchmark/cli/progress.h"
+#include "benchmark/training/data_config.h"
+#include "benchmark/training/dataset.h"
+#include "benchmark/training/label_picture.h"
+#include "benchmark/training/label_statistics.h"
+#include "sim/base/error.h"
+
+namespace bulletnav::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct DatasetOptions {
+  fs::path config;
+  int workers = 0;
+  fs::path draw;
+  std::string scene;
+  int count = 4;
+};
+
+void MakeLabels(const DataConfig& config, int workers) {
+  LabelStatistics statistics;
+  int cached = 0;
+  Progress progress("scenes", static_cast<int>(ScenesOf(config).size()));
+  std::mutex mutex;
+  LabelScenes(config, workers, [&](const LabelledScene& scene) {
+    const std::lock_guard lock(mutex);
+    if (!scene.note.empty()) fmt::print(stderr, "{}\n", scene.note);
+    cached += scene.was_cached ? 1 : 0;
+    statistics.Add(scene.samples);
+    progress.Advance();
+  });
+  fmt::print("{}{} scenes had their labels in {} already\n", statistics.ToText(), cached,
+             config.cache);
+}
+
+/// The scene of the config with this file name; the first one if the name is empty.
+fs::path FindScene(const DataConfig& config, const std::string& name) {
+  const std::vector<fs::path> scenes = ScenesOf(config);
+  const auto found = std::find_if(scenes.begin(), scenes.end(), [&](const fs::path& scene) {
+    return name.empty() || scene == name || scene.filename() == name;
+  });
+  if (found == scenes.end()) throw sim::Error("the config names no scene '" + name + "'");
+  return *found;
+}
+
+void Draw(const DataConfig& config, const DatasetOptions& options) {
+  const fs::path scene = FindScene(config, options.scene);
+  const LabelledScene labelled = LabelScene(scene, config);
+  if (!labelled.note.empty()) fmt::print(stderr, "{}\n", labelled.note);
+  const int count = std::min(options.count, labelled.samples.count());
+  for (const fs::path& file : DrawLabels(labelled, config, count, options.draw)) {
+    fmt::print("{}\n", file.string());
+  }
+}
+
+}  // namespace
+
+void AddDatasetCommand(CLI::App* program) {
+  auto options = std::make_shared<DatasetOptions>();
+  CLI::App* command = program->add_subcommand(
+      "dataset", "Label the training scenes for the learned functions of Neural Topological SLAM");
+  command
+      ->add_option("config", options->config,
+                   "YAML file with a block 'data', as configs/train/data.yaml")
+      ->required();
+  command->add_option("--workers", options->workers, "Threads (default: one a processor)")
+      ->check(CLI::Range(1, 1024));
+  auto* draw = command->add_option(
+      "--draw", options->draw, "Folder for pictures of some points of one scene; label no more");
+  command->add_option("--scene", options->scene, "Scene to draw (default: the first)")->needs(draw);
+  command->add_option("--count", options->count, "Points to draw")
+      ->needs(draw)
+      ->check(CLI::Range(1, 2000));
+  command->callback([options] {
+    const DataConfig config = LoadDataConfig(options->config);
+    if (options->draw.empty()) {
+      MakeLabels(config, options->workers);
+    } else {
+      Draw(config, *options);
+    }
+  });
+}
+
+}  // namespace bulletnav::bench

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/training/data_config.h"
+
+#include "agent/mapping/map_spec.h"
+#include "benchmark/episodes/generator.h"
+#include "sim/base/files.h"
+#include "sim/config/yaml_writer.h"
+
+namespace bulletnav::bench {
+namespace {
+
+namespace fs = std::filesystem;
+using sim::Error;
+
+constexpr int kMostPoints = 2000;  // 64 MB of labels a scene
+
+}  // namespace
+
+void DataConfig::Validate() const {
+  if (scenes.empty() && !houses) throw Error("names no scenes; give 'scenes' or 'houses'");
+  if (points < 1 || points > kMostPoints) throw Error("points must lie between 1 and 2000");
+  if (cache.empty()) throw Error("'cache' is empty; name a folder for the labels");
+  if (!(target_slack >= 0.0 && target_slack <= 0.5)) {
+    throw Error("target_slack must lie between 0 and 0.5 m");
+  }
+  body.Validate();
+  navmesh.Validate();
+  panorama.Validate();
+  if (!(double{panorama.max_depth_m} >= agent::MapSpec{}.vision)) {
+    throw Error("the panorama's max_depth_m must be at least 3.2, as far as labels look");
+  }
+}
+
+DataConfig LoadDataConfig(const fs::path& file) {
+  const sim::YamlNode root = sim::ParseYaml(sim::ReadYamlFile(file), file);
+  root.ExpectMap();
+  const YAML::Node& map = root.yaml();
+  if (!map["data"]) root.Fail("key 'data' is missing");
+  DataConfig config;
+  sim::YamlReader::Read(root.Child(map["data"]), config);
+  return config;
+}
+
+std::vector<fs::path> ScenesOf(const DataConfig& config) {
+  GeneratorSpec spec;
+  spec.scenes = config.scenes;
+  if (config.houses) spec.houses = HouseSelection{config.houses->index, config.houses->split};
+  const std::vector<std::string> files = ScenesOf(spec);
+  return {files.begin(), files.end()};
+}
+
+std::uint64_t LabelsKey(const DataConfig& config) {
+  DataConfig relevant = config;
+  relevant.scenes.clear();
+  relevant.houses.reset();
+  relevant.cache.clear();
+  return sim::Hash64(sim::ToYaml(relevant));
+}
+
+}  // namespace bulletnav::bench
