@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include "agent/nts/nts_agent.h"
+
+#include <array>
+
+#include "agent/perception/relative_pose.h"
+#include "sim/base/error.h"
+
+namespace bulletnav::agent {
+namespace {
+
+constexpr int kGoalItself = -1;      // for the watch, which tells ghosts and nodes by number
+constexpr int kFirstNode = 1 << 20;  // nodes' numbers there
+constexpr double kNowhereToGo = 0.1;  // metres to a waypoint
+
+}  // namespace
+
+std::shared_ptr<SemanticModel> RequireModel(const AgentContext& context, std::string_view agent) {
+  if (context.semantic_model) return context.semantic_model;
+  throw sim::Error("no weights are available for the learned functions that " +
+                   std::string(agent) + " needs");
+}
+
+NtsAgent::NtsAgent(const Config& config, const AgentContext& context, std::string_view name,
+                   GhostChoice choice)
+    : spec_(config.policy),
+      model_(RequireModel(context, name)),
+      navigator_(context.rig, config.navigator),
+      update_(config.graph, model_),
+      policy_(config.policy, model_, choice),
+      watch_(config.policy.patience, config.policy.least_progress) {}
+
+void NtsAgent::Reset(const Panorama& goal, std::uint64_t seed) {
+  navigator_.Reset();
+  update_.Reset();
+  NextGoal(goal, seed);
+}
+
+void NtsAgent::NextGoal(const Panorama& goal, std::uint64_t seed) {
+  policy_.NewGoal(model_->Encode({&goal, 1}).front(), seed);
+  rng_ = sim::Rng(seed, "nts agent");
+  watch_.Reset();
+  seen_.reset();
+  goal_at_.reset();
+  target_.reset();
+  subgoal_.reset();
+}
+
+sim::Action NtsAgent::Act(const Observation& observation) {
+  navigator_.Observe(observation);
+  const PanoramaCode code = model_->Encode({&observation.panorama, 1}).front();
+  update_.Observe(code, navigator_.pose());
+  LookForGoal(code);
+  subgoal_.reset();
+  target_.reset();
+  std::optional<sim::Action> action = Approach();
+  if (!action) action = Travel(code);
+  if (!action) action = Wander();
+  navigator_.Took(*action);
+  return *action;
+}
+
+void NtsAgent::LookForGoal(const PanoramaCode& code) {
+  seen_.reset();
+  const std::array<const PanoramaCode*, 1> here = {&code};
+  const PairPrediction view = model_->Compare(here, policy_.goal()).front();
+  if (view.same_node < spec_.goal_seen) return;
+  seen_ = RelativePoseOf(view);
+  goal_at_ = navigator_.PointAt(seen_->distance, seen_->bearing);
+}
+
+std::optional<sim::Action> NtsAgent::Approach() {
+  if (!goal_at_) return std::nullopt;
+  target_ = goal_at_;
+  const auto plan = navigator_.Plan(*goal_at_, true);
+  // A sight of the goal across something that has to be gone round is no arrival.
+  const bool is_near = !plan || plan->distance <= 2.0 * spec_.stop_distance;
+  if (seen_ && seen_->distance <= spec_.stop_distance && is_near) return sim::Action::kStop;
+  const bool is_stuck = plan && watch_.IsStuck(kGoalItself, plan->distance);
+  if (is_stuck || !plan) {
+    if (seen_ && seen_->distance <= spec_.stop_distance) return sim::Action::kStop;
+    navigator_.ForgetFeltWalls();
+  }
+  const bool is_wrong = plan && !seen_ && plan->distance <= spec_.node_reached;
+  if (!plan || is_wrong) {
+    goal_at_.reset();
+    return std::nullopt;
+  }
+  return navigator_.Steer(plan->point);
+}
+
+std::optional<sim::Action> NtsAgent::Travel(const PanoramaCode& code) {
+  constexpr int kTries = 8;
+  for (int i = 0; i < kTries; ++i) {
+    policy_.Read(&update_.graph());
+    subgoal_ = policy_.Choose(update_.graph(), update_.localisation(), navigator_.here());
+    if (!subgoal_) return std::nullopt;
+    if (IsGhostReached(*subgoal_)) {
+      update_.graph().RemoveGhost(*subgoal_->ghost);
+      update_.MakeNode(code, navigator_.pose());
+      continue;
+    }
+    if (const auto action = Walk(*subgoal_)) return action;
+    GiveUp(*subgoal_);
+  }
+  return std::nullopt;
+}
+
+bool NtsAgent::IsGhostReached(const Subgoal& subgoal) const {
+  return subgoal.ghost && subgoal.is_last() &&
+         Distance(subgoal.point, navigator_.here()) <= spec_.ghost_reached;
+}
+
+/// Absent if it cannot be walked to, or the goal is not there.
+std::optional<sim::Action> NtsAgent::Walk(const Subgoal& subgoal) {
+  target_ = subgoal.point;
+  const bool is_goal = !subgoal.ghost && subgoal.is_last();
+  if (is_goal && Distance(subgoal.point, navigator_.here()) <= spec_.node_reached) {
+    return std::nullopt;
+  }
+  auto plan = navigator_.Plan(subgoal.point, true);
+  if (!plan) {
+    navigator_.ForgetFeltWalls();
+    plan = navigator_.Plan(subgoal.point, true);
+  }
+  if (!plan || Distance(plan->point, navigator_.here()) < kNowhereToGo) return std::nullopt;
+  const int number = subgoal.is_last() ? subgoal.ghost.value_or(subgoal.path[0] + kFirstNode)
+                                       : subgoal.path[1] + kFirstNode;
+  if (watch_.IsStuck(number, plan->distance)) return std::nullopt;
+  return navigator_.Steer(plan->point);
+}
+
+void NtsAgent::GiveUp(const Subgoal& subgoal) {
+  if (!subgoal.is_last()) {
+    update_.graph().RemoveEdge(subgoal.path[0], subgoal.path[1]);
+  } else if (subgoal.ghost) {
+    update_.graph().RemoveGhost(*subgoal.ghost);
+  } else {
+    policy_.Refute(subgoal.path[0]);
+  }
+}
+
+sim::Action NtsAgent::Wander() {
+  target_ = navigator_.Frontier();
+  if (target_) {
+    if (const auto plan = navigator_.Plan(*target_, false)) return navigator_.Steer(plan->point);
+  }
+  navigator_.ForgetFeltWalls();
+  return rng_.Chance(0.5) ? sim::Action::kMoveForward : sim::Action::kTurnLeft;
+}
+
+Belief NtsAgent::belief() const {
+  Belief belief{navigator_.pose(), std::nullopt, navigator_.map().Picture()};
+  if (target_) belief.target = sim::PlanarPose{target_->x, target_->y, 0.0};
+  belief.graph = update_.graph().Picture();
+  if (!subgoal_) return belief;
+  belief.graph->path = subgoal_->path;
+  const auto& ghosts = update_.graph().ghosts();
+  for (std::size_t i = 0; subgoal_->ghost && i < ghosts.size(); ++i) {
+    if (ghosts[i].id != *subgoal_->ghost) continue;
+    belief.graph->path.push_back(static_cast<int>(update_.graph().nodes().size() + i));
+  }
+  return belief;
+}
+
+}  // namespace bulletnav::agent
