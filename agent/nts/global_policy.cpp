@@ -78,8 +78,7 @@ std::optional<Subgoal> GlobalPolicy::ToGoal(const Place& place) const {
 }
 
 std::optional<Subgoal> GlobalPolicy::ToGhost(const Place& place) {
-  const GhostNode* ghost =
-      choice_ == GhostChoice::kScore ? BestGhost(place) : RandomGhost(place);
+  const GhostNode* ghost = choice_ == GhostChoice::kScore ? BestGhost(place) : RandomGhost(place);
   if (ghost == nullptr) {
     chosen_.reset();
     return std::nullopt;

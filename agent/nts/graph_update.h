@@ -23,9 +23,9 @@ struct Localisation {
 };
 
 /// Builds the graph from observations: Graph Update of Neural Topological SLAM, section 4.1.
-/// An observation is localised with F_L in the node that is nearest by F_R; the present node is kept
-/// unless another is clearly nearer. Where no node knows it for some steps, it becomes a node, with
-/// a ghost node for each direction of F_G that no regular node takes.
+/// An observation is localised with F_L in the node that is nearest by F_R; the present node is
+/// kept unless another is clearly nearer. Where no node knows it for some steps, it becomes a node,
+/// with a ghost node for each direction of F_G that no regular node takes.
 class GraphUpdate {
  public:
   GraphUpdate(const GraphSpec& spec, std::shared_ptr<SemanticModel> model);

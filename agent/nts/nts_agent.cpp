@@ -9,16 +9,16 @@
 namespace bulletnav::agent {
 namespace {
 
-constexpr int kGoalItself = -1;      // for the watch, which tells ghosts and nodes by number
-constexpr int kFirstNode = 1 << 20;  // nodes' numbers there
+constexpr int kGoalItself = -1;       // for the watch, which tells ghosts and nodes by number
+constexpr int kFirstNode = 1 << 20;   // nodes' numbers there
 constexpr double kNowhereToGo = 0.1;  // metres to a waypoint
 
 }  // namespace
 
 std::shared_ptr<SemanticModel> RequireModel(const AgentContext& context, std::string_view agent) {
   if (context.semantic_model) return context.semantic_model;
-  throw sim::Error("no weights are available for the learned functions that " +
-                   std::string(agent) + " needs");
+  throw sim::Error("no weights are available for the learned functions that " + std::string(agent) +
+                   " needs");
 }
 
 NtsAgent::NtsAgent(const Config& config, const AgentContext& context, std::string_view name,

@@ -13,9 +13,9 @@ namespace {
 using agent::kDirections;
 using agent::kNodeRadius;
 
-constexpr double kDetour = 1.05;         // times the straight way that still is free
-constexpr double kSearchStep = 0.25;     // metres between places looked at in a direction
-constexpr float kOffFloor = 0.1f;        // metres sideways to the floor that still is on it
+constexpr double kDetour = 1.05;      // times the straight way that still is free
+constexpr double kSearchStep = 0.25;  // metres between places looked at in a direction
+constexpr float kOffFloor = 0.1f;     // metres sideways to the floor that still is on it
 constexpr double kDirectionWidth = 2.0 * sim::kPi / kDirections;
 
 bool IsSameMemory(const agent::Panorama& a, const agent::Panorama& b) {

@@ -13,9 +13,9 @@ namespace bulletnav::bench {
 /// model would say if it never erred. Rows of agents that use it say "oracle".
 /// A code holds where a panorama was taken: at the goal if it lies where GroundTruth::goal_panorama
 /// does, else where the body is now. Labels: appendix B of the paper, with the navmesh for the map
-/// of the source's depth. A pair of one node gets direction (shared between the two nearest, so that
-/// it is exact) and distance, any other pair scores; the rest is 0.
-/// One lane's; not for several threads. Cost: some milliseconds for a pair that needs scores.
+/// of the source's depth. A pair of one node gets direction (shared between the two nearest, so
+/// that it is exact) and distance, any other pair scores; the rest is 0. One lane's; not for
+/// several threads. Cost: some milliseconds for a pair that needs scores.
 class OracleSemanticModel final : public agent::SemanticModel {
  public:
   /// `truth` must outlive the model and be up to date at every Encode.
