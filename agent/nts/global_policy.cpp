@@ -74,7 +74,9 @@ std::optional<Subgoal> GlobalPolicy::ToGoal(const Place& place) const {
     best_way = way;
   }
   if (!best) return std::nullopt;
-  return Lead(place, *best, GoalPoint(place.graph, *best));
+  Subgoal subgoal = Lead(place, *best, GoalPoint(place.graph, *best));
+  subgoal.way = best_way;
+  return subgoal;
 }
 
 std::optional<Subgoal> GlobalPolicy::ToGhost(const Place& place) {
@@ -86,6 +88,8 @@ std::optional<Subgoal> GlobalPolicy::ToGhost(const Place& place) {
   chosen_ = ghost->id;
   Subgoal subgoal = Lead(place, ghost->owner, place.graph.GhostPoint(*ghost));
   subgoal.ghost = ghost->id;
+  subgoal.way = WayTo(place, *ghost);
+  subgoal.all = AllOf(place, *ghost);
   return subgoal;
 }
 
@@ -95,18 +99,22 @@ double GlobalPolicy::WayTo(const Place& place, const GhostNode& ghost) const {
   if (place.localisation.Sees(ghost.owner)) {
     return Distance(place.here, place.graph.GhostPoint(ghost));
   }
-  return place.routes.cost[static_cast<std::size_t>(ghost.owner)] + kNodeRadius;
+  return place.routes.cost[static_cast<std::size_t>(ghost.owner)] + ghost.distance;
+}
+
+double GlobalPolicy::AllOf(const Place& place, const GhostNode& ghost) const {
+  const double left = kFarthestScored * (1.0 - ghost.score.value_or(0.0));
+  const double penalty = ghost.distance < kNodeRadius ? spec_.near_penalty : 0.0;
+  return spec_.path_weight * WayTo(place, ghost) + left + penalty;
 }
 
 const GhostNode* GlobalPolicy::BestGhost(const Place& place) const {
   const GhostNode* best = nullptr;
   double best_way = 0.0;
   for (const GhostNode& ghost : place.graph.ghosts()) {
-    const double left = kFarthestScored * (1.0 - ghost.score.value_or(0.0));
     const double bonus = chosen_ == ghost.id ? spec_.change_margin : 0.0;
-    const double way = WayTo(place, ghost);
-    if (!std::isfinite(way)) continue;
-    const double all = spec_.path_weight * way + left - bonus;
+    const double all = AllOf(place, ghost) - bonus;
+    if (!std::isfinite(all)) continue;
     if (best != nullptr && all >= best_way) continue;
     best = &ghost;
     best_way = all;
@@ -125,7 +133,9 @@ const GhostNode* GlobalPolicy::RandomGhost(const Place& place) {
 }
 
 Subgoal GlobalPolicy::Lead(const Place& place, int node, const Point& last) const {
-  Subgoal subgoal{place.routes.To(node), std::nullopt, last};
+  Subgoal subgoal;
+  subgoal.path = place.routes.To(node);
+  subgoal.point = last;
   // A node that is reached although it does not know the body is behind.
   while (subgoal.path.size() > 1) {
     subgoal.point = place.graph.NodePoint(subgoal.path[1]);

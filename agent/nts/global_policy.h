@@ -20,6 +20,8 @@ struct Subgoal {
   std::vector<int> path;     // regular nodes, from one that sees the body to the long-term goal
   std::optional<int> ghost;  // beyond the last of them; absent if the goal is seen from there
   Point point;               // where to walk now
+  double way = 0.0;          // metres to the long-term goal over the graph
+  double all = 0.0;          // and from there to the goal, as F_S has it; 0 if the goal is seen
 
   /// Whether `point` is the ghost, or the goal, itself.
   bool is_last() const { return path.size() == 1; }
@@ -60,6 +62,8 @@ class GlobalPolicy {
   std::optional<Subgoal> ToGoal(const Place& place) const;
   std::optional<Subgoal> ToGhost(const Place& place);
   double WayTo(const Place& place, const GhostNode& ghost) const;
+  /// What is minimised: metres to a ghost and from there to the goal.
+  double AllOf(const Place& place, const GhostNode& ghost) const;
   const GhostNode* BestGhost(const Place& place) const;
   const GhostNode* RandomGhost(const Place& place);
   Subgoal Lead(const Place& place, int node, const Point& last) const;

@@ -105,7 +105,7 @@ void GraphUpdate::AddGhosts(int node) {
 }
 
 bool GraphUpdate::IsTaken(int node, int direction) const {
-  const Point ghost = graph_.GhostPoint({0, node, direction, std::nullopt});
+  const Point ghost = graph_.GhostPoint({0, node, direction, kNodeRadius, std::nullopt});
   for (int i = 0; i < static_cast<int>(graph_.nodes().size()); ++i) {
     if (i == node) continue;
     const Point other = graph_.NodePoint(i);

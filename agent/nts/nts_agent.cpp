@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "agent/nts/nts_agent.h"
 
+#include <algorithm>
 #include <array>
+#include <limits>
 
 #include "agent/perception/relative_pose.h"
 #include "sim/base/error.h"
@@ -11,6 +13,7 @@ namespace {
 
 constexpr int kGoalItself = -1;       // for the watch, which tells ghosts and nodes by number
 constexpr int kFirstNode = 1 << 20;   // nodes' numbers there
+constexpr double kSlack = 0.3;        // metres that a way may be longer than straight
 constexpr double kNowhereToGo = 0.1;  // metres to a waypoint
 
 }  // namespace
@@ -28,11 +31,13 @@ NtsAgent::NtsAgent(const Config& config, const AgentContext& context, std::strin
       navigator_(context.rig, config.navigator),
       update_(config.graph, model_),
       policy_(config.policy, model_, choice),
-      watch_(config.policy.patience, config.policy.least_progress) {}
+      watch_(config.policy.patience, config.policy.least_progress),
+      choice_(choice) {}
 
 void NtsAgent::Reset(const Panorama& goal, std::uint64_t seed) {
   navigator_.Reset();
   update_.Reset();
+  given_up_.clear();
   NextGoal(goal, seed);
 }
 
@@ -63,9 +68,9 @@ sim::Action NtsAgent::Act(const Observation& observation) {
 void NtsAgent::LookForGoal(const PanoramaCode& code) {
   seen_.reset();
   const std::array<const PanoramaCode*, 1> here = {&code};
-  const PairPrediction view = model_->Compare(here, policy_.goal()).front();
-  if (view.same_node < spec_.goal_seen) return;
-  seen_ = RelativePoseOf(view);
+  view_ = model_->Compare(here, policy_.goal()).front();
+  if (view_.same_node < spec_.goal_seen) return;
+  seen_ = RelativePoseOf(view_);
   goal_at_ = navigator_.PointAt(seen_->distance, seen_->bearing);
 }
 
@@ -74,7 +79,7 @@ std::optional<sim::Action> NtsAgent::Approach() {
   target_ = goal_at_;
   const auto plan = navigator_.Plan(*goal_at_, true);
   // A sight of the goal across something that has to be gone round is no arrival.
-  const bool is_near = !plan || plan->distance <= 2.0 * spec_.stop_distance;
+  const bool is_near = !plan || plan->distance <= spec_.stop_distance + kSlack;
   if (seen_ && seen_->distance <= spec_.stop_distance && is_near) return sim::Action::kStop;
   const bool is_stuck = plan && watch_.IsStuck(kGoalItself, plan->distance);
   if (is_stuck || !plan) {
@@ -94,6 +99,7 @@ std::optional<sim::Action> NtsAgent::Travel(const PanoramaCode& code) {
   for (int i = 0; i < kTries; ++i) {
     policy_.Read(&update_.graph());
     subgoal_ = policy_.Choose(update_.graph(), update_.localisation(), navigator_.here());
+    if (TakeView(code, subgoal_)) continue;
     if (!subgoal_) return std::nullopt;
     if (IsGhostReached(*subgoal_)) {
       update_.graph().RemoveGhost(*subgoal_->ghost);
@@ -104,6 +110,41 @@ std::optional<sim::Action> NtsAgent::Travel(const PanoramaCode& code) {
     GiveUp(*subgoal_);
   }
   return std::nullopt;
+}
+
+bool NtsAgent::TakeView(const PanoramaCode& code, const std::optional<Subgoal>& known) {
+  if (update_.localisation().is_new || choice_ == GhostChoice::kRandom) return false;
+  if (known && !known->ghost) return false;
+  const std::array<float, kDirections> open = model_->Explorable(code);
+  double best = known ? known->all - spec_.view_margin : std::numeric_limits<double>::infinity();
+  std::optional<int> near;
+  bool is_better = false;
+  for (int i = 0; i < kDirections; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const bool is_far = open[k] >= 0.5;
+    const double distance = is_far ? kNodeRadius : spec_.near_ghost;
+    const double all = spec_.path_weight * distance + kFarthestScored * (1.0 - view_.score[k]) +
+                       (is_far ? 0.0 : spec_.near_penalty);
+    if (all >= best || IsKnown(navigator_.PointAt(distance, BearingOf(i)))) continue;
+    best = all;
+    is_better = true;
+    near = is_far ? std::nullopt : std::optional(i);
+  }
+  if (!is_better) return false;
+  update_.MakeNode(code, navigator_.pose());
+  const int node = update_.localisation().current;
+  if (near) update_.graph().AddGhost(node, *near, spec_.near_ghost);
+  return true;
+}
+
+bool NtsAgent::IsKnown(const Point& point) const {
+  const auto is_near = [&](const Point& other) {
+    return Distance(point, other) < 1.0;
+  };
+  for (int i = 0; i < static_cast<int>(update_.graph().nodes().size()); ++i) {
+    if (is_near(update_.graph().NodePoint(i))) return true;
+  }
+  return std::any_of(given_up_.begin(), given_up_.end(), is_near);
 }
 
 bool NtsAgent::IsGhostReached(const Subgoal& subgoal) const {
@@ -124,9 +165,9 @@ std::optional<sim::Action> NtsAgent::Walk(const Subgoal& subgoal) {
     plan = navigator_.Plan(subgoal.point, true);
   }
   if (!plan || Distance(plan->point, navigator_.here()) < kNowhereToGo) return std::nullopt;
-  const int number = subgoal.is_last() ? subgoal.ghost.value_or(subgoal.path[0] + kFirstNode)
-                                       : subgoal.path[1] + kFirstNode;
-  if (watch_.IsStuck(number, plan->distance)) return std::nullopt;
+  const int number = subgoal.ghost.value_or(subgoal.path.back() + kFirstNode);
+  const double left = subgoal.is_last() ? plan->distance : subgoal.way;
+  if (watch_.IsStuck(number, left)) return std::nullopt;
   return navigator_.Steer(plan->point);
 }
 
@@ -134,6 +175,7 @@ void NtsAgent::GiveUp(const Subgoal& subgoal) {
   if (!subgoal.is_last()) {
     update_.graph().RemoveEdge(subgoal.path[0], subgoal.path[1]);
   } else if (subgoal.ghost) {
+    given_up_.push_back(subgoal.point);
     update_.graph().RemoveGhost(*subgoal.ghost);
   } else {
     policy_.Refute(subgoal.path[0]);

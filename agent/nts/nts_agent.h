@@ -36,6 +36,10 @@ class NtsAgent : public Agent {
 
  private:
   void LookForGoal(const PanoramaCode& code);
+  /// Makes a node of the present view if it shows a better way than the graph knows.
+  bool TakeView(const PanoramaCode& code, const std::optional<Subgoal>& known);
+  /// Whether going there would be no news: it has been visited or given up.
+  bool IsKnown(const Point& point) const;
   /// To where the goal was seen last; absent if that proves wrong.
   std::optional<sim::Action> Approach();
   /// Along the graph; absent if it leads nowhere.
@@ -52,7 +56,10 @@ class NtsAgent : public Agent {
   GlobalPolicy policy_;
   ProgressWatch watch_;
   sim::Rng rng_{0, "nts agent"};
+  GhostChoice choice_;
+  PairPrediction view_;               // of the goal, in this step
   std::optional<RelativeGoal> seen_;  // the goal, in this step
+  std::vector<Point> given_up_;       // where ghosts were that could not be walked to
   std::optional<Point> goal_at_;
   std::optional<Point> target_;
   std::optional<Subgoal> subgoal_;

@@ -33,6 +33,9 @@ struct PolicySpec {
   double goal_seen = 0.5;        // probability from which the goal belongs to a place
   double path_weight = 1.0;      // metres of score that a metre of way to a ghost counts
   double change_margin = 1.0;    // better by this another ghost takes over from the chosen one
+  double view_margin = 1.5;      // better by this the present view becomes a node
+  double near_ghost = 1.5;       // to a ghost where nothing is explorable as far as r
+  double near_penalty = 1.0;     // and what speaks against it
   double ghost_reached = 0.5;    // this near a ghost is visited
   double node_reached = 0.5;     // the same for a regular node
   double stop_distance = 0.7;    // by F_R, to the goal; episodes ask for less than 1
@@ -44,6 +47,9 @@ struct PolicySpec {
     v("goal_seen", goal_seen);
     v("path_weight", path_weight);
     v("change_margin", change_margin);
+    v("view_margin", view_margin);
+    v("near_ghost", near_ghost);
+    v("near_penalty", near_penalty);
     v("ghost_reached", ghost_reached);
     v("node_reached", node_reached);
     v("stop_distance", stop_distance);

@@ -4,15 +4,14 @@
 namespace bulletnav::agent {
 
 bool ProgressWatch::IsStuck(int target, double distance) {
-  if (!is_on_ || target != target_ || distance <= best_ - least_) {
-    is_on_ = true;
-    target_ = target;
-    best_ = distance;
-    steps_ = 0;
+  const auto [found, is_new] = targets_.try_emplace(target, Target{distance, 0});
+  if (is_new) return false;
+  if (distance <= found->second.nearest - least_) {
+    found->second = {distance, 0};
     return false;
   }
-  if (++steps_ < patience_) return false;
-  Reset();
+  if (++found->second.steps < patience_) return false;
+  targets_.erase(found);
   return true;
 }
 

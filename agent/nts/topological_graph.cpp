@@ -50,11 +50,11 @@ bool TopologicalGraph::HasEdge(int a, int b) const {
   });
 }
 
-int TopologicalGraph::AddGhost(int owner, int direction) {
+int TopologicalGraph::AddGhost(int owner, int direction, double distance) {
   for (const GhostNode& ghost : ghosts_) {
     if (ghost.owner == owner && ghost.direction == direction) return ghost.id;
   }
-  ghosts_.push_back({next_ghost_, owner, direction, std::nullopt});
+  ghosts_.push_back({next_ghost_, owner, direction, distance, std::nullopt});
   return next_ghost_++;
 }
 
@@ -85,7 +85,7 @@ Point TopologicalGraph::NodePoint(int node) const {
 Point TopologicalGraph::GhostPoint(const GhostNode& ghost) const {
   const sim::PlanarPose& pose = nodes_.at(static_cast<std::size_t>(ghost.owner)).pose;
   const double heading = pose.yaw + BearingOf(ghost.direction);
-  return {pose.x + kNodeRadius * std::cos(heading), pose.y + kNodeRadius * std::sin(heading)};
+  return {pose.x + ghost.distance * std::cos(heading), pose.y + ghost.distance * std::sin(heading)};
 }
 
 double TopologicalGraph::BearingFrom(int node, const Point& point) const {

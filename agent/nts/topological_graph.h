@@ -18,11 +18,12 @@ struct RegularNode {
   sim::PlanarPose pose;  // of the body when it was made, by odometry
 };
 
-/// A place where the panorama of a regular node suggests to go, kNodeRadius away.
+/// A place where the panorama of a regular node suggests to go.
 struct GhostNode {
   int id = 0;
   int owner = 0;      // the regular node it hangs on
   int direction = 0;  // of the owner's panorama
+  double distance = kNodeRadius;
   std::optional<double> score;
 };
 
@@ -55,7 +56,7 @@ class TopologicalGraph {
   bool HasEdge(int a, int b) const;
 
   /// Once for each direction of an owner. Returns the ghost's number, which is never used again.
-  int AddGhost(int owner, int direction);
+  int AddGhost(int owner, int direction, double distance = kNodeRadius);
   void RemoveGhost(int id);
   const GhostNode* FindGhost(int id) const;
   void SetScore(int id, std::optional<double> score);
