@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "agent/nts/view_ghosts.h"
 #include "agent/perception/relative_pose.h"
 
 namespace bulletnav::agent {
@@ -103,9 +104,7 @@ double GlobalPolicy::WayTo(const Place& place, const GhostNode& ghost) const {
 }
 
 double GlobalPolicy::AllOf(const Place& place, const GhostNode& ghost) const {
-  const double left = kFarthestScored * (1.0 - ghost.score.value_or(0.0));
-  const double penalty = ghost.distance < kNodeRadius ? spec_.near_penalty : 0.0;
-  return spec_.path_weight * WayTo(place, ghost) + left + penalty;
+  return WayByGhost(spec_, WayTo(place, ghost), ghost.score.value_or(0.0), ghost.distance);
 }
 
 const GhostNode* GlobalPolicy::BestGhost(const Place& place) const {

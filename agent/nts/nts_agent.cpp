@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
+#include "agent/nts/view_ghosts.h"
 #include "agent/perception/relative_pose.h"
 #include "sim/base/error.h"
 
@@ -26,7 +26,7 @@ std::shared_ptr<SemanticModel> RequireModel(const AgentContext& context, std::st
 
 NtsAgent::NtsAgent(const Config& config, const AgentContext& context, std::string_view name,
                    GhostChoice choice)
-    : spec_(config.policy),
+    : spec_(config),
       model_(RequireModel(context, name)),
       navigator_(context.rig, config.navigator),
       update_(config.graph, model_),
@@ -69,7 +69,7 @@ void NtsAgent::LookForGoal(const PanoramaCode& code) {
   seen_.reset();
   const std::array<const PanoramaCode*, 1> here = {&code};
   view_ = model_->Compare(here, policy_.goal()).front();
-  if (view_.same_node < spec_.goal_seen) return;
+  if (view_.same_node < spec_.policy.goal_seen) return;
   seen_ = RelativePoseOf(view_);
   goal_at_ = navigator_.PointAt(seen_->distance, seen_->bearing);
 }
@@ -79,14 +79,14 @@ std::optional<sim::Action> NtsAgent::Approach() {
   target_ = goal_at_;
   const auto plan = navigator_.Plan(*goal_at_, true);
   // A sight of the goal across something that has to be gone round is no arrival.
-  const bool is_near = !plan || plan->distance <= spec_.stop_distance + kSlack;
-  if (seen_ && seen_->distance <= spec_.stop_distance && is_near) return sim::Action::kStop;
+  const bool is_near = !plan || plan->distance <= spec_.policy.stop_distance + kSlack;
+  if (seen_ && seen_->distance <= spec_.policy.stop_distance && is_near) return sim::Action::kStop;
   const bool is_stuck = plan && watch_.IsStuck(kGoalItself, plan->distance);
   if (is_stuck || !plan) {
-    if (seen_ && seen_->distance <= spec_.stop_distance) return sim::Action::kStop;
+    if (seen_ && seen_->distance <= spec_.policy.stop_distance) return sim::Action::kStop;
     navigator_.ForgetFeltWalls();
   }
-  const bool is_wrong = plan && !seen_ && plan->distance <= spec_.node_reached;
+  const bool is_wrong = plan && !seen_ && plan->distance <= spec_.policy.node_reached;
   if (!plan || is_wrong) {
     goal_at_.reset();
     return std::nullopt;
@@ -113,33 +113,21 @@ std::optional<sim::Action> NtsAgent::Travel(const PanoramaCode& code) {
 }
 
 bool NtsAgent::TakeView(const PanoramaCode& code, const std::optional<Subgoal>& known) {
-  if (update_.localisation().is_new || choice_ == GhostChoice::kRandom) return false;
-  if (known && !known->ghost) return false;
-  const std::array<float, kDirections> open = model_->Explorable(code);
-  double best = known ? known->all - spec_.view_margin : std::numeric_limits<double>::infinity();
-  std::optional<int> near;
-  bool is_better = false;
-  for (int i = 0; i < kDirections; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    const bool is_far = open[k] >= 0.5;
-    const double distance = is_far ? kNodeRadius : spec_.near_ghost;
-    const double all = spec_.path_weight * distance + kFarthestScored * (1.0 - view_.score[k]) +
-                       (is_far ? 0.0 : spec_.near_penalty);
-    if (all >= best || IsKnown(navigator_.PointAt(distance, BearingOf(i)))) continue;
-    best = all;
-    is_better = true;
-    near = is_far ? std::nullopt : std::optional(i);
+  const bool is_led = known && !known->ghost;
+  if (is_led || update_.localisation().is_new || choice_ == GhostChoice::kRandom) return false;
+  for (const ViewGhost& ghost : GhostsOfView(spec_, model_->Explorable(code), view_.score)) {
+    if (known && ghost.way >= known->all - spec_.policy.view_margin) return false;
+    if (IsKnown(navigator_.PointAt(ghost.distance, BearingOf(ghost.direction)))) continue;
+    update_.MakeNode(code, navigator_.pose());
+    update_.graph().AddGhost(update_.localisation().current, ghost.direction, ghost.distance);
+    return true;
   }
-  if (!is_better) return false;
-  update_.MakeNode(code, navigator_.pose());
-  const int node = update_.localisation().current;
-  if (near) update_.graph().AddGhost(node, *near, spec_.near_ghost);
-  return true;
+  return false;
 }
 
 bool NtsAgent::IsKnown(const Point& point) const {
   const auto is_near = [&](const Point& other) {
-    return Distance(point, other) < 1.0;
+    return Distance(point, other) < spec_.graph.ghost_clearance;
   };
   for (int i = 0; i < static_cast<int>(update_.graph().nodes().size()); ++i) {
     if (is_near(update_.graph().NodePoint(i))) return true;
@@ -149,14 +137,14 @@ bool NtsAgent::IsKnown(const Point& point) const {
 
 bool NtsAgent::IsGhostReached(const Subgoal& subgoal) const {
   return subgoal.ghost && subgoal.is_last() &&
-         Distance(subgoal.point, navigator_.here()) <= spec_.ghost_reached;
+         Distance(subgoal.point, navigator_.here()) <= spec_.policy.ghost_reached;
 }
 
 /// Absent if it cannot be walked to, or the goal is not there.
 std::optional<sim::Action> NtsAgent::Walk(const Subgoal& subgoal) {
   target_ = subgoal.point;
   const bool is_goal = !subgoal.ghost && subgoal.is_last();
-  if (is_goal && Distance(subgoal.point, navigator_.here()) <= spec_.node_reached) {
+  if (is_goal && Distance(subgoal.point, navigator_.here()) <= spec_.policy.node_reached) {
     return std::nullopt;
   }
   auto plan = navigator_.Plan(subgoal.point, true);

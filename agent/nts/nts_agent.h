@@ -49,7 +49,7 @@ class NtsAgent : public Agent {
   void GiveUp(const Subgoal& subgoal);
   sim::Action Wander();
 
-  PolicySpec spec_;
+  NtsSpec spec_;
   std::shared_ptr<SemanticModel> model_;
   MapNavigator navigator_;
   GraphUpdate update_;

@@ -34,8 +34,8 @@ struct PolicySpec {
   double path_weight = 1.0;      // metres of score that a metre of way to a ghost counts
   double change_margin = 1.0;    // better by this another ghost takes over from the chosen one
   double view_margin = 1.5;      // better by this the present view becomes a node
-  double near_ghost = 1.5;       // to a ghost where nothing is explorable as far as r
-  double near_penalty = 1.0;     // and what speaks against it
+  double near_ghost = 1.5;       // to a ghost of such a view where 3 m are not explorable
+  double near_penalty = 1.0;     // added to the way by such a ghost
   double ghost_reached = 0.5;    // this near a ghost is visited
   double node_reached = 0.5;     // the same for a regular node
   double stop_distance = 0.7;    // by F_R, to the goal; episodes ask for less than 1
