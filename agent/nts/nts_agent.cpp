@@ -32,7 +32,8 @@ NtsAgent::NtsAgent(const Config& config, const AgentContext& context, std::strin
       update_(config.graph, model_),
       policy_(config.policy, model_, choice),
       watch_(config.policy.patience, config.policy.least_progress),
-      choice_(choice) {}
+      choice_(choice),
+      goal_(config.policy.sightings) {}
 
 void NtsAgent::Reset(const Panorama& goal, std::uint64_t seed) {
   navigator_.Reset();
@@ -45,8 +46,8 @@ void NtsAgent::NextGoal(const Panorama& goal, std::uint64_t seed) {
   policy_.NewGoal(model_->Encode({&goal, 1}).front(), seed);
   rng_ = sim::Rng(seed, "nts agent");
   watch_.Reset();
-  seen_.reset();
-  goal_at_.reset();
+  sees_goal_ = false;
+  goal_.Reset();
   target_.reset();
   subgoal_.reset();
 }
@@ -66,29 +67,28 @@ sim::Action NtsAgent::Act(const Observation& observation) {
 }
 
 void NtsAgent::LookForGoal(const PanoramaCode& code) {
-  seen_.reset();
   const std::array<const PanoramaCode*, 1> here = {&code};
   view_ = model_->Compare(here, policy_.goal()).front();
-  if (view_.same_node < spec_.policy.goal_seen) return;
-  seen_ = RelativePoseOf(view_);
-  goal_at_ = navigator_.PointAt(seen_->distance, seen_->bearing);
+  sees_goal_ = view_.same_node >= spec_.policy.goal_seen;
+  if (!sees_goal_) return;
+  const RelativeGoal goal = RelativePoseOf(view_);
+  goal_.Add(navigator_.PointAt(goal.distance, goal.bearing), goal.distance);
 }
 
 std::optional<sim::Action> NtsAgent::Approach() {
-  if (!goal_at_) return std::nullopt;
-  target_ = goal_at_;
-  const auto plan = navigator_.Plan(*goal_at_, true);
-  // A sight of the goal across something that has to be gone round is no arrival.
-  const bool is_near = !plan || plan->distance <= spec_.policy.stop_distance + kSlack;
-  if (seen_ && seen_->distance <= spec_.policy.stop_distance && is_near) return sim::Action::kStop;
+  target_ = goal_.point();
+  if (!target_) return std::nullopt;
+  const double distance = Distance(*target_, navigator_.here());
+  const bool is_there = sees_goal_ && distance <= spec_.policy.stop_distance;
+  const auto plan = navigator_.Plan(*target_, true);
   const bool is_stuck = plan && watch_.IsStuck(kGoalItself, plan->distance);
-  if (is_stuck || !plan) {
-    if (seen_ && seen_->distance <= spec_.policy.stop_distance) return sim::Action::kStop;
-    navigator_.ForgetFeltWalls();
-  }
-  const bool is_wrong = plan && !seen_ && plan->distance <= spec_.policy.node_reached;
+  // A sight of the goal across something that has to be gone round is no arrival.
+  const bool is_astray = plan && !is_stuck && plan->distance > spec_.policy.stop_distance + kSlack;
+  if (is_there && !is_astray) return sim::Action::kStop;
+  if (is_stuck || !plan) navigator_.ForgetFeltWalls();
+  const bool is_wrong = plan && !sees_goal_ && distance <= spec_.policy.node_reached;
   if (!plan || is_wrong) {
-    goal_at_.reset();
+    goal_.Reset();
     return std::nullopt;
   }
   return navigator_.Steer(plan->point);

@@ -7,6 +7,7 @@
 #include "agent/agent.h"
 #include "agent/mapping/map_navigator.h"
 #include "agent/nts/global_policy.h"
+#include "agent/nts/goal_track.h"
 #include "agent/nts/graph_update.h"
 #include "agent/nts/nts_spec.h"
 #include "agent/nts/progress_watch.h"
@@ -57,10 +58,10 @@ class NtsAgent : public Agent {
   ProgressWatch watch_;
   sim::Rng rng_{0, "nts agent"};
   GhostChoice choice_;
-  PairPrediction view_;               // of the goal, in this step
-  std::optional<RelativeGoal> seen_;  // the goal, in this step
-  std::vector<Point> given_up_;       // where ghosts were that could not be walked to
-  std::optional<Point> goal_at_;
+  PairPrediction view_;     // of the goal, in this step
+  bool sees_goal_ = false;  // in this step
+  GoalTrack goal_;
+  std::vector<Point> given_up_;  // where ghosts were that could not be walked to
   std::optional<Point> target_;
   std::optional<Subgoal> subgoal_;
 };

@@ -31,6 +31,7 @@ struct GraphSpec {
 /// How the place to go is chosen. Metres and probabilities.
 struct PolicySpec {
   double goal_seen = 0.5;        // probability from which the goal belongs to a place
+  int sightings = 2;             // of the goal from the body that must agree
   double path_weight = 1.0;      // metres of score that a metre of way to a ghost counts
   double change_margin = 1.0;    // better by this another ghost takes over from the chosen one
   double view_margin = 1.5;      // better by this the present view becomes a node
@@ -45,6 +46,7 @@ struct PolicySpec {
   template <class V>
   void Visit(V& v) {
     v("goal_seen", goal_seen);
+    v("sightings", sightings);
     v("path_weight", path_weight);
     v("change_margin", change_margin);
     v("view_margin", view_margin);
