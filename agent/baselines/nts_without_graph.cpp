@@ -22,7 +22,7 @@ class NtsWithoutGraph final : public Agent {
     NavigatorSpec navigator;
     double explorable = 0.5;     // probability from which a direction may be taken
     double goal_seen = 0.5;      // probability from which the goal is gone to
-    double stop_distance = 0.7;  // metres, by F_R
+    double stop_distance = 0.5;  // metres, by F_R
     double walk = 2.5;           // metres until it looks anew
     int patience = 20;           // steps without coming nearer until it looks anew
 

@@ -85,7 +85,8 @@ std::optional<sim::Action> NtsAgent::Approach() {
   // A sight of the goal across something that has to be gone round is no arrival.
   const bool is_astray = plan && !is_stuck && plan->distance > spec_.policy.stop_distance + kSlack;
   if (is_there && !is_astray) return sim::Action::kStop;
-  if (is_stuck || !plan) navigator_.ForgetFeltWalls();
+  // Odometry has smeared the map until it left no way.
+  if (is_stuck || !plan) navigator_.ForgetMap();
   const bool is_wrong = plan && !sees_goal_ && distance <= spec_.policy.node_reached;
   if (!plan || is_wrong) {
     goal_.Reset();
@@ -149,7 +150,7 @@ std::optional<sim::Action> NtsAgent::Walk(const Subgoal& subgoal) {
   }
   auto plan = navigator_.Plan(subgoal.point, true);
   if (!plan) {
-    navigator_.ForgetFeltWalls();
+    navigator_.ForgetMap();
     plan = navigator_.Plan(subgoal.point, true);
   }
   if (!plan || Distance(plan->point, navigator_.here()) < kNowhereToGo) return std::nullopt;

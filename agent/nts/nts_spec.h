@@ -39,7 +39,7 @@ struct PolicySpec {
   double near_penalty = 1.0;     // added to the way by such a ghost
   double ghost_reached = 0.5;    // this near a ghost is visited
   double node_reached = 0.5;     // the same for a regular node
-  double stop_distance = 0.7;    // by F_R, to the goal; episodes ask for less than 1
+  double stop_distance = 0.5;    // to the goal, by F_R; episodes ask for less than 1
   int patience = 30;             // steps without coming nearer until something is given up
   double least_progress = 0.25;  // what counts as coming nearer
 

@@ -94,16 +94,17 @@ TEST_F(GlobalPolicyTest, WithoutPathWeightOnlyTheScoreCounts) {
   EXPECT_EQ(Choose(&plain)->ghost, far);
 }
 
-TEST_F(GlobalPolicyTest, KeepsAGhostUnlessAnotherIsClearlyBetter) {
-  const int left = graph_.AddGhost(0, 3);
-  GlobalPolicy policy = Policy({8.0, 8.0});
-  ASSERT_EQ(Choose(&policy)->ghost, left);
-  const int slightly = graph_.AddGhost(0, 2);
-  double gain = Choose(&policy)->all;
-  GlobalPolicy fresh = Policy({8.0, 8.0});
-  ASSERT_EQ(Choose(&fresh)->ghost, slightly);
-  gain -= Choose(&fresh)->all;
-  EXPECT_EQ(Choose(&policy)->ghost, gain < spec_.change_margin ? left : slightly);
+TEST_F(GlobalPolicyTest, KeepsAGhostUnlessAnotherIsBetterByTheMargin) {
+  for (const double margin : {0.1, 2.0}) {
+    spec_.change_margin = margin;
+    GlobalPolicy policy = Policy({20.0, 0});
+    const int first = graph_.AddGhost(0, 11);
+    ASSERT_EQ(Choose(&policy)->ghost, first);
+    const int better = graph_.AddGhost(0, 0);  // by 0.47 m
+    EXPECT_EQ(Choose(&policy)->ghost, margin > 0.47 ? first : better);
+    graph_.RemoveGhost(first);
+    graph_.RemoveGhost(better);
+  }
 }
 
 TEST_F(GlobalPolicyTest, RandomGhostsComeFromTheSeedAndAreKept) {
