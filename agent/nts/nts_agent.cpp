@@ -57,7 +57,6 @@ sim::Action NtsAgent::Act(const Observation& observation) {
   const PanoramaCode code = model_->Encode({&observation.panorama, 1}).front();
   update_.Observe(code, navigator_.pose());
   LookForGoal(code);
-  subgoal_.reset();
   target_.reset();
   std::optional<sim::Action> action = Approach();
   if (!action) action = Travel(code);

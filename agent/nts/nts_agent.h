@@ -63,7 +63,7 @@ class NtsAgent : public Agent {
   GoalTrack goal_;
   std::vector<Point> given_up_;  // where ghosts were that could not be walked to
   std::optional<Point> target_;
-  std::optional<Subgoal> subgoal_;
+  std::optional<Subgoal> subgoal_;  // the last one chosen; stays while the goal is approached
 };
 
 }  // namespace bulletnav::agent
