@@ -56,6 +56,7 @@ sim::Action NtsAgent::Act(const Observation& observation) {
   navigator_.Observe(observation);
   const PanoramaCode code = model_->Encode({&observation.panorama, 1}).front();
   update_.Observe(code, navigator_.pose());
+  policy_.Read(&update_.graph());
   LookForGoal(code);
   target_.reset();
   std::optional<sim::Action> action = Approach();

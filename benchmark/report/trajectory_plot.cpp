@@ -131,7 +131,7 @@ void AddBeliefEntries(const agent::Belief& belief, SideColumn* column, Canvas* c
       DrawNode(p - Point(7.0, 0.0), false, canvas);
       DrawNode(p + Point(7.0, 0.0), true, canvas);
     });
-    if (!belief.graph->path.empty()) column->LineEntry("chosen path", GraphPathStroke());
+    if (belief.graph->path.size() > 1) column->LineEntry("chosen path", GraphPathStroke());
   }
   if (belief.target) {
     column->Entry("its last target", [&](const Point& p) {
