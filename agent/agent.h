@@ -6,6 +6,7 @@
 #include "agent/belief.h"
 #include "agent/observation.h"
 #include "agent/perception/goal_estimator.h"
+#include "agent/perception/semantic_model.h"
 #include "sim/base/action.h"
 
 namespace bulletnav::agent {
@@ -13,7 +14,8 @@ namespace bulletnav::agent {
 /// What an agent is built with, besides its own config.
 struct AgentContext {
   Rig rig;
-  std::shared_ptr<GoalEstimator> goal_estimator;  // null where none is offered
+  std::shared_ptr<GoalEstimator> goal_estimator = nullptr;  // null where none is offered
+  std::shared_ptr<SemanticModel> semantic_model = nullptr;  // the same; other lanes may share it
 };
 
 /// Finds the place where the goal's panorama was taken. Sees observations and nothing else: no true

@@ -25,11 +25,13 @@ struct GraphPicture {
   struct Node {
     double x = 0.0;
     double y = 0.0;
-    bool is_ghost = false;  // a place not yet visited
+    bool is_ghost = false;                       // a place not yet visited
+    std::optional<double> score = std::nullopt;  // how much speaks for going there, up to 1
     bool operator==(const Node&) const = default;
   };
   std::vector<Node> nodes;
   std::vector<std::pair<int, int>> edges;  // indices of nodes
+  std::vector<int> path;  // chosen, from where the agent is to where it wants to go
 };
 
 /// What an agent believes, for drawing; poses are relative to its start, x ahead and y left. Any

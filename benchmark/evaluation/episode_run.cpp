@@ -62,6 +62,7 @@ void EpisodeRun::StartGoal() {
   has_new_goal_ = true;
   const Eigen::Vector3d eye = goal.position + Eigen::Vector3d(0, rules_.body.camera_height, 0);
   Draw({eye.cast<float>(), static_cast<float>(goal.yaw)}, &goal_color_, &goal_depth_);
+  truth_->goal_panorama = this->goal();
   if (rules_.success.no_stop && watch_->Reached()) EndGoal(false);
 }
 

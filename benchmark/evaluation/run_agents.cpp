@@ -5,6 +5,7 @@
 #include <array>
 
 #include "benchmark/evaluation/privileged/oracle_goal_estimator.h"
+#include "benchmark/evaluation/privileged/oracle_semantic_model.h"
 #include "sim/base/check.h"
 #include "sim/config/yaml_writer.h"
 
@@ -58,6 +59,32 @@ std::string WhyNot(const RunAgent& agent, const agent::Rig& rig) {
   return "";
 }
 
+bool UsesOracle(const AgentEntry& entry) {
+  return entry.goal_estimator == GoalEstimatorKind::kOracle ||
+         entry.semantic_model == SemanticModelKind::kOracle;
+}
+
+agent::AgentContext ContextOf(const AgentEntry& entry, const agent::Rig& rig,
+                              const GroundTruth& truth) {
+  agent::AgentContext context;
+  context.rig = rig;
+  switch (entry.goal_estimator) {
+    case GoalEstimatorKind::kNone:
+      break;
+    case GoalEstimatorKind::kOracle:
+      context.goal_estimator = std::make_shared<OracleGoalEstimator>(truth);
+      break;
+  }
+  switch (entry.semantic_model) {
+    case SemanticModelKind::kNone:
+      break;
+    case SemanticModelKind::kOracle:
+      context.semantic_model = std::make_shared<OracleSemanticModel>(truth);
+      break;
+  }
+  return context;
+}
+
 RunAgent FindAgent(const RunConfig& config, const AgentEntry& entry) {
   RunAgent agent;
   agent.entry = entry;
@@ -92,7 +119,7 @@ AgentRow RunAgent::row() const {
   row.agent = entry.name;
   row.title = entry.title;
   if (!settings.empty() && is_privileged) row.note = "privileged";
-  if (!settings.empty() && entry.goal_estimator == GoalEstimatorKind::kOracle) row.note = "oracle";
+  if (!settings.empty() && UsesOracle(entry)) row.note = "oracle";
   if (!missing.empty()) row.note += (row.note.empty() ? "" : "; ") + missing;
   return row;
 }
@@ -132,16 +159,9 @@ std::unique_ptr<agent::BatchAgent> Build(const RunAgent& agent, const agent::Rig
     return std::make_unique<PrivilegedLanes>(std::move(agents), truths);
   }
   std::vector<agent::AgentContext> contexts;
+  contexts.reserve(truths.size());
   for (const GroundTruth* truth : truths) {
-    agent::AgentContext& context = contexts.emplace_back();
-    context.rig = rig;
-    switch (agent.entry.goal_estimator) {
-      case GoalEstimatorKind::kNone:
-        break;
-      case GoalEstimatorKind::kOracle:
-        context.goal_estimator = std::make_shared<OracleGoalEstimator>(*truth);
-        break;
-    }
+    contexts.push_back(ContextOf(agent.entry, rig, *truth));
   }
   return agent.maker(contexts);
 }

@@ -22,9 +22,17 @@ enum class Setting { kRgb, kRgbd };
 enum class Condition { kNoise, kNoNoise, kNoStop };
 /// Who tells an agent where the goal is once it can be seen.
 enum class GoalEstimatorKind { kNone, kOracle };
+/// Who answers the four functions of Neural Topological SLAM.
+enum class SemanticModelKind { kNone, kOracle };
 
 }  // namespace bulletnav::bench
 
+template <>
+struct bulletnav::sim::EnumNames<bulletnav::bench::SemanticModelKind> {
+  static constexpr std::array kNames = {
+      std::pair{"none", bulletnav::bench::SemanticModelKind::kNone},
+      std::pair{"oracle", bulletnav::bench::SemanticModelKind::kOracle}};
+};
 template <>
 struct bulletnav::sim::EnumNames<bulletnav::bench::Setting> {
   static constexpr std::array kNames = {std::pair{"rgb", bulletnav::bench::Setting::kRgb},
@@ -113,6 +121,7 @@ struct AgentEntry {
   std::string title;              // for people; the paper's if empty
   std::vector<Setting> settings;  // the run's if empty
   GoalEstimatorKind goal_estimator = GoalEstimatorKind::kNone;
+  SemanticModelKind semantic_model = SemanticModelKind::kNone;
   int lanes = 1;                            // episodes that one worker runs through it at once
   std::optional<sim::YamlNode> parameters;  // the agent's own config
 
@@ -123,6 +132,7 @@ struct AgentEntry {
     v("title", title);
     v("settings", settings);
     v("goal_estimator", goal_estimator);
+    v("semantic_model", semantic_model);
     v("lanes", lanes);
     v("parameters", parameters);
   }

@@ -82,11 +82,33 @@ MapPicture ReadMap(const JsonCursor& json) {
 Json ToJson(const GraphPicture& graph) {
   Json nodes = Json::array();
   for (const GraphPicture::Node& node : graph.nodes) {
-    nodes.push_back({Rounded(node.x), Rounded(node.y), node.is_ghost ? 1 : 0});
+    Json item = {Rounded(node.x), Rounded(node.y), node.is_ghost ? 1 : 0};
+    if (node.score) item.push_back(Rounded(*node.score));
+    nodes.push_back(std::move(item));
   }
   Json edges = Json::array();
   for (const auto& [from, to] : graph.edges) edges.push_back({from, to});
-  return {{"nodes", std::move(nodes)}, {"edges", std::move(edges)}};
+  Json json = {{"nodes", std::move(nodes)}, {"edges", std::move(edges)}};
+  if (!graph.path.empty()) json["path"] = graph.path;
+  return json;
+}
+
+GraphPicture::Node ReadNode(const JsonCursor& json) {
+  json.ExpectList();
+  const bool has_score = json.value().size() == 4;
+  if (!has_score) json.ExpectList(3);
+  GraphPicture::Node node{json.Item(0).Number(), json.Item(1).Number(),
+                          Whole(json.Item(2), 1) == 1};
+  if (has_score) node.score = json.Item(3).Number();
+  return node;
+}
+
+void ReadPath(const JsonCursor& json, GraphPicture* graph) {
+  json.ExpectList();
+  for (std::size_t i = 0; i < json.value().size(); ++i) {
+    if (graph->nodes.empty()) json.Fail("there are no nodes");
+    graph->path.push_back(Whole(json.Item(i), static_cast<int>(graph->nodes.size()) - 1));
+  }
 }
 
 GraphPicture ReadGraph(const JsonCursor& json) {
@@ -94,10 +116,7 @@ GraphPicture ReadGraph(const JsonCursor& json) {
   const JsonCursor nodes = json.At("nodes");
   nodes.ExpectList();
   for (std::size_t i = 0; i < nodes.value().size(); ++i) {
-    const JsonCursor node = nodes.Item(i);
-    node.ExpectList(3);
-    graph.nodes.push_back(
-        {node.Item(0).Number(), node.Item(1).Number(), Whole(node.Item(2), 1) == 1});
+    graph.nodes.push_back(ReadNode(nodes.Item(i)));
   }
   const JsonCursor edges = json.At("edges");
   edges.ExpectList();
@@ -108,6 +127,7 @@ GraphPicture ReadGraph(const JsonCursor& json) {
     if (last < 0) edge.Fail("there are no nodes");
     graph.edges.emplace_back(Whole(edge.Item(0), last), Whole(edge.Item(1), last));
   }
+  if (json.Has("path")) ReadPath(json.At("path"), &graph);
   return graph;
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include <fmt/core.h>
+
 #include "benchmark/report/palette.h"
 #include "sim/math/pose.h"
 
@@ -93,6 +95,11 @@ void DrawTarget(const Point& at, Canvas* canvas) {
 void DrawNode(const Point& at, bool is_ghost, Canvas* canvas) {
   canvas->Disc(at, is_ghost ? 2.8 : 4.0, is_ghost ? kWhite : kPurple);
   canvas->Ring(at, is_ghost ? 2.8 : 4.0, {1.2, is_ghost ? kPurple : kWhite, {}});
+}
+
+void DrawScore(const Point& at, double score, Canvas* canvas) {
+  canvas->Text(at + Point(6.0, 0.0), fmt::format("{:.2f}", score),
+               {.size = 9.0, .paint = kPurple, .align = Align::kLeft, .halo = true});
 }
 
 }  // namespace bulletnav::bench

@@ -21,5 +21,7 @@ void DrawCollision(const Canvas::Point& at, Canvas* canvas);
 void DrawTarget(const Canvas::Point& at, Canvas* canvas);
 /// A place of a topological graph.
 void DrawNode(const Canvas::Point& at, bool is_ghost, Canvas* canvas);
+/// What speaks for going to a ghost node, beside it.
+void DrawScore(const Canvas::Point& at, double score, Canvas* canvas);
 
 }  // namespace bulletnav::bench

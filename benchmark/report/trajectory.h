@@ -57,7 +57,7 @@ std::filesystem::path TrajectoryPath(const std::filesystem::path& run_folder, co
 ///   belief        object of what there is of: pose, target [x, y, yaw];
 ///                 map {size, cell, low_x, low_y, rows}, rows: a text a row of run lengths and
 ///                 kinds, "?" unknown, "." free, "#" obstacle, "!" felt wall, as in "12?3.1#";
-///                 graph {nodes [[x, y, 1 if ghost]], edges [[i, j]]}
+///                 graph {nodes [[x, y, 1 if ghost, score if any]], edges [[i, j]], path [i]}
 /// Metres and radians of paths, poses, odometry and belief are rounded to 1e-6.
 std::string ToJson(const EpisodeTrajectory& trajectory);
 

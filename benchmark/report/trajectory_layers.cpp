@@ -51,7 +51,13 @@ void DrawGraph(const agent::GraphPicture& graph, const Eigen::Affine2d& plane, C
     canvas->Line(at(graph.nodes[static_cast<std::size_t>(from)]),
                  at(graph.nodes[static_cast<std::size_t>(to)]), 1.4, kPurple);
   }
-  for (const auto& node : graph.nodes) DrawNode(at(node), node.is_ghost, canvas);
+  std::vector<Point> path;
+  for (const int i : graph.path) path.push_back(at(graph.nodes[static_cast<std::size_t>(i)]));
+  canvas->Polyline(path, GraphPathStroke());
+  for (const auto& node : graph.nodes) {
+    DrawNode(at(node), node.is_ghost, canvas);
+    if (node.score) DrawScore(at(node), *node.score, canvas);
+  }
 }
 
 }  // namespace
@@ -85,6 +91,10 @@ void DrawBelief(const EpisodeTrajectory& trajectory, const MapPlace& place, Canv
   if (belief.graph) DrawGraph(*belief.graph, plane, canvas);
   if (belief.target) DrawTarget(plane * Point(belief.target->x, belief.target->y), canvas);
   canvas->Unclip();
+}
+
+Stroke GraphPathStroke() {
+  return {3.2, kOrange, {}};
 }
 
 Stroke OdometryStroke() {

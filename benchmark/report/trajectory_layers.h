@@ -28,6 +28,7 @@ void DrawOdometry(const EpisodeTrajectory& trajectory, const MapPlace& place, Ca
 void DrawMarks(const EpisodeTrajectory& trajectory, const MapPlace& place, Canvas* canvas);
 
 /// The lines' looks, for legends.
+Stroke GraphPathStroke();
 Stroke OdometryStroke();
 Stroke ShortestPathStroke();
 

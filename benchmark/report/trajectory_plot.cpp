@@ -127,10 +127,11 @@ void AddBeliefEntries(const agent::Belief& belief, SideColumn* column, Canvas* c
     box("its map: felt wall", kOrange);
   }
   if (belief.graph) {
-    column->Entry("its graph, ghost nodes", [&](const Point& p) {
+    column->Entry("its graph, ghosts, scores", [&](const Point& p) {
       DrawNode(p - Point(7.0, 0.0), false, canvas);
       DrawNode(p + Point(7.0, 0.0), true, canvas);
     });
+    if (belief.graph->path.size() > 1) column->LineEntry("chosen path", GraphPathStroke());
   }
   if (belief.target) {
     column->Entry("its last target", [&](const Point& p) {

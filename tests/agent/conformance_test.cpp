@@ -30,6 +30,48 @@ class FixedEstimator final : public GoalEstimator {
   bool sees_;
 };
 
+/// Answers from the brightness of a panorama's corner, whatever it shows.
+class FixedModel final : public SemanticModel {
+ public:
+  explicit FixedModel(bool sees) : sees_(sees) {}
+
+  std::vector<PanoramaCode> Encode(std::span<const Panorama> panoramas) override {
+    std::vector<PanoramaCode> codes;
+    for (const Panorama& panorama : panoramas) {
+      codes.push_back({static_cast<float>(panorama.color.front()) / 255.0f});
+    }
+    return codes;
+  }
+
+  std::array<float, kDirections> Explorable(const PanoramaCode& source) override {
+    std::array<float, kDirections> open = {};
+    for (std::size_t i = 0; i < open.size(); ++i) open[i] = Mixed(source[0], i);
+    return open;
+  }
+
+  std::vector<PairPrediction> Compare(std::span<const PanoramaCode* const> sources,
+                                      const PanoramaCode& goal) override {
+    std::vector<PairPrediction> predictions;
+    for (const PanoramaCode* source : sources) {
+      PairPrediction& p = predictions.emplace_back();
+      p.same_node = sees_ ? 0.9f : 0.6f * Mixed((*source)[0] + goal[0], 12);
+      p.distance = 3.0f * Mixed((*source)[0] - goal[0], 13);
+      p.direction[3] = 1.0f;
+      for (std::size_t i = 0; i < p.score.size(); ++i) p.score[i] = Mixed((*source)[0], 14 + i);
+    }
+    return predictions;
+  }
+
+ private:
+  /// Some number from 0 to 1.
+  static float Mixed(float value, std::size_t salt) {
+    const float x = 7.3f * value + 0.37f * static_cast<float>(salt);
+    return x - std::floor(x);
+  }
+
+  bool sees_;
+};
+
 sim::SimulatorSpec SmallSpec() {
   sim::SimulatorSpec spec;
   spec.panorama.rows = 16;
@@ -41,6 +83,7 @@ AgentContext Context(bool sees = false) {
   AgentContext context;
   context.rig.panorama = SmallSpec().panorama;
   context.goal_estimator = std::make_shared<FixedEstimator>(sees);
+  context.semantic_model = std::make_shared<FixedModel>(sees);
   return context;
 }
 

@@ -5,6 +5,7 @@
 
 #include "benchmark/evaluation/metrics.h"
 #include "benchmark/evaluation/privileged/oracle_goal_estimator.h"
+#include "benchmark/evaluation/privileged/oracle_semantic_model.h"
 #include "benchmark/report/replay.h"
 
 namespace bulletnav::tests {
@@ -89,10 +90,12 @@ bench::EpisodeTrajectory RecordAgent(const std::shared_ptr<const sim::World>& wo
   bench::GroundTruth truth{world, spec.body, trial.start, trial.goal};
   const std::array contexts = {
       agent::AgentContext{{spec.panorama, true, true, spec.body.camera_height},
-                          std::make_shared<bench::OracleGoalEstimator>(truth)}};
+                          std::make_shared<bench::OracleGoalEstimator>(truth),
+                          std::make_shared<bench::OracleSemanticModel>(truth)}};
   const auto lanes = agent::ConfigureAgent(agent)(contexts);
   const sim::Image goal = bench::LookFrom(*world, spec.body, spec.panorama, trial.goal);
-  lanes->Reset(0, {goal.pixels, {}}, trial.key.episode);
+  truth.goal_panorama = {goal.pixels, {}};
+  lanes->Reset(0, truth.goal_panorama, trial.key.episode);
   const sim::Observation* seen = &simulator.Reset(trial.start, trial.key);
   Recorder recorder(world, trial, agent, noise);
   std::array actions = {sim::Action::kStop};
@@ -144,7 +147,8 @@ bench::EpisodeTrajectory MadeUpTrajectory() {
   map.kinds[8] = Kind::kFeltWall;
   trajectory.belief = {
       odometry, sim::PlanarPose{2.0, -2.0, 0.0}, map,
-      agent::GraphPicture{{{0, 0, false}, {2, 0, false}, {2, 1, true}}, {{0, 1}, {1, 2}}}};
+      agent::GraphPicture{
+          {{0, 0, false}, {2, 0, false}, {2, 1, true, 0.75}}, {{0, 1}, {1, 2}}, {0, 1, 2}}};
   return trajectory;
 }
 

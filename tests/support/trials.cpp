@@ -4,6 +4,7 @@
 #include <array>
 
 #include "benchmark/evaluation/privileged/oracle_goal_estimator.h"
+#include "benchmark/evaluation/privileged/oracle_semantic_model.h"
 #include "sim/base/error.h"
 
 namespace bulletnav::tests {
@@ -64,10 +65,12 @@ TrialResult RunTrial(sim::Simulator* simulator, const Trial& trial, const agent:
   const std::shared_ptr<const sim::World> world(std::shared_ptr<void>(),
                                                 &simulator->body().world());
   const sim::Observation goal = LookFrom(*world, spec, trial.goal);
-  bench::GroundTruth truth{world, spec.body, trial.start, trial.goal};
+  bench::GroundTruth truth{world, spec.body, trial.start, trial.goal,
+                           agent::View(goal, 0).panorama};
   const std::array contexts = {
       agent::AgentContext{{spec.panorama, spec.color, spec.depth, spec.body.camera_height},
-                          std::make_shared<bench::OracleGoalEstimator>(truth)}};
+                          std::make_shared<bench::OracleGoalEstimator>(truth),
+                          std::make_shared<bench::OracleSemanticModel>(truth)}};
   const auto agent = maker(contexts);
   agent->Reset(0, agent::View(goal, 0).panorama, trial.key.episode);
   const sim::Observation* seen = &simulator->Reset(trial.start, trial.key);

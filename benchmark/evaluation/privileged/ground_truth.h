@@ -2,6 +2,7 @@
 #pragma once
 #include <memory>
 
+#include "agent/observation.h"
 #include "sim/math/pose.h"
 #include "sim/physics/body_spec.h"
 #include "sim/world.h"
@@ -15,6 +16,7 @@ struct GroundTruth {
   sim::BodySpec body;
   sim::BodyPose pose;  // of the body, now
   sim::BodyPose goal;
+  agent::Panorama goal_panorama = {};  // taken there, to tell it from what the body sees
 };
 
 }  // namespace bulletnav::bench

@@ -7,9 +7,7 @@ namespace bulletnav::bench {
 
 /// Recognises the goal from the ground truth instead of the panoramas: what the learned functions
 /// would say if they never erred. Rows of agents that use it say "oracle".
-/// The goal is seen when it is at most 3 m away and some ray within 2.5 degrees of its direction
-/// runs free at camera height for as far as the goal is. Source: the connection label of Neural
-/// Topological SLAM, appendix B.
+/// The goal is seen when IsInNode says so.
 class OracleGoalEstimator final : public agent::GoalEstimator {
  public:
   /// `truth` must outlive the estimator and be up to date at every call.
@@ -19,8 +17,6 @@ class OracleGoalEstimator final : public agent::GoalEstimator {
                                               const agent::Panorama& goal) override;
 
  private:
-  bool IsVisible() const;
-
   const GroundTruth& truth_;
 };
 

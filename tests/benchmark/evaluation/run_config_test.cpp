@@ -86,7 +86,7 @@ TEST(RunAgents, SayWhatIsMissing) {
   EXPECT_THAT(agents[1].row().note, StartsWith("oracle; not in rgb: "));
   EXPECT_EQ(agents[2].row().note, "privileged");
   EXPECT_TRUE(agents[3].settings.empty());
-  EXPECT_THAT(agents[3].row().note, HasSubstr("no such agent yet"));
+  EXPECT_THAT(agents[3].row().note, HasSubstr("no weights are available"));
   try {
     RequireAll(agents);
     FAIL();
@@ -100,6 +100,12 @@ TEST(RunAgents, WithoutAnEstimatorAnAgentThatNeedsOneIsMissing) {
   const RunConfig config =
       ParseRunConfig(With("goal_estimator: oracle", "goal_estimator: none"), "c.yaml");
   EXPECT_THAT(FindAgents(config)[1].row().note, HasSubstr("recognises the goal"));
+}
+
+TEST(RunAgents, WithOracleFunctionsTheRowSaysSo) {
+  const RunConfig config =
+      ParseRunConfig(With("{agent: nts}", "{agent: nts, semantic_model: oracle}"), "c.yaml");
+  EXPECT_EQ(FindAgents(config)[3].row().note, "oracle");
 }
 
 TEST(RunConfig, EveryShippedOneLoads) {

@@ -135,11 +135,11 @@ tests::TemporaryFolder* RunnerTest::houses_ = nullptr;
 
 constexpr const char* kAgents =
     "{agent: shortest_path}, {agent: random}, {agent: metric_map_fbe, goal_estimator: oracle}, "
-    "{agent: nts}";
+    "{agent: nts, semantic_model: oracle}, {agent: active_neural_slam}";
 
 TEST_F(RunnerTest, AnyNumberOfWorkersGivesTheSameBytes) {
   const RunConfig config = Config(kAgents, "conditions: [noise, no_noise]\nseeds: [3, 4]");
-  EXPECT_EQ(Play(config, "one", 1).size(), 3u * 2u * 2u * 6u);
+  EXPECT_EQ(Play(config, "one", 1).size(), 4u * 2u * 2u * 6u);
   Play(config, "many", 5);
   EXPECT_EQ(Bytes("one"), Bytes("many"));
   for (const char* file : {"config.yaml", "summary.json", "table.md", "table.csv", "table.tex"}) {

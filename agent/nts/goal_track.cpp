@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "agent/nts/goal_track.h"
+
+namespace bulletnav::agent {
+namespace {
+
+constexpr double kFading = 0.8;      // of older sightings' weight, a sighting
+constexpr double kSameGoal = 1.5;    // metres between sightings of one place
+constexpr int kMostAstray = 3;       // then the mean was wrong
+constexpr double kLeastRange = 0.3;  // metres; nearer sightings weigh no more
+
+}  // namespace
+
+void GoalTrack::Reset() {
+  agreeing_ = 0;
+  astray_ = 0;
+  weight_ = 0.0;
+}
+
+void GoalTrack::Add(const Point& point, double distance) {
+  const double range = kLeastRange + distance;
+  const double weight = 1.0 / (range * range);
+  if (agreeing_ > 0 && Distance(point, mean_) > kSameGoal && ++astray_ < kMostAstray) return;
+  if (agreeing_ == 0 || astray_ >= kMostAstray) {
+    Restart(point, weight);
+    return;
+  }
+  weight_ = kFading * weight_ + weight;
+  mean_.x += (point.x - mean_.x) * weight / weight_;
+  mean_.y += (point.y - mean_.y) * weight / weight_;
+  astray_ = 0;
+  ++agreeing_;
+}
+
+std::optional<Point> GoalTrack::point() const {
+  return agreeing_ >= needed_ ? std::optional(mean_) : std::nullopt;
+}
+
+void GoalTrack::Restart(const Point& point, double weight) {
+  mean_ = point;
+  weight_ = weight;
+  agreeing_ = 1;
+  astray_ = 0;
+}
+
+}  // namespace bulletnav::agent

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <memory>
+#include <optional>
+#include <string_view>
+
+#include "agent/agent.h"
+#include "agent/mapping/map_navigator.h"
+#include "agent/nts/global_policy.h"
+#include "agent/nts/goal_track.h"
+#include "agent/nts/graph_update.h"
+#include "agent/nts/nts_spec.h"
+#include "agent/nts/progress_watch.h"
+
+namespace bulletnav::agent {
+
+/// The model of a context. Throws Error that says what is missing if it has none.
+std::shared_ptr<SemanticModel> RequireModel(const AgentContext& context, std::string_view agent);
+
+/// Neural Topological SLAM, section 4.1: graph update, global policy, and a local policy that plans
+/// on a metric map of depth. Each observation is encoded once.
+/// What the paper leaves open: a goal seen from the body itself is gone to at once and remembered
+/// until it proves wrong; a reached ghost becomes a node; a ghost, an edge or a sight of the goal
+/// that cannot be walked to for PolicySpec::patience steps is given up; with nothing left on the
+/// graph the body walks to frontiers of its metric map until there is a new node.
+class NtsAgent : public Agent {
+ public:
+  using Config = NtsSpec;
+
+  NtsAgent(const Config& config, const AgentContext& context, std::string_view name,
+           GhostChoice choice);
+
+  void Reset(const Panorama& goal, std::uint64_t seed) override;
+  void NextGoal(const Panorama& goal, std::uint64_t seed) override;
+  sim::Action Act(const Observation& observation) override;
+  Belief belief() const override;
+
+ private:
+  void LookForGoal(const PanoramaCode& code);
+  /// Makes a node of the present view if it shows a better way than the graph knows.
+  bool TakeView(const PanoramaCode& code, const std::optional<Subgoal>& known);
+  /// Whether going there would be no news: it has been visited or given up.
+  bool IsKnown(const Point& point) const;
+  /// To where the goal was seen last; absent if that proves wrong.
+  std::optional<sim::Action> Approach();
+  /// Along the graph; absent if it leads nowhere.
+  std::optional<sim::Action> Travel(const PanoramaCode& code);
+  std::optional<sim::Action> Walk(const Subgoal& subgoal);
+  bool IsGhostReached(const Subgoal& subgoal) const;
+  void GiveUp(const Subgoal& subgoal);
+  sim::Action Wander();
+
+  NtsSpec spec_;
+  std::shared_ptr<SemanticModel> model_;
+  MapNavigator navigator_;
+  GraphUpdate update_;
+  GlobalPolicy policy_;
+  ProgressWatch watch_;
+  sim::Rng rng_{0, "nts agent"};
+  GhostChoice choice_;
+  PairPrediction view_;     // of the goal, in this step
+  bool sees_goal_ = false;  // in this step
+  GoalTrack goal_;
+  std::vector<Point> given_up_;  // where ghosts were that could not be walked to
+  std::optional<Point> target_;
+  std::optional<Subgoal> subgoal_;  // the last one chosen; stays while the goal is approached
+};
+
+}  // namespace bulletnav::agent

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "agent/nts/nts_spec.h"
+
+#include "sim/base/error.h"
+
+namespace bulletnav::agent {
+namespace {
+
+void RequireProbability(double p, const char* key) {
+  if (!(p > 0.0 && p < 1.0)) throw sim::Error(std::string(key) + " must lie between 0 and 1");
+}
+
+}  // namespace
+
+void GraphSpec::Validate() const {
+  RequireProbability(same_node, "same_node");
+  RequireProbability(explorable, "explorable");
+  if (!(node_reach > 0.0 && switch_margin >= 0.0 && ghost_clearance >= 0.0)) {
+    throw sim::Error("expected node_reach > 0, switch_margin and ghost_clearance >= 0");
+  }
+  if (misses < 1) throw sim::Error("misses must be at least 1");
+  if (!(search_radius >= kNodeRadius)) throw sim::Error("search_radius must be at least 3");
+}
+
+void PolicySpec::Validate() const {
+  RequireProbability(goal_seen, "goal_seen");
+  if (sightings < 1) throw sim::Error("sightings must be at least 1");
+  if (!(path_weight >= 0.0 && change_margin >= 0.0)) {
+    throw sim::Error("path_weight and change_margin must not be negative");
+  }
+  if (!(near_ghost > 0.0 && near_ghost < kNodeRadius && near_penalty >= 0.0)) {
+    throw sim::Error("near_ghost must lie between 0 and 3, near_penalty must not be negative");
+  }
+  if (!(ghost_reached > 0.0 && node_reached > 0.0 && stop_distance > 0.0)) {
+    throw sim::Error("ghost_reached, node_reached and stop_distance must be positive");
+  }
+  if (patience < 1 || !(least_progress > 0.0)) {
+    throw sim::Error("patience must be at least 1 and least_progress positive");
+  }
+}
+
+}  // namespace bulletnav::agent

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "agent/mapping/map_navigator.h"
+#include "agent/perception/semantic_model.h"
+
+namespace bulletnav::agent {
+
+/// How observations become a graph. What the paper leaves open; metres and probabilities.
+struct GraphSpec {
+  double same_node = 0.5;        // probability from which an observation belongs to a node
+  double node_reach = 3.0;       // farther off, by F_R, an observation is a place of its own
+  double switch_margin = 0.5;    // nearer by this another node takes over from the present one
+  int misses = 2;                // steps in a row that no node knows the place, before it is a node
+  double explorable = 0.5;       // probability from which a direction gets a ghost node
+  double ghost_clearance = 1.0;  // ghosts this near to a place visited are no news
+  double search_radius = 6.0;    // nodes farther off by odometry are not asked
+
+  template <class V>
+  void Visit(V& v) {
+    v("same_node", same_node);
+    v("node_reach", node_reach);
+    v("switch_margin", switch_margin);
+    v("misses", misses);
+    v("explorable", explorable);
+    v("ghost_clearance", ghost_clearance);
+    v("search_radius", search_radius);
+  }
+  void Validate() const;
+};
+
+/// How the place to go is chosen. Metres and probabilities.
+struct PolicySpec {
+  double goal_seen = 0.5;        // probability from which the goal belongs to a place
+  int sightings = 2;             // of the goal from the body that must agree
+  double path_weight = 1.0;      // metres of score that a metre of way to a ghost counts
+  double change_margin = 1.0;    // better by this another ghost takes over from the chosen one
+  double view_margin = 1.5;      // better by this the present view becomes a node
+  double near_ghost = 1.5;       // to a ghost of such a view where 3 m are not explorable
+  double near_penalty = 1.0;     // added to the way by such a ghost
+  double ghost_reached = 0.5;    // this near a ghost is visited
+  double node_reached = 0.5;     // the same for a regular node
+  double stop_distance = 0.5;    // to the goal, by F_R; episodes ask for less than 1
+  int patience = 30;             // steps without coming nearer until something is given up
+  double least_progress = 0.25;  // what counts as coming nearer
+
+  template <class V>
+  void Visit(V& v) {
+    v("goal_seen", goal_seen);
+    v("sightings", sightings);
+    v("path_weight", path_weight);
+    v("change_margin", change_margin);
+    v("view_margin", view_margin);
+    v("near_ghost", near_ghost);
+    v("near_penalty", near_penalty);
+    v("ghost_reached", ghost_reached);
+    v("node_reached", node_reached);
+    v("stop_distance", stop_distance);
+    v("patience", patience);
+    v("least_progress", least_progress);
+  }
+  void Validate() const;
+};
+
+/// Config of Neural Topological SLAM.
+struct NtsSpec {
+  NavigatorSpec navigator;
+  GraphSpec graph;
+  PolicySpec policy;
+
+  template <class V>
+  void Visit(V& v) {
+    v("navigator", navigator);
+    v("graph", graph);
+    v("policy", policy);
+  }
+};
+
+}  // namespace bulletnav::agent

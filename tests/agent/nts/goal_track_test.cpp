@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "agent/nts/goal_track.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "sim/math/rng.h"
+
+namespace bulletnav::agent {
+namespace {
+
+TEST(GoalTrack, WaitsForSightingsThatAgree) {
+  GoalTrack track(2);
+  EXPECT_FALSE(track.point());
+  track.Add({1, 1}, 2.0);
+  EXPECT_FALSE(track.point());
+  track.Add({5, 1}, 2.0);
+  EXPECT_FALSE(track.point());
+  track.Add({1.2, 1}, 2.0);
+  ASSERT_TRUE(track.point());
+  EXPECT_NEAR(track.point()->x, 1.11, 0.02);
+  track.Reset();
+  EXPECT_FALSE(track.point());
+}
+
+TEST(GoalTrack, AveragesSightingsThatErr) {
+  double single = 0.0;
+  double mean = 0.0;
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    sim::Rng rng(seed, "track");
+    GoalTrack track(1);
+    Point last;
+    for (int i = 0; i < 12; ++i) {
+      last = {0.3 * rng.Normal(), 0.3 * rng.Normal()};
+      track.Add(last, 2.0);
+    }
+    single += std::hypot(last.x, last.y) / 200;
+    mean += std::hypot(track.point()->x, track.point()->y) / 200;
+  }
+  EXPECT_LT(mean, 0.5 * single);
+}
+
+TEST(GoalTrack, BelievesNearSightingsMore) {
+  GoalTrack track(1);
+  track.Add({0, 0}, 3.0);
+  track.Add({1, 0}, 0.5);
+  EXPECT_GT(track.point()->x, 0.9);
+}
+
+TEST(GoalTrack, MovesWhenSightingsStayElsewhere) {
+  GoalTrack track(1);
+  for (int i = 0; i < 10; ++i) track.Add({0, 0}, 2.0);
+  track.Add({4, 0}, 2.0);
+  track.Add({4, 0}, 2.0);
+  EXPECT_NEAR(track.point()->x, 0.0, 1e-9);
+  track.Add({4, 0}, 2.0);
+  EXPECT_NEAR(track.point()->x, 4.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace bulletnav::agent

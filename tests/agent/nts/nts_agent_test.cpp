@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "agent/nts/nts_agent.h"
+
+#include <cmath>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "sim/base/error.h"
+#include "tests/agent/nts/scripted_model.h"
+
+namespace bulletnav::agent {
+namespace {
+
+Rig SmallRig() {
+  Rig rig;
+  rig.panorama.rows = 8;
+  rig.panorama.cols = 32;
+  return rig;
+}
+
+/// A body on an endless floor that sees nothing but what the model says; moves as it is told.
+class NtsAgentTest : public testing::Test {
+ protected:
+  NtsAgentTest() {
+    model_->encode = [this](const Panorama& panorama) {
+      return panorama.depth.empty() ? CodeAt(goal_.x, goal_.y) : CodeAt(at_.x, at_.y, at_.yaw);
+    };
+    model_->is_open = [](const Point& /*from*/, double /*heading*/) {
+      return true;
+    };
+    AgentContext context;
+    context.rig = SmallRig();
+    context.semantic_model = model_;
+    agent_ = std::make_unique<NtsAgent>(NtsSpec{}, context, "nts", GhostChoice::kScore);
+  }
+
+  /// Steps until it stops, or 300.
+  int Run() {
+    int steps = 0;
+    for (; steps < 300; ++steps) {
+      const sim::Action action = agent_->Act({{{}, depth_}, motion_, false, steps});
+      if (action == sim::Action::kStop) break;
+      constexpr double kTurn = sim::DegToRad(10.0);
+      motion_ = {};
+      if (action == sim::Action::kMoveForward) motion_.x = 0.25;
+      if (action == sim::Action::kTurnLeft) motion_.yaw = kTurn;
+      if (action == sim::Action::kTurnRight) motion_.yaw = -kTurn;
+      at_ = sim::Compose(at_, motion_);
+      walked_ += motion_.x;
+    }
+    motion_ = {};
+    return steps;
+  }
+  double Left() const { return Distance({at_.x, at_.y}, goal_); }
+
+  std::shared_ptr<ScriptedModel> model_ = std::make_shared<ScriptedModel>();
+  std::unique_ptr<NtsAgent> agent_;
+  std::vector<float> depth_ = std::vector<float>(8 * 32, 0.0f);
+  sim::PlanarPose at_;
+  sim::PlanarPose motion_;
+  Point goal_;
+  double walked_ = 0.0;
+};
+
+TEST_F(NtsAgentTest, FollowsTheScoresToAGoalFarOffAndStopsThere) {
+  goal_ = {7, 5};
+  agent_->Reset({}, 3);
+  const int steps = Run();
+  EXPECT_LT(steps, 100);
+  EXPECT_LE(Left(), 0.6);
+  EXPECT_LT(walked_, 1.25 * std::hypot(7, 5));
+  EXPECT_EQ(model_->encoded, steps + 2);  // the goal, and each observation once
+}
+
+TEST_F(NtsAgentTest, RemembersTheGraphForTheNextGoal) {
+  goal_ = {9, 0};
+  agent_->Reset({}, 3);
+  Run();
+  const std::size_t nodes = agent_->belief().graph->nodes.size();
+  goal_ = {0.5, 0};
+  walked_ = 0.0;
+  agent_->NextGoal({}, 4);
+  Run();
+  EXPECT_LE(Left(), 0.6);
+  EXPECT_LT(walked_, 1.1 * 8.5);
+  EXPECT_GE(agent_->belief().graph->nodes.size(), nodes);
+}
+
+TEST_F(NtsAgentTest, ShowsItsGraphAndTheChosenPath) {
+  goal_ = {7, 5};
+  agent_->Reset({}, 3);
+  agent_->Act({{{}, depth_}, {}, false, 0});
+  const Belief belief = agent_->belief();
+  ASSERT_TRUE(belief.graph && belief.target && belief.map);
+  ASSERT_EQ(belief.graph->path.size(), 2u);
+  EXPECT_EQ(belief.graph->path[0], 0);
+  EXPECT_TRUE(belief.graph->nodes[static_cast<std::size_t>(belief.graph->path[1])].is_ghost);
+}
+
+TEST_F(NtsAgentTest, GivesUpAGoalThatIsNotWhereANodeSaidItIs) {
+  goal_ = {0, 20};
+  model_->sees = [](const Point& a, const Point& b) {
+    const bool is_lie = Distance(a, {0, 0}) < 0.01 && b.y > 19.0;
+    return is_lie || Distance(a, b) <= kNodeRadius;
+  };
+  agent_->Reset({}, 3);
+  EXPECT_LT(Run(), 200);
+  EXPECT_LE(Left(), 0.6);
+}
+
+TEST(NtsAgent, WithoutAModelSaysThatThereAreNoWeights) {
+  AgentContext context;
+  context.rig = SmallRig();
+  try {
+    const NtsAgent agent(NtsSpec{}, context, "nts", GhostChoice::kScore);
+    FAIL();
+  } catch (const sim::Error& e) {
+    EXPECT_NE(std::string(e.what()).find("no weights"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace bulletnav::agent

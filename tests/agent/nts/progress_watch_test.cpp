@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include "agent/nts/progress_watch.h"
+
+#include <gtest/gtest.h>
+
+namespace bulletnav::agent {
+namespace {
+
+TEST(ProgressWatch, IsPatientWhileTheTargetComesNearer) {
+  ProgressWatch watch(3, 0.2);
+  for (int i = 0; i < 50; ++i) EXPECT_FALSE(watch.IsStuck(1, 20.0 - 0.1 * i));
+}
+
+TEST(ProgressWatch, LosesPatienceAfterSoManyStepsAndThenBeginsAnew) {
+  ProgressWatch watch(3, 0.2);
+  EXPECT_FALSE(watch.IsStuck(1, 5.0));
+  EXPECT_FALSE(watch.IsStuck(1, 4.9));
+  EXPECT_FALSE(watch.IsStuck(1, 5.1));
+  EXPECT_TRUE(watch.IsStuck(1, 4.9));
+  EXPECT_FALSE(watch.IsStuck(1, 4.9));
+}
+
+TEST(ProgressWatch, NoticesWaveringBetweenTwoTargets) {
+  ProgressWatch watch(3, 0.2);
+  int stuck = 0;
+  for (int i = 0; i < 8; ++i) stuck += watch.IsStuck(i % 2, 5.0) ? 1 : 0;
+  EXPECT_EQ(stuck, 2);
+}
+
+TEST(ProgressWatch, ForgetsOnReset) {
+  ProgressWatch watch(1, 0.2);
+  EXPECT_FALSE(watch.IsStuck(1, 5.0));
+  watch.Reset();
+  EXPECT_FALSE(watch.IsStuck(1, 5.0));
+}
+
+}  // namespace
+}  // namespace bulletnav::agent
