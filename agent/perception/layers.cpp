@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "agent/perception/layers.h"
 
+#include <array>
 #include <cmath>
 
 namespace bulletnav::agent {
@@ -52,17 +53,18 @@ torch::Tensor ConvNorm::forward(const torch::Tensor& x) {
   const bool wraps = shape_.ends == Ends::kMeet && pad > 0;
   const torch::Tensor padded = wraps ? WrapColumns(x, pad) : x;
   const std::array<std::int64_t, 2> padding = {pad, wraps ? 0 : pad};
+  const std::array<std::int64_t, 2> stride = {shape_.stride, shape_.stride};
   if (folded_weight_.defined()) {
     // By name: small float32 convolutions of one picture would not go to oneDNN by themselves.
     if (x.is_cpu()) {
-      return at::mkldnn_convolution(padded, folded_weight_, folded_bias_, padding, shape_.stride,
-                                    {1, 1}, 1);
+      return at::mkldnn_convolution(padded, folded_weight_, folded_bias_, padding, stride, {1, 1},
+                                    1);
     }
-    return at::conv2d(padded, folded_weight_, folded_bias_, shape_.stride, padding);
+    return at::conv2d(padded, folded_weight_, folded_bias_, stride, padding);
   }
   const torch::Tensor weight =
       weight_.to(x.scalar_type()).contiguous(at::MemoryFormat::ChannelsLast);
-  const torch::Tensor sums = at::conv2d(padded, weight, {}, shape_.stride, padding);
+  const torch::Tensor sums = at::conv2d(padded, weight, {}, stride, padding);
   return at::batch_norm(sums, scale_, shift_, mean_, variance_, is_training(), kNormMomentum,
                         kNormEpsilon, true);
 }
