@@ -2,6 +2,7 @@
 #include "agent/perception/encoder.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -13,9 +14,9 @@ namespace {
 constexpr int kMapCols = 16;      // of the feature map of a whole panorama
 constexpr int kFirstWidth = 256;  // of the first fully connected layer
 
-constexpr double kColorMean = 0.5;
-constexpr double kColorDeviation = 0.25;
-constexpr double kFarthestDepth = 10.0;  // metres
+constexpr float kColorMean = 0.5f;
+constexpr float kColorDeviation = 0.25f;
+constexpr float kFarthestDepth = 10.0f;  // metres
 
 /// Shares of the map's columns in each patch. Column j sees what is around pixel 32 j of 512.
 torch::Tensor PoolingShares() {
@@ -44,6 +45,37 @@ torch::Tensor CropColumns(const ModelConfig& config) {
     for (int c = 0; c < config.rows; ++c) columns.push_back((first + c + cols) % cols);
   }
   return torch::tensor(columns, torch::kInt64);
+}
+
+/// Means over squares of `factor` pixels of the rows that begin at `in`; red, green and blue of
+/// each go to `out`, `stride` numbers apart.
+void AverageColor(const std::uint8_t* in, std::int64_t factor, std::int64_t stride, float* out) {
+  const float scale = 1.0f / (255.0f * kColorDeviation * static_cast<float>(factor * factor));
+  for (std::int64_t col = 0; col < kPanoramaCols / factor; ++col) {
+    std::array<int, 3> sum{};
+    for (std::int64_t i = 0; i < factor * factor; ++i) {
+      const std::uint8_t* pixel =
+          in + 3 * ((i / factor) * kPanoramaCols + col * factor + i % factor);
+      for (std::size_t c = 0; c < 3; ++c) sum[c] += pixel[c];
+    }
+    for (std::size_t c = 0; c < 3; ++c) {
+      out[col * stride + static_cast<std::int64_t>(c)] =
+          static_cast<float>(sum[c]) * scale - kColorMean / kColorDeviation;
+    }
+  }
+}
+
+/// Likewise, into the last of four channels.
+void AverageDepth(const float* in, std::int64_t factor, float* out) {
+  const float scale = 2.0f / (kFarthestDepth * static_cast<float>(factor * factor));
+  for (std::int64_t col = 0; col < kPanoramaCols / factor; ++col) {
+    float sum = 0.0f;
+    for (std::int64_t i = 0; i < factor * factor; ++i) {
+      const float metres = in[(i / factor) * kPanoramaCols + col * factor + i % factor];
+      sum += metres > kFarthestDepth ? kFarthestDepth : metres;  // keeps what is no number
+    }
+    out[4 * col] = sum * scale - 1.0f;
+  }
 }
 
 Trunk::Shape TrunkShape(const ModelConfig& config, int in) {
@@ -115,17 +147,21 @@ void Encoder::Fold(torch::ScalarType type) {
 
 torch::Tensor PrepareInput(const ModelConfig& config, const torch::Tensor& color,
                            const torch::Tensor& depth) {
-  std::vector<torch::Tensor> channels = {
-      color.to(torch::kFloat32).div_(255.0).sub_(kColorMean).div_(kColorDeviation)};
-  if (config.uses_depth()) {
-    channels.push_back(
-        depth.unsqueeze(3).clamp(0.0, kFarthestDepth).mul_(2.0 / kFarthestDepth).sub_(1.0));
-  }
-  const torch::Tensor pixels = channels.size() == 1 ? channels[0] : at::cat(channels, 3);
-  const torch::Tensor pictures = pixels.permute({0, 3, 1, 2});
   const std::int64_t factor = kPanoramaRows / config.rows;
-  if (factor == 1) return pictures.contiguous(at::MemoryFormat::ChannelsLast);
-  return at::avg_pool2d(pictures, {factor, factor}).contiguous(at::MemoryFormat::ChannelsLast);
+  const std::int64_t channels = config.depth == DepthFusion::kNone ? 3 : 4;
+  const std::int64_t pictures = color.size(0);
+  const torch::Tensor pixels =
+      torch::empty({pictures, config.rows, config.cols(), channels}, torch::kFloat32);
+  const torch::Tensor colors = color.contiguous();
+  const torch::Tensor depths = config.uses_depth() ? depth.contiguous() : depth;
+  const std::int64_t rows = pictures * config.rows;  // of all pictures, one below the other
+  for (std::int64_t row = 0; row < rows; ++row) {
+    float* out = pixels.data_ptr<float>() + row * config.cols() * channels;
+    const std::int64_t first = row * factor * kPanoramaCols;
+    AverageColor(colors.data_ptr<std::uint8_t>() + 3 * first, factor, channels, out);
+    if (config.uses_depth()) AverageDepth(depths.data_ptr<float>() + first, factor, out + 3);
+  }
+  return pixels.permute({0, 3, 1, 2});
 }
 
 torch::ScalarType ComputeType(const ModelConfig& config) {

@@ -17,8 +17,12 @@ namespace {
 
 std::string Join(const std::vector<std::string>& fields) {
   std::string line;
-  for (const std::string& field : fields) line += (line.empty() ? "" : ",") + field;
-  return line + "\n";
+  for (const std::string& field : fields) {
+    if (!line.empty()) line += ',';
+    line += field;
+  }
+  line += '\n';
+  return line;
 }
 
 struct NameWriter {

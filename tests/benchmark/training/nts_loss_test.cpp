@@ -113,8 +113,8 @@ TEST(Losses, ReachEveryParameter) {
     ModelConfig config = Tiny();
     config.depth = depth;
     agent::SemanticNet net(config, 1);
-    tests::BarSource source(4, 1);
-    PairBatch batch = source.Batch(0);
+    PairBatch batch =
+        tests::BarBatch({{0.0, 0.0, 0.5}, {1.0, 0.5, -1.0}, {-2.5, 2.5, 2.0}, {2.5, -2.5, 3.0}});
     const LabelledPairs labels = Labels(batch, AllPairs(batch));
     const auto color = torch::from_blob(batch.color.data(), {4, 128, 512, 3}, torch::kUInt8);
     const auto metres = torch::from_blob(batch.depth.data(), {4, 128, 512}, torch::kFloat32);
