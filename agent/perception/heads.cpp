@@ -9,8 +9,9 @@
 namespace bulletnav::agent {
 namespace {
 
-constexpr int kHidden = 64;  // of the layers before the answers
-constexpr int kReach = 1;    // a patch is matched with so many neighbours to each side
+constexpr int kHidden = 64;          // of the layers before the answers
+constexpr double kOutputGain = 0.1;  // first answers are undecided, or sigmoids would not move
+constexpr int kReach = 1;            // a patch is matched with so many neighbours to each side
 
 /// indices[k * width + d] = (k + d + first) mod 12: twelve windows on a ring of twelve.
 torch::Tensor RingWindows(int width, int first) {
@@ -58,7 +59,7 @@ torch::Tensor Heads::Pair::operator()(const torch::Tensor& x) const {
 
 Heads::Pair Heads::AddPair(const std::string& name, int in, sim::Rng* rng) {
   return {register_module(name + "_hidden", std::make_shared<Dense>(in, kHidden, rng)),
-          register_module(name + "_out", std::make_shared<Dense>(kHidden, 1, rng))};
+          register_module(name + "_out", std::make_shared<Dense>(kHidden, 1, rng, kOutputGain))};
 }
 
 Heads::Heads(const ModelConfig& config, sim::Rng* rng) : features_(config.pair_features) {

@@ -77,8 +77,8 @@ void ConvNorm::Fold(torch::ScalarType type) {
   folded_bias_ = (shift_ - mean_ * factor).to(type);
 }
 
-Dense::Dense(int in, int out, sim::Rng* rng) {
-  weight_ = register_parameter("weight", NormalTensor({out, in}, std::sqrt(2.0 / in), rng));
+Dense::Dense(int in, int out, sim::Rng* rng, double gain) {
+  weight_ = register_parameter("weight", NormalTensor({out, in}, gain * std::sqrt(2.0 / in), rng));
   bias_ = register_parameter("bias", torch::zeros({out}));
 }
 

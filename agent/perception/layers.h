@@ -41,10 +41,10 @@ class ConvNorm : public torch::nn::Module {
   torch::Tensor folded_bias_;
 };
 
-/// x * W^T + b over the last dimension of x.
+/// x * W^T + b over the last dimension of x. Weights are Kaiming-normal times `gain`.
 class Dense : public torch::nn::Module {
  public:
-  Dense(int in, int out, sim::Rng* rng);
+  Dense(int in, int out, sim::Rng* rng, double gain = 1.0);
   torch::Tensor forward(const torch::Tensor& x);
 
  private:
