@@ -17,7 +17,7 @@ constexpr const char* kWeights = "model.";
 
 /// What the training's result follows from.
 std::string Essence(TrainConfig config) {
-  config.out = "-";
+  config.out.clear();
   return sim::ToYaml(config);
 }
 
