@@ -96,9 +96,10 @@ torch::Tensor Heads::Matches(const torch::Tensor& source, const torch::Tensor& g
   const torch::Tensor flat = Skewed().to(source.device());
   const torch::Tensor rows =
       torch::arange(kDirections, torch::kInt64).to(source.device()).repeat_interleave(kDirections);
-  const torch::Tensor by_turn = products.reshape({count, kMatches, kDirections * kDirections})
-                                    .index_select(2, rows * kDirections + flat)
-                                    .view({count, kMatches, kDirections, kDirections});
+  const torch::Tensor by_turn =
+      products.reshape({count, kMatches, std::int64_t{kDirections} * kDirections})
+          .index_select(2, rows * kDirections + flat)
+          .view({count, kMatches, kDirections, kDirections});
   // Windows on the torus: twelve patches on from i, and turns around r.
   const torch::Tensor turned = by_turn.roll(kReach, 3);
   const torch::Tensor torus = Continued(Continued(turned, 3, 2 * kReach), 2, kDirections - 1);
