@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include "agent/perception/learned_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "agent/perception/semantic_net.h"
+#include "sim/base/check.h"
+#include "sim/base/error.h"
+
+namespace bulletnav::agent {
+namespace {
+
+void RequireRig(const Rig& rig, const ModelConfig& config, const std::filesystem::path& weights) {
+  const std::string model = "the model of " + weights.string() + " takes ";
+  if (rig.panorama.rows != kPanoramaRows || rig.panorama.cols != kPanoramaCols) {
+    throw sim::Error(model + "panoramas of 128 x 512; set the panorama's rows and cols so");
+  }
+  if (!rig.has_color) throw sim::Error(model + "colour, but the setting gives none");
+  if (config.uses_depth() && !rig.has_depth) {
+    throw sim::Error(model + "depth; use weights of the rgb setting, or the setting rgbd");
+  }
+}
+
+/// The four parts of a panorama that pairs are compared by, and what they hold together.
+struct Layout {
+  std::int64_t sum;
+  std::int64_t match;
+  std::size_t size() const {
+    return static_cast<std::size_t>(kDirections * (1 + 2 * sum + 2 * match));
+  }
+};
+
+void Append(const torch::Tensor& part, PanoramaCode* code) {
+  const torch::Tensor flat = part.contiguous();
+  code->insert(code->end(), flat.data_ptr<float>(), flat.data_ptr<float>() + flat.numel());
+}
+
+std::array<float, kDirections> ToArray(const torch::Tensor& row) {
+  const torch::Tensor flat = row.contiguous();
+  CHECK_EQ(flat.numel(), kDirections);
+  std::array<float, kDirections> values{};
+  std::copy_n(flat.data_ptr<float>(), kDirections, values.begin());
+  return values;
+}
+
+/// Torch's pool of threads would make small work slower and sums depend on its size.
+void StayInThisThread() {
+  if (at::get_num_threads() != 1) at::set_num_threads(1);
+}
+
+}  // namespace
+
+class LearnedModel::Impl {
+ public:
+  Impl(const std::filesystem::path& weights, const Rig& rig) : net_(LoadNet(weights)) {
+    RequireRig(rig, net_->config(), weights);
+    net_->eval();
+    net_->Fold();
+  }
+
+  const ModelConfig& config() const { return net_->config(); }
+
+  PanoramaCode Encode(const Panorama& panorama) {
+    const c10::InferenceMode inference;
+    StayInThisThread();
+    const PanoramaParts parts = net_->Describe(Input(panorama));
+    PanoramaCode code;
+    code.reserve(layout().size());
+    Append(parts.explorable.sigmoid(), &code);
+    Append(parts.source_sum, &code);
+    Append(parts.goal_sum, &code);
+    Append(parts.source_match, &code);
+    Append(parts.goal_match, &code);
+    return code;
+  }
+
+  PairPrediction Compare(const PanoramaCode& source, const PanoramaCode& goal) {
+    const c10::InferenceMode inference;
+    StayInThisThread();
+    const PairOutputs outputs = net_->Compare(Parts(source), Parts(goal));
+    PairPrediction prediction;
+    prediction.same_node = outputs.same_node.sigmoid().item<float>();
+    prediction.direction = ToArray(outputs.direction.softmax(1));
+    prediction.distance =
+        static_cast<float>(kNodeRadius) * (1.0f - outputs.distance_score.item<float>());
+    prediction.score = ToArray(outputs.scores);
+    return prediction;
+  }
+
+  Layout layout() const {
+    return {config().pair_features, std::int64_t{Heads::kMatches} * Heads::kMatchSize};
+  }
+
+ private:
+  torch::Tensor Input(const Panorama& panorama) const {
+    constexpr std::size_t kPixels = std::size_t{kPanoramaRows} * kPanoramaCols;
+    CHECK_EQ(panorama.color.size(), 3 * kPixels);
+    // Torch has no tensors of constants; these are only read.
+    const torch::Tensor color =
+        torch::from_blob(const_cast<std::uint8_t*>(panorama.color.data()),
+                         {1, kPanoramaRows, kPanoramaCols, 3}, torch::kUInt8);
+    torch::Tensor depth;
+    if (config().uses_depth()) {
+      CHECK_EQ(panorama.depth.size(), kPixels);
+      depth = torch::from_blob(const_cast<float*>(panorama.depth.data()),
+                               {1, kPanoramaRows, kPanoramaCols}, torch::kFloat32);
+    }
+    return PrepareInput(config(), color, depth);
+  }
+
+  PanoramaParts Parts(const PanoramaCode& code) const {
+    CHECK_EQ(code.size(), layout().size());
+    std::int64_t at = kDirections;
+    const auto next = [&](std::int64_t features) {
+      const std::int64_t begin = std::exchange(at, at + kDirections * features);
+      return torch::from_blob(const_cast<float*>(code.data()) + begin, {1, kDirections, features},
+                              torch::kFloat32);
+    };
+    PanoramaParts parts;
+    parts.source_sum = next(layout().sum);
+    parts.goal_sum = next(layout().sum);
+    parts.source_match = next(layout().match);
+    parts.goal_match = next(layout().match);
+    return parts;
+  }
+
+  std::shared_ptr<SemanticNet> net_;
+};
+
+LearnedModel::LearnedModel(const std::filesystem::path& weights, const Rig& rig)
+    : impl_(std::make_unique<Impl>(weights, rig)) {}
+
+LearnedModel::~LearnedModel() = default;
+
+const ModelConfig& LearnedModel::config() const {
+  return impl_->config();
+}
+
+std::vector<PanoramaCode> LearnedModel::Encode(std::span<const Panorama> panoramas) {
+  std::vector<PanoramaCode> codes;
+  for (const Panorama& panorama : panoramas) codes.push_back(impl_->Encode(panorama));
+  return codes;
+}
+
+std::array<float, kDirections> LearnedModel::Explorable(const PanoramaCode& source) {
+  CHECK_EQ(source.size(), impl_->layout().size());
+  std::array<float, kDirections> probabilities{};
+  std::copy_n(source.begin(), kDirections, probabilities.begin());
+  return probabilities;
+}
+
+std::vector<PairPrediction> LearnedModel::Compare(std::span<const PanoramaCode* const> sources,
+                                                  const PanoramaCode& goal) {
+  std::vector<PairPrediction> predictions;
+  for (const PanoramaCode* source : sources) predictions.push_back(impl_->Compare(*source, goal));
+  return predictions;
+}
+
+}  // namespace bulletnav::agent

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/training/checkpoint.h"
+
+#include <bit>
+#include <charconv>
+#include <system_error>
+
+#include "sim/base/error.h"
+#include "sim/config/yaml_writer.h"
+
+namespace bulletnav::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kWeights = "model.";
+
+/// What the training's result follows from.
+std::string Essence(TrainConfig config) {
+  config.out.clear();
+  return sim::ToYaml(config);
+}
+
+/// An integer that was written into the file's metadata.
+template <class T>
+T Number(const agent::TensorFile& content, const std::string& key, const fs::path& file) {
+  const auto found = content.metadata.find(key);
+  T value{};
+  if (found != content.metadata.end()) {
+    const char* end = found->second.data() + found->second.size();
+    const auto [stop, error] = std::from_chars(found->second.data(), end, value);
+    if (error == std::errc() && stop == end) return value;
+  }
+  throw sim::FileError(file, key, "is missing: this is not a checkpoint; remove it");
+}
+
+}  // namespace
+
+Checkpoints::Checkpoints(const TrainConfig& config)
+    : newest_(fs::path(config.out) / "checkpoint.safetensors"),
+      previous_(fs::path(config.out) / "checkpoint_previous.safetensors"),
+      config_(Essence(config)) {}
+
+void Checkpoints::Write(const TrainState& state, const agent::SemanticNet& net,
+                        const Adam& adam) const {
+  agent::TensorFile content;
+  content.metadata["config"] = config_;
+  content.metadata["step"] = std::to_string(state.step);
+  content.metadata["best_loss_bits"] =
+      std::to_string(std::bit_cast<std::uint64_t>(state.best_loss));
+  agent::AppendWeights(net, kWeights, &content);
+  adam.Append(&content);
+  std::error_code none_yet;
+  fs::rename(newest_, previous_, none_yet);
+  agent::WriteTensorFile(newest_, content);
+}
+
+std::optional<TrainState> Checkpoints::Read(agent::SemanticNet* net, Adam* adam) const {
+  if (!fs::exists(newest_) && !fs::exists(previous_)) return std::nullopt;
+  if (fs::exists(newest_)) {
+    std::optional<agent::TensorFile> content;
+    try {
+      content = agent::ReadTensorFile(newest_);
+    } catch (const sim::FileError&) {
+      if (!fs::exists(previous_)) throw;
+    }
+    if (content) return Restore(newest_, *content, net, adam);
+  }
+  return Restore(previous_, agent::ReadTensorFile(previous_), net, adam);
+}
+
+TrainState Checkpoints::Restore(const fs::path& file, const agent::TensorFile& content,
+                                agent::SemanticNet* net, Adam* adam) const {
+  const auto config = content.metadata.find("config");
+  if (config == content.metadata.end() || config->second != config_) {
+    throw sim::FileError(file, "", "is of a training by another config; change out or remove it");
+  }
+  TrainState state;
+  state.step = Number<int>(content, "step", file);
+  state.best_loss = std::bit_cast<double>(Number<std::uint64_t>(content, "best_loss_bits", file));
+  agent::SetWeights(content, kWeights, file, net);
+  adam->Set(content, file, state.step);
+  return state;
+}
+
+}  // namespace bulletnav::bench

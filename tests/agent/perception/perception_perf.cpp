@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// One core: what a panorama costs to encode, to learn from, and a pair to compare.
+#include <benchmark/benchmark.h>
+
+#include "agent/perception/semantic_net.h"
+
+namespace bulletnav::agent {
+namespace {
+
+ModelConfig Config(const benchmark::State& state) {
+  ModelConfig config;
+  config.width = static_cast<int>(state.range(0));
+  config.rows = static_cast<int>(state.range(1));
+  config.depth = static_cast<DepthFusion>(state.range(2));
+  config.encoder = static_cast<EncoderForm>(state.range(3));
+  return config;
+}
+
+torch::Tensor Color(int count) {
+  return torch::randint(0, 256, {count, 128, 512, 3}, torch::kUInt8);
+}
+torch::Tensor Depth(int count) {
+  return torch::rand({count, 128, 512}) * 10.0;
+}
+
+void Encode(benchmark::State& state) {
+  const c10::InferenceMode inference;
+  at::set_num_threads(1);
+  const ModelConfig config = Config(state);
+  SemanticNet net(config, 1);
+  net.eval();
+  net.Fold();
+  const torch::Tensor color = Color(1);
+  const torch::Tensor depth = Depth(1);
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(net.Describe(PrepareInput(config, color, depth)).source_sum);
+  }
+}
+
+void Prepare(benchmark::State& state) {
+  const ModelConfig config;
+  const torch::Tensor color = Color(1);
+  const torch::Tensor depth = Depth(1);
+  for (auto _ : state) benchmark::DoNotOptimize(PrepareInput(config, color, depth));
+}
+
+void Compare(benchmark::State& state) {
+  const c10::InferenceMode inference;
+  at::set_num_threads(1);
+  ModelConfig config;
+  SemanticNet net(config, 1);
+  net.eval();
+  net.Fold();
+  const PanoramaParts parts = net.Describe(PrepareInput(config, Color(1), Depth(1)));
+  for (auto _ : state) benchmark::DoNotOptimize(net.Compare(parts, parts).scores);
+}
+
+/// Forward and backward of 32 panoramas and 64 pairs.
+void Learn(benchmark::State& state) {
+  at::set_num_threads(1);
+  const ModelConfig config = Config(state);
+  SemanticNet net(config, 1);
+  const torch::Tensor input = PrepareInput(config, Color(32), Depth(32));
+  const torch::Tensor indices = torch::arange(64) % 32;
+  for (auto _ : state) {
+    const PanoramaParts parts = net.Describe(input, at::detail::createCPUGenerator(1));
+    const PairOutputs pairs =
+        net.Compare(parts.Select(indices), parts.Select((indices * 7 + 1) % 32));
+    (parts.explorable.sum() + pairs.same_node.sum() + pairs.direction.sum() +
+     pairs.distance_score.sum() + pairs.scores.sum())
+        .backward();
+    benchmark::DoNotOptimize(net.parameters()[0].grad());
+    net.zero_grad();
+  }
+  state.SetItemsProcessed(32 * state.iterations());
+}
+
+// Width, rows, depth (0 none, 1 channel, 2 separate), form (0 panorama, 1 patches).
+void Cases(benchmark::internal::Benchmark* bench) {
+  bench->ArgNames({"width", "rows", "depth", "form"})->Unit(benchmark::kMillisecond);
+  for (const int width : {16, 32, 64}) {
+    for (const int rows : {64, 128}) {
+      for (const int depth : {1, 2}) bench->Args({width, rows, depth, 0});
+    }
+  }
+  bench->Args({32, 64, 0, 0});
+  bench->Args({32, 64, 1, 1});
+}
+
+BENCHMARK(Prepare)->Unit(benchmark::kMillisecond);
+BENCHMARK(Compare)->Unit(benchmark::kMillisecond);
+BENCHMARK(Encode)->Apply(Cases)->MinTime(0.3);
+BENCHMARK(Learn)->Apply(Cases)->MinTime(0.3);
+
+}  // namespace
+}  // namespace bulletnav::agent
+
+BENCHMARK_MAIN();

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include <iostream>
+
+#include <gtest/gtest.h>
+
+#include "benchmark/training/nts_metrics.h"
+#include "benchmark/training/nts_trainer.h"
+#include "benchmark/training/training_log.h"
+#include "tests/benchmark/training/bar_world.h"
+#include "tests/support/temporary_folder.h"
+
+namespace bulletnav::bench {
+namespace {
+
+class LastMetrics : public TrainingLog {
+ public:
+  using TrainingLog::TrainingLog;
+  void Validated(int step, const NtsMetrics& metrics) override {
+    TrainingLog::Validated(step, metrics);
+    metrics_ = metrics;
+  }
+  const NtsMetrics& metrics() const { return metrics_; }
+
+ private:
+  NtsMetrics metrics_;
+};
+
+TEST(TrainNts, LearnsWhereThingsAreFromBars) {
+  const tests::TemporaryFolder folder;
+  TrainConfig config;
+  config.out = folder.path();
+  config.model.width = 8;
+  config.model.rows = 32;
+  config.model.pair_features = 32;
+  config.model.dropout = 0.1;
+  config.optimiser.learning_rate = 2e-3;
+  config.optimiser.warmup_steps = 20;
+  config.steps = 200;
+  config.scenes = 2;
+  config.panoramas = 8;
+  config.pairs = 32;
+  config.validate_every = config.steps;
+  config.validation_batches = 10;
+  config.threads = 1;
+  tests::BarSource train(config.panoramas, 1);
+  tests::BarSource validation(config.panoramas, 2);
+  LastMetrics log(config, &std::cout);
+  TrainNts(config, &train, &validation, &log);
+  EXPECT_GT(log.metrics().connection, 0.75);
+  EXPECT_GT(log.metrics().direction, 0.3);
+  EXPECT_GT(log.metrics().direction_near, 0.6);
+  EXPECT_GT(log.metrics().explorable, 0.75);
+  EXPECT_LT(log.metrics().distance_error_m, 0.45);
+  EXPECT_GT(log.metrics().score_choice, 0.5);
+}
+
+}  // namespace
+}  // namespace bulletnav::bench

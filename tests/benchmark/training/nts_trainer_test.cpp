@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/training/nts_trainer.h"
+
+#include <limits>
+#include <sstream>
+
+#include <gmock/gmock.h>
+
+#include "agent/perception/safetensors.h"
+#include "benchmark/training/nts_metrics.h"
+#include "benchmark/training/training_log.h"
+#include "sim/base/error.h"
+#include "sim/base/files.h"
+#include "tests/benchmark/training/bar_world.h"
+#include "tests/support/temporary_folder.h"
+
+namespace bulletnav::bench {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using tests::BarSource;
+
+TrainConfig TinyConfig(const fs::path& out) {
+  TrainConfig config;
+  config.out = out;
+  config.model.width = 8;
+  config.model.rows = 32;
+  config.model.pair_features = 32;
+  config.optimiser.warmup_steps = 2;
+  config.steps = 6;
+  config.scenes = 1;
+  config.panoramas = 4;
+  config.pairs = 8;
+  config.validate_every = 2;
+  config.validation_batches = 1;
+  config.threads = 1;
+  return config;
+}
+
+/// Ends a training like a kill would: after a step, anywhere.
+struct Killed {};
+
+class Watcher : public TrainObserver {
+ public:
+  explicit Watcher(int kill_at = 0) : kill_at_(kill_at) {}
+  void Resumed(int step) override { resumed_ = step; }
+  void Stepped(int step, double) override {
+    if (step == kill_at_) throw Killed();
+  }
+  void Validated(int, const NtsMetrics& metrics) override { metrics_ = metrics; }
+  int resumed() const { return resumed_; }
+  const NtsMetrics& metrics() const { return metrics_; }
+
+ private:
+  int kill_at_;
+  int resumed_ = 0;
+  NtsMetrics metrics_;
+};
+
+class TrainNtsTest : public testing::Test {
+ protected:
+  void Train(const TrainConfig& config, TrainObserver* observer) {
+    BarSource train(config.panoramas, 1);
+    BarSource validation(config.panoramas, 2);
+    TrainNts(config, &train, &validation, observer);
+  }
+  std::string Complaint(const TrainConfig& config) {
+    Watcher watcher;
+    try {
+      Train(config, &watcher);
+    } catch (const sim::Error& e) {
+      return e.what();
+    }
+    return "none";
+  }
+  tests::TemporaryFolder folder_;
+};
+
+TEST_F(TrainNtsTest, ResumedIsTheSameAsUninterruptedBitForBit) {
+  TrainConfig config = TinyConfig(folder_.path() / "whole");
+  Watcher whole;
+  Train(config, &whole);
+  const std::string curves = sim::ReadTextFile(folder_.path() / "whole/curves.csv");
+  const auto weights = agent::ReadTensorFile(folder_.path() / "whole/weights.safetensors").tensors;
+
+  config.out = folder_.path() / "parts";
+  Watcher killed(5);
+  EXPECT_THROW(Train(config, &killed), Killed);
+  Watcher rest;
+  Train(config, &rest);
+  EXPECT_EQ(rest.resumed(), 4);
+  EXPECT_EQ(sim::ReadTextFile(folder_.path() / "parts/curves.csv"), curves);
+  EXPECT_EQ(agent::ReadTensorFile(folder_.path() / "parts/weights.safetensors").tensors, weights);
+  EXPECT_TRUE(fs::exists(folder_.path() / "parts/weights_best.safetensors"));
+  EXPECT_TRUE(fs::exists(folder_.path() / "parts/curves.png"));
+}
+
+TEST_F(TrainNtsTest, DamagedCheckpointFallsBackToTheOneBefore) {
+  const TrainConfig config = TinyConfig(folder_.path());
+  Watcher killed(5);
+  EXPECT_THROW(Train(config, &killed), Killed);
+  std::string bytes = sim::ReadTextFile(folder_.path() / "checkpoint.safetensors");
+  bytes.resize(bytes.size() / 2);
+  sim::WriteFileAtomically(folder_.path() / "checkpoint.safetensors", bytes);
+  Watcher rest;
+  Train(config, &rest);
+  EXPECT_EQ(rest.resumed(), 2);
+  fs::remove(folder_.path() / "checkpoint_previous.safetensors");
+  sim::WriteFileAtomically(folder_.path() / "checkpoint.safetensors", bytes);
+  EXPECT_THAT(Complaint(config), HasSubstr("damaged"));
+}
+
+TEST_F(TrainNtsTest, RefusesToGoOnByAnotherConfig) {
+  TrainConfig config = TinyConfig(folder_.path());
+  EXPECT_EQ(Complaint(config), "none");
+  config.seed = 1;
+  EXPECT_THAT(Complaint(config), HasSubstr("another config"));
+}
+
+/// Depths that are no numbers from batch 3 on.
+class PoisonedSource : public BarSource {
+ public:
+  using BarSource::BarSource;
+  PairBatch Batch(std::uint64_t number) override {
+    PairBatch batch = BarSource::Batch(number);
+    if (number >= 3) batch.depth[0] = std::numeric_limits<float>::quiet_NaN();
+    return batch;
+  }
+};
+
+TEST_F(TrainNtsTest, StopsAtALossThatIsNoNumberAndKeepsTheCheckpoint) {
+  const TrainConfig config = TinyConfig(folder_.path());
+  PoisonedSource train(config.panoramas, 1);
+  BarSource validation(config.panoramas, 2);
+  Watcher watcher;
+  try {
+    TrainNts(config, &train, &validation, &watcher);
+    FAIL();
+  } catch (const sim::Error& e) {
+    EXPECT_THAT(e.what(), HasSubstr("nan at step 4"));
+    EXPECT_THAT(e.what(), HasSubstr("checkpoint.safetensors"));
+  }
+  BarSource good(config.panoramas, 1);
+  TrainNts(config, &good, &validation, &watcher);
+  EXPECT_EQ(watcher.resumed(), 2);
+}
+
+TEST_F(TrainNtsTest, SaysWhenItCannotWrite) {
+  const TrainConfig config = TinyConfig(folder_.Write("file", "") / "out");
+  EXPECT_THAT(Complaint(config), HasSubstr("file"));
+}
+
+TEST_F(TrainNtsTest, LogTellsTheLosses) {
+  const TrainConfig config = TinyConfig(folder_.path());
+  std::ostringstream out;
+  TrainingLog log(config, &out);
+  Train(config, &log);
+  EXPECT_THAT(out.str(), HasSubstr("validation at step 6: loss "));
+}
+
+}  // namespace
+}  // namespace bulletnav::bench
