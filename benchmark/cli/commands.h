@@ -9,6 +9,7 @@ namespace bulletnav::bench {
 void AddBenchCommand(CLI::App* program);
 void AddCompareCommand(CLI::App* program);
 void AddDatasetCommand(CLI::App* program);
+void AddTrainCommand(CLI::App* program);
 void AddEpisodesCommand(CLI::App* program);
 void AddPlotCommand(CLI::App* program);
 void AddRenderCommand(CLI::App* program);

@@ -43,4 +43,15 @@ void TrainConfig::Validate() const {
   RequireAtLeast(1, threads, "threads");
 }
 
+DataConfig ValidationData(const TrainConfig& config) {
+  if (config.validation) return *config.validation;
+  if (!config.data || !config.data->houses) {
+    throw sim::Error("the config names no houses to validate on; give it a block 'validation'");
+  }
+  DataConfig validation = *config.data;
+  validation.scenes.clear();
+  validation.houses->split = "val";
+  return validation;
+}
+
 }  // namespace bulletnav::bench

@@ -8,6 +8,7 @@
 
 #include "agent/perception/model_config.h"
 #include "benchmark/training/augment.h"
+#include "benchmark/training/data_config.h"
 #include "sim/config/yaml_reader.h"
 
 namespace bulletnav::bench {
@@ -49,8 +50,9 @@ struct OptimiserSpec {
 
 /// A training of the learned model of Neural Topological SLAM.
 struct TrainConfig {
-  std::string out;                    // folder of all that the training writes
-  std::optional<sim::YamlNode> data;  // for whoever makes the batches
+  std::string out;                       // folder of all that the training writes
+  std::optional<DataConfig> data;        // what SceneBatches learns from
+  std::optional<DataConfig> validation;  // and is tried on; default: the houses' split "val"
   agent::ModelConfig model;
   OptimiserSpec optimiser;
   AugmentSpec augment;
@@ -67,6 +69,7 @@ struct TrainConfig {
   void Visit(V& v) {
     v.Required("out", out);
     v("data", data);
+    v("validation", validation);
     v("model", model);
     v("optimiser", optimiser);
     v("augment", augment);
@@ -82,5 +85,8 @@ struct TrainConfig {
   /// Throws Error.
   void Validate() const;
 };
+
+/// `validation`, or its default. Throws Error if there is neither.
+DataConfig ValidationData(const TrainConfig& config);
 
 }  // namespace bulletnav::bench

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/cli/program.h"
+
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include "benchmark/evaluation/program_version.h"
+#include "sim/base/error.h"
+
+namespace bulletnav::bench {
+namespace {
+
+constexpr int kBadUse = 2;
+constexpr int kFailed = 1;
+
+int Complain(const std::string& what, int status) {
+  std::fprintf(stderr, "bulletnav: error: %s\n", what.c_str());
+  return status;
+}
+
+bool HasCommand(const CLI::App& program, const std::string& name) {
+  const auto found = program.get_subcommands([&](const CLI::App* command) {
+    return command->get_name() == name;
+  });
+  return !found.empty();
+}
+
+int Run(int argc, char** argv, const std::function<void(CLI::App*)>& add_commands) {
+  CLI::App program(
+      "BulletNav: embodied navigation in indoor meshes, with physics, panoramas and noise",
+      "bulletnav");
+  program.require_subcommand(1);
+  program.set_version_flag("--version", "bulletnav " + ProgramVersion());
+  add_commands(&program);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return program.exit(e);
+    const std::string command = argc > 1 ? argv[1] : "";
+    if (!command.empty() && command[0] != '-' && !HasCommand(program, command)) {
+      return Complain("there is no command '" + command + "'; see --help", kBadUse);
+    }
+    return Complain(std::string(e.what()) + "; see --help", kBadUse);
+  }
+  return 0;
+}
+
+}  // namespace
+
+int RunProgram(int argc, char** argv, const std::function<void(CLI::App*)>& add_commands) {
+  try {
+    return Run(argc, argv, add_commands);
+  } catch (const sim::Error& e) {
+    return Complain(e.what(), kFailed);
+  } catch (const std::bad_alloc&) {
+    return Complain("out of memory", kFailed);
+  } catch (const std::exception& e) {
+    return Complain(e.what(), kFailed);
+  }
+}
+
+}  // namespace bulletnav::bench

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <functional>
+
+#include <CLI/App.hpp>
+
+namespace bulletnav::bench {
+
+/// The main function of a program with subcommands: every error is one line on standard error and a
+/// non-zero status, 2 for bad use, 1 for anything else.
+int RunProgram(int argc, char** argv, const std::function<void(CLI::App*)>& add_commands);
+
+}  // namespace bulletnav::bench

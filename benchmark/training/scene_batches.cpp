@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/training/scene_batches.h"
+
+#include <mutex>
+#include <numeric>
+#include <string>
+#include <utility>
+
+#include "sim/base/error.h"
+#include "sim/math/rng.h"
+
+namespace bulletnav::bench {
+namespace {
+
+/// `count` different numbers below `below`.
+std::vector<int> Draw(int count, int below, sim::Rng* rng) {
+  std::vector<int> numbers(static_cast<std::size_t>(below));
+  std::iota(numbers.begin(), numbers.end(), 0);
+  for (int i = 0; i < count; ++i) {
+    const auto j = i + rng->Below(below - i);
+    std::swap(numbers[static_cast<std::size_t>(i)], numbers[static_cast<std::size_t>(j)]);
+  }
+  numbers.resize(static_cast<std::size_t>(count));
+  return numbers;
+}
+
+/// The labels of a pair; a place has none of the way to itself.
+void AddPair(const SceneSamples& samples, int source, int goal, PairBatch* batch) {
+  const PairLabel& label = samples.pair(source, goal);
+  const bool is_pair = source != goal;
+  const bool is_near = label.same_node != 0;
+  batch->same_node.push_back(label.same_node);
+  batch->direction.push_back(is_pair && is_near ? static_cast<std::int8_t>(label.direction)
+                                                : std::int8_t{-1});
+  batch->distance_score.push_back(is_near ? label.near_score() : 0.0f);
+  for (int i = 0; i < agent::kDirections; ++i) {
+    batch->scores.push_back(is_pair && !is_near ? label.far_score(i) : -1.0f);
+  }
+}
+
+}  // namespace
+
+SceneBatches::SceneBatches(const DataConfig& config, int panoramas, bool with_depth,
+                           std::uint64_t seed,
+                           const std::function<void(const LabelledScene&)>& advance)
+    : panoramas_(panoramas),
+      with_depth_(with_depth),
+      seed_(seed),
+      pixels_(config.panorama.pixels()) {
+  std::mutex telling;
+  std::vector<LabelledScene> labelled = LabelScenes(config, 0, [&](const LabelledScene& scene) {
+    const std::lock_guard lock(telling);
+    advance(scene);
+  });
+  for (LabelledScene& one : labelled) {
+    if (one.samples.count() < panoramas) {
+      throw sim::Error(one.file.string() + " has " + std::to_string(one.samples.count()) +
+                       " labelled points, fewer than a batch of " + std::to_string(panoramas));
+    }
+    Scene& scene = scenes_.emplace_back();
+    scene.samples = std::move(one.samples);
+    scene.render = LoadForPanoramas(one.file, config);
+    scene.panoramas = std::make_unique<ScenePanoramas>(*scene.render, config);
+  }
+}
+
+SceneBatches::~SceneBatches() {
+  if (next_.valid()) next_.wait();
+}
+
+PairBatch SceneBatches::Batch(std::uint64_t number) {
+  PairBatch batch;
+  if (next_.valid()) batch = next_.get();
+  if (batch.count == 0 || next_number_ != number) batch = Make(number);
+  next_number_ = number + 1;
+  next_ = std::async(std::launch::async, [this, number] {
+    return Make(number + 1);
+  });
+  return batch;
+}
+
+PairBatch SceneBatches::Make(std::uint64_t number) {
+  sim::Rng rng = sim::Rng(seed_, "training batch").Fork("number", number);
+  Scene& scene = scenes_[static_cast<std::size_t>(rng.Below(static_cast<int>(scenes_.size())))];
+  const std::vector<int> chosen = Draw(panoramas_, scene.samples.count(), &rng);
+  PairBatch batch;
+  batch.count = panoramas_;
+  const auto n = static_cast<std::size_t>(panoramas_);
+  batch.color.resize(3 * pixels_ * n);
+  if (with_depth_) batch.depth.resize(pixels_ * n);
+  scene.panoramas->Render(scene.samples.poses, chosen, batch.color, batch.depth);
+  for (const int source : chosen) {
+    for (int i = 0; i < agent::kDirections; ++i) {
+      batch.explorable.push_back(scene.samples.IsExplorable(source, i) ? 1 : 0);
+    }
+    for (const int goal : chosen) AddPair(scene.samples, source, goal, &batch);
+  }
+  batch.Check();
+  return batch;
+}
+
+}  // namespace bulletnav::bench

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <future>
+#include <memory>
+#include <vector>
+
+#include "benchmark/training/dataset.h"
+#include "benchmark/training/pair_batch.h"
+#include "benchmark/training/scene_panoramas.h"
+
+namespace bulletnav::bench {
+
+/// Batches from labelled scenes: each of random points of one random scene, the panoramas drawn
+/// anew. The next batch is drawn in the background while the caller works on the last one.
+/// Batch(number) is a function of config, seed and number. All scenes are kept in memory, about
+/// 50 MB each.
+class SceneBatches final : public BatchSource {
+ public:
+  /// Labels scenes that are not yet, loads all of them, with a call of `advance` after each.
+  /// Throws sim::Error: see LabelScene; also if a scene has fewer points than `panoramas`.
+  SceneBatches(const DataConfig& config, int panoramas, bool with_depth, std::uint64_t seed,
+               const std::function<void(const LabelledScene&)>& advance);
+  ~SceneBatches() override;
+  SceneBatches(const SceneBatches&) = delete;
+  SceneBatches& operator=(const SceneBatches&) = delete;
+  SceneBatches(SceneBatches&&) = delete;
+  SceneBatches& operator=(SceneBatches&&) = delete;
+
+  PairBatch Batch(std::uint64_t number) override;
+
+ private:
+  struct Scene {
+    SceneSamples samples;
+    std::unique_ptr<const sim::RenderScene> render;
+    std::unique_ptr<ScenePanoramas> panoramas;  // for one batch at a time
+  };
+
+  PairBatch Make(std::uint64_t number);
+
+  int panoramas_;
+  bool with_depth_;
+  std::uint64_t seed_;
+  std::size_t pixels_;
+  std::vector<Scene> scenes_;
+  std::uint64_t next_number_ = 0;
+  std::future<PairBatch> next_;
+};
+
+}  // namespace bulletnav::bench
