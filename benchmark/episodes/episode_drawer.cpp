@@ -14,6 +14,7 @@ namespace bulletnav::bench {
 namespace {
 
 constexpr float kLeastIslandRadius = 1.5f;
+constexpr float kLeastIslandShare = 0.15f;  // of the largest: less is a bed or a table; ours
 constexpr double kMostHeightDifference = 0.5;
 constexpr double kWindingRatio = 1.1;
 constexpr double kGoalRadius = 1.0;  // within which an agent succeeds
@@ -41,8 +42,14 @@ EpisodeDrawer::EpisodeDrawer(const Ground& ground, std::string scene, std::strin
       query_(ground.navmesh),
       body_(ground.physics, body) {
   double sum = 0.0;
+  float largest = 0.0f;
   for (const sim::Island& island : ground.navmesh.islands()) {
-    island_weights_.push_back(island.radius >= kLeastIslandRadius ? island.area : 0.0);
+    largest = std::max(largest, island.area);
+  }
+  for (const sim::Island& island : ground.navmesh.islands()) {
+    const bool is_floor =
+        island.radius >= kLeastIslandRadius && island.area >= kLeastIslandShare * largest;
+    island_weights_.push_back(is_floor ? island.area : 0.0);
     sum += island_weights_.back();
   }
   if (sum > 0.0) return;

@@ -16,10 +16,11 @@ namespace bulletnav::bench {
 double LeastRatio(double u);
 
 /// Draws the episodes of one scene. Start and goals: points drawn evenly from the floor of islands
-/// of at least 1.5 m radius, where the body stands free; on one floor (heights within 0.5 m), the
-/// geodesic distance in its band; a geodesic/Euclidean ratio under 1.1 is kept with probability
-/// 20 (ratio - 0.98)^2; all headings even. Deterministic by (seed, scene's file name, kind, index):
-/// not by how many others are drawn. Source: habitat-lab's pointnav_generator.
+/// of at least 1.5 m radius and 15% of the largest's area, where the body stands free; on one floor
+/// (heights within 0.5 m), the geodesic distance in its band; a geodesic/Euclidean ratio under 1.1
+/// is kept with probability 20 (ratio - 0.98)^2; all headings even. Deterministic by (seed, scene's
+/// file name, kind, index): not by how many others are drawn. Source: habitat-lab's
+/// pointnav_generator.
 class EpisodeDrawer {
  public:
   /// `scene` and `label` become part of the episodes: their scene and the beginning of their id.

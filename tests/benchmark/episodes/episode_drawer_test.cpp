@@ -59,6 +59,22 @@ TEST(EpisodeDrawer, DistancesLieInTheirBandsAndAreTrue) {
   }
 }
 
+TEST(EpisodeDrawer, LeavesOutTheTopsOfFurniture) {
+  sim::SceneMesh mesh = tests::BoxRoom(9, 2.8f, 7);
+  const Eigen::Vector3f middle = mesh.Bounds().center();
+  tests::AddBox({middle.x() - 1.3f, 0.0f, middle.z() - 1.3f},
+                {middle.x() + 1.3f, 0.6f, middle.z() + 1.3f}, sim::kWhite, &mesh);
+  const Ground ground("bed.glb", mesh, {});
+  ASSERT_EQ(ground.navmesh.islands().size(), 2u);
+  ASSERT_GT(ground.navmesh.islands()[1].radius, 1.5f);  // large enough to be taken for a floor
+  EpisodeDrawer drawer(ground, "bed.glb", "bed", {}, 1);
+  for (int i = 0; i < 60; ++i) {
+    const Episode episode = drawer.Draw(Difficulty::kEasy, i);
+    EXPECT_LT(episode.start_position.y(), 0.3);
+    EXPECT_LT(episode.goals[0].position.y(), 0.3);
+  }
+}
+
 TEST(EpisodeDrawer, NamesItsEpisodes) {
   const Episode episode = CorridorDrawer().Draw(Difficulty::kHard, 12);
   EXPECT_EQ(episode.id, "corridor-hard-0012");
