@@ -127,9 +127,8 @@ class Raster {
     std::vector<std::pair<int, int>> steps;
     for (int dy = -reach; dy <= reach; ++dy) {
       for (int dx = -reach; dx <= reach; ++dx) {
-        if (std::hypot(dx, dy) * static_cast<double>(kStep) < static_cast<double>(radius)) {
-          steps.emplace_back(dx, dy);
-        }
+        const double distance = std::hypot(dx, dy) * static_cast<double>(kStep);
+        if (distance < static_cast<double>(radius)) steps.emplace_back(dx, dy);
       }
     }
     return steps;
