@@ -67,6 +67,12 @@ void FastMarching::Offer(std::size_t i, float distance) {
   ++queued_;
 }
 
+void FastMarching::Run(const Grid<CellState>& map, const Query& query) {
+  Start(map, query);
+  while (Next()) {
+  }
+}
+
 std::optional<Cell> FastMarching::Next() {
   while (queued_ > 0) {
     auto& bucket = buckets_[static_cast<std::size_t>(bucket_ % kBuckets)];

@@ -35,6 +35,9 @@ class FastMarching {
   /// The next cell whose distance is known; absent when all that can be reached is done.
   std::optional<Cell> Next();
 
+  /// Start, then Next until all is done.
+  void Run(const Grid<CellState>& map, const Query& query);
+
   /// Infinite where not known yet or never.
   float distance(const Cell& c) const { return settled_[c]; }
 

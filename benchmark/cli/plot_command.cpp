@@ -108,7 +108,7 @@ std::optional<sim::FloorPlan> PlanOf(const fs::path& scene, double scale) {
 /// Draws the trajectories of one scene.
 void DrawScene(const PlotOptions& options, const RunConfig& config, const fs::path& scene,
                const std::vector<const Chosen*>& chosen, Progress* progress) {
-  const sim::WorldOptions as_run = {config.import.options(), config.navmesh, config.backend};
+  const sim::WorldOptions as_run = config.world_options();
   const sim::ImportedScene imported = sim::ImportScene(scene, as_run.import);
   const auto world =
       std::make_shared<const sim::World>(scene.filename().string(), imported, as_run);

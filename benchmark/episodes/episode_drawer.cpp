@@ -59,12 +59,9 @@ EpisodeDrawer::EpisodeDrawer(const Ground& ground, std::string scene, std::strin
 
 std::optional<EpisodeDrawer::Place> EpisodeDrawer::Stand(const Eigen::Vector3f& point, double yaw,
                                                          int island) {
-  try {
-    body_.Reset({point.cast<double>(), yaw});
-  } catch (const sim::PoseError&) {
-    return std::nullopt;
-  }
-  return Place{body_.pose(), island};
+  const auto pose = body_.TryReset({point.cast<double>(), yaw});
+  if (!pose) return std::nullopt;
+  return Place{*pose, island};
 }
 
 std::optional<EpisodeDrawer::Place> EpisodeDrawer::DrawStart(sim::Rng* rng) {

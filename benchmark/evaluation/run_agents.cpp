@@ -148,6 +148,18 @@ agent::Rig RigOf(const RunConfig& config, Setting setting) {
   return rig;
 }
 
+EpisodeRules RulesOf(const RunConfig& config, Setting setting, Condition condition, bool sees) {
+  EpisodeRules rules;
+  rules.body = config.body;
+  rules.panorama = config.panorama;
+  rules.color = sees;
+  rules.depth = sees && setting == Setting::kRgbd;
+  rules.noise = condition == Condition::kNoNoise ? sim::NoiseMode::kNone : config.noise;
+  rules.success = {config.success_distance, condition == Condition::kNoStop};
+  rules.max_steps = config.max_steps;
+  return rules;
+}
+
 std::unique_ptr<agent::BatchAgent> Build(const RunAgent& agent, const agent::Rig& rig,
                                          std::span<const GroundTruth* const> truths) {
   if (agent.is_privileged) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "agent/registry.h"
+#include "benchmark/evaluation/episode_run.h"
 #include "benchmark/evaluation/privileged/ground_truth.h"
 #include "benchmark/evaluation/privileged/privileged_agent.h"
 #include "benchmark/evaluation/run_config.h"
@@ -35,6 +36,9 @@ void RequireAll(std::span<const RunAgent> agents);
 
 /// What the bodies of a run carry.
 agent::Rig RigOf(const RunConfig& config, Setting setting);
+
+/// How the episodes of a run are played. `sees`: the agent is shown panoramas.
+EpisodeRules RulesOf(const RunConfig& config, Setting setting, Condition condition, bool sees);
 
 /// Builds an agent with one lane for each of `truths`, which must outlive it and be up to date at
 /// every call; only oracles and privileged agents look at them. May be called from several threads.

@@ -196,6 +196,8 @@ struct RunConfig {
   }
   void Validate() const;
 
+  /// How its scenes are loaded.
+  sim::WorldOptions world_options() const { return {import.options(), navmesh, backend}; }
   /// What draws the episodes, where `episodes.draw` is given.
   GeneratorSpec generator() const;
 };

@@ -12,18 +12,6 @@
 namespace bulletnav::bench {
 namespace {
 
-EpisodeRules RulesOf(const RunConfig& config, const RunRow& row, bool sees) {
-  EpisodeRules rules;
-  rules.body = config.body;
-  rules.panorama = config.panorama;
-  rules.color = sees;
-  rules.depth = sees && row.setting == Setting::kRgbd;
-  rules.noise = row.condition == Condition::kNoNoise ? sim::NoiseMode::kNone : config.noise;
-  rules.success = {config.success_distance, row.condition == Condition::kNoStop};
-  rules.max_steps = config.max_steps;
-  return rules;
-}
-
 bool IsAction(sim::Action action) {
   return std::find(sim::kAllActions.begin(), sim::kAllActions.end(), action) !=
          sim::kAllActions.end();
@@ -81,9 +69,10 @@ void RunWorker::StartLane(Lane* lane, const RunJob& job) {
   const Episode& episode = plan_.episodes.episodes[job.episode];
   EpisodeTask task{plan_.KeyOf(job), episode, plan_.episodes.scene_files.at(episode.scene)};
   const bool sees = !plan_.agents[agent_of(job.row)].is_privileged;
+  const RunRow& row = plan_.rows[job.row];
   lane->job = job;
   lane->agent_s = 0.0;
-  lane->run.emplace(std::move(task), RulesOf(plan_.config, plan_.rows[job.row], sees),
+  lane->run.emplace(std::move(task), RulesOf(plan_.config, row.setting, row.condition, sees),
                     shared_->worlds.Get(episode.scene), &lane->truth);
 }
 

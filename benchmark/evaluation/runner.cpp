@@ -183,9 +183,9 @@ int Play(const Work& work, const fs::path& folder, int workers, const RunHooks& 
     const std::lock_guard lock(telling);
     if (hooks.finish) hooks.finish(trajectory.result);
   };
-  const sim::WorldOptions world{config.import.options(), config.navmesh, config.backend};
-  const std::shared_ptr<RunShared> shared(new RunShared{
-      work.plan, RunQueue(work.jobs), WorldCache(world, work.plan->episodes.scene_files), finish});
+  const std::shared_ptr<RunShared> shared(
+      new RunShared{work.plan, RunQueue(work.jobs),
+                    WorldCache(config.world_options(), work.plan->episodes.scene_files), finish});
   for (const RunJob& job : work.jobs) shared->worlds.Expect(work.plan->KeyOf(job).scene);
   const auto crew = std::min(static_cast<std::size_t>(workers), work.jobs.size());
   return Crew(shared, static_cast<int>(crew)).Watch();

@@ -36,12 +36,8 @@ sim::BodyPose SomePlace(const sim::World& world) {
   sim::CapsuleBody body(world.physics(), {});
   sim::Rng rng(1, "first observation");
   while (true) {
-    try {
-      body.Reset({query.RandomPoint(&rng, 0).cast<double>(), 0.0});
-      return body.pose();
-    } catch (const sim::PoseError&) {
-      continue;  // too near a wall: another one
-    }
+    const auto pose = body.TryReset({query.RandomPoint(&rng, 0).cast<double>(), 0.0});
+    if (pose) return *pose;
   }
 }
 

@@ -23,16 +23,14 @@ double SecondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-std::string ConfigText(const std::filesystem::path& scene, const std::filesystem::path& folder) {
-  return fmt::format(
-      "name: bench\n"
-      "backend: embree\n"
-      "episodes:\n"
-      "  file: '{}'\n"
-      "  draw: {{scenes: ['{}'], counts: {{easy: 8, medium: 8, hard: 8}}, seed: 0}}\n"
-      "agents: [{{agent: metric_map_fbe, goal_estimator: oracle}}]\n",
-      (folder / "episodes.json.gz").string(), scene.string());
-}
+// The files' places are put in afterwards: they may hold anything.
+constexpr const char* kConfig =
+    "name: bench\n"
+    "backend: embree\n"
+    "episodes:\n"
+    "  file: episodes.json.gz\n"
+    "  draw: {scenes: [scene], counts: {easy: 8, medium: 8, hard: 8}, seed: 0}\n"
+    "agents: [{agent: metric_map_fbe, goal_estimator: oracle}]\n";
 
 /// What playing the episodes without the runner took.
 struct PlainTimes {
@@ -43,8 +41,9 @@ struct PlainTimes {
 
 class RunBench {
  public:
-  explicit RunBench(const BenchScene& scene)
-      : config_(ParseRunConfig(ConfigText(scene.file, folder_.path()), "bench.yaml")) {
+  explicit RunBench(const BenchScene& scene) : config_(ParseRunConfig(kConfig, "bench.yaml")) {
+    config_.episodes.file = (folder_.path() / "episodes.json.gz").string();
+    config_.episodes.draw->scenes = {scene.file.string()};
     config_.import.scale = scene.import.scale;
     config_.import.up = scene.import.up;
     config_.import.ground_plane = scene.import.ground_plane;
@@ -54,8 +53,7 @@ class RunBench {
     episodes_ = PrepareEpisodes(&copy, {}, 1, [](const std::string&, int) {
       return [] {};
     });
-    truth_.world =
-        sim::World::Load(scene.file, {config_.import.options(), config_.navmesh, config_.backend});
+    truth_.world = sim::World::Load(scene.file, config_.world_options());
   }
 
   PlainTimes Plain() {
@@ -86,18 +84,16 @@ class RunBench {
 
   double LoadSeconds() const {
     const Clock::time_point start = Clock::now();
-    sim::World::Load(episodes_.scene_files.begin()->second,
-                     {config_.import.options(), config_.navmesh, config_.backend});
+    sim::World::Load(episodes_.scene_files.begin()->second, config_.world_options());
     return SecondsSince(start);
   }
 
  private:
   void PlayPlain(const Episode& episode, agent::BatchAgent* agent, PlainTimes* times) {
-    EpisodeRules rules;
-    rules.noise = config_.noise;
     EpisodeTask task;
     task.episode = episode;
     task.scene_file = episodes_.scene_files.at(episode.scene);
+    const EpisodeRules rules = RulesOf(config_, Setting::kRgbd, Condition::kNoise, /*sees=*/true);
     EpisodeRun run(std::move(task), rules, truth_.world, &truth_);
     while (!run.is_over()) {
       if (run.TakeNewGoal()) agent->Reset(0, run.goal(), run.agent_seed());

@@ -39,12 +39,8 @@ std::vector<sim::BodyPose> Poses(const sim::World& world) {
   std::vector<sim::BodyPose> poses;
   while (poses.size() < kPoses) {
     const Eigen::Vector3f p = query.RandomPoint(&rng, 0);
-    try {
-      body.Reset({p.cast<double>(), rng.Uniform(-sim::kPi, sim::kPi)});
-      poses.push_back(body.pose());
-    } catch (const sim::PoseError&) {
-      continue;  // too near a wall: another one
-    }
+    const auto pose = body.TryReset({p.cast<double>(), rng.Uniform(-sim::kPi, sim::kPi)});
+    if (pose) poses.push_back(*pose);
   }
   return poses;
 }

@@ -7,15 +7,8 @@
 
 namespace bulletnav::bench {
 
-using agent::kDirections;
-
 float PairLabel::near_score() const {
   return std::max(1.0f - distance_m() / static_cast<float>(agent::kNodeRadius), 0.0f);
-}
-
-int DirectionOf(double bearing) {
-  const auto nearest = std::lround(sim::WrapAngle(bearing) / (2.0 * sim::kPi) * kDirections);
-  return static_cast<int>((nearest + kDirections) % kDirections);
 }
 
 sim::BodyPose PointAlong(const sim::BodyPose& from, int direction, double distance) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 
+#include "agent/perception/relative_pose.h"
 #include "agent/perception/semantic_model.h"
 #include "sim/math/pose.h"
 
@@ -31,14 +32,8 @@ struct PairLabel {
 };
 static_assert(sizeof(PairLabel) == 16);
 
-/// The direction whose centre is nearest to a bearing, radians counter-clockwise from straight
-/// ahead.
-int DirectionOf(double bearing);
-
-/// Bearing of a direction's centre, in [0, 2 pi).
-inline double BearingOf(int direction) {
-  return 2.0 * sim::kPi * direction / agent::kDirections;
-}
+using agent::BearingOf;
+using agent::DirectionOf;
 
 /// Where one comes to from a pose by going straight in a direction; at the pose's height.
 sim::BodyPose PointAlong(const sim::BodyPose& from, int direction, double distance);

@@ -21,13 +21,6 @@ constexpr double kHiddenReach = 0.5;
 constexpr double kMarchError = 0.05;     // share by which a march's ways may be too long
 constexpr double kRoundingSlack = 0.01;  // cells: a radius in single precision is no whole number
 
-void MarchAll(const agent::Grid<CellState>& states, const agent::FastMarching::Query& query,
-              agent::FastMarching* march) {
-  march->Start(states, query);
-  while (march->Next()) {
-  }
-}
-
 }  // namespace
 
 NearMap::NearMap(const DataConfig& config)
@@ -57,8 +50,8 @@ void NearMap::Project(std::span<const float> depth) {
     }
   }
   FreeMiddle();
-  MarchAll(states_, {.from = middle_}, &seen_ways_);
-  MarchAll(states_, {.from = middle_, .through_unknown = true}, &ways_);
+  seen_ways_.Run(states_, {.from = middle_});
+  ways_.Run(states_, {.from = middle_, .through_unknown = true});
 }
 
 void NearMap::BlockAround(const Cell& obstacle) {

@@ -15,15 +15,6 @@ namespace {
 
 constexpr int kTries = 2000;
 
-std::optional<sim::BodyPose> Stand(sim::CapsuleBody* body, const sim::BodyPose& pose) {
-  try {
-    body->Reset(pose);
-  } catch (const sim::PoseError&) {
-    return std::nullopt;
-  }
-  return body->pose();
-}
-
 }  // namespace
 
 std::vector<sim::BodyPose> DrawPoints(const sim::World& world, const Storey& storey,
@@ -35,7 +26,7 @@ std::vector<sim::BodyPose> DrawPoints(const sim::World& world, const Storey& sto
       const Eigen::Vector3d point = query.RandomPoint(&rng, storey.island).cast<double>();
       const double yaw = rng.Uniform(-sim::kPi, sim::kPi);
       if (std::abs(point.y() - storey.floor_y) > kSameStorey) continue;
-      if (const auto pose = Stand(&body, {point, yaw})) return pose;
+      if (const auto pose = body.TryReset({point, yaw})) return pose;
     }
     return std::nullopt;
   };

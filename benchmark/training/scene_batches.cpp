@@ -64,10 +64,6 @@ SceneBatches::SceneBatches(const DataConfig& config, int panoramas, bool with_de
   }
 }
 
-SceneBatches::~SceneBatches() {
-  if (next_.valid()) next_.wait();
-}
-
 PairBatch SceneBatches::Batch(std::uint64_t number) {
   PairBatch batch;
   if (next_.valid()) batch = next_.get();

@@ -22,11 +22,6 @@ class SceneBatches final : public BatchSource {
   /// Throws sim::Error: see LabelScene; also if a scene has fewer points than `panoramas`.
   SceneBatches(const DataConfig& config, int panoramas, bool with_depth, std::uint64_t seed,
                const std::function<void(const LabelledScene&)>& advance);
-  ~SceneBatches() override;
-  SceneBatches(const SceneBatches&) = delete;
-  SceneBatches& operator=(const SceneBatches&) = delete;
-  SceneBatches(SceneBatches&&) = delete;
-  SceneBatches& operator=(SceneBatches&&) = delete;
 
   PairBatch Batch(std::uint64_t number) override;
 
@@ -45,7 +40,7 @@ class SceneBatches final : public BatchSource {
   std::size_t pixels_;
   std::vector<Scene> scenes_;
   std::uint64_t next_number_ = 0;
-  std::future<PairBatch> next_;
+  std::future<PairBatch> next_;  // the last member: its end waits for what works on the others
 };
 
 }  // namespace bulletnav::bench

@@ -177,9 +177,7 @@ Eigen::Vector3d WalkGrid::Centre(const Cell& cell) const {
 }
 
 void WalkDistances::MeasureFrom(const Cell& from) {
-  march_.Start(grid_.states(), {.from = from});
-  while (march_.Next()) {
-  }
+  march_.Run(grid_.states(), {.from = from});
 }
 
 double WalkDistances::To(const Cell& cell) const {

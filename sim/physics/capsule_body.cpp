@@ -84,6 +84,15 @@ Eigen::Vector3f CapsuleBody::PushOut(const Eigen::Vector3f& foot) const {
   return pushed;
 }
 
+std::optional<BodyPose> CapsuleBody::TryReset(const BodyPose& wanted) {
+  try {
+    Reset(wanted);
+  } catch (const PoseError&) {
+    return std::nullopt;
+  }
+  return pose();
+}
+
 void CapsuleBody::Reset(const BodyPose& pose) {
   const Eigen::Vector3f wanted = pose.position.cast<float>();
   if (!wanted.allFinite() || !std::isfinite(pose.yaw)) throw PoseError("the pose is not finite");

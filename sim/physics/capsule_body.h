@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <optional>
+
 #include <Eigen/Core>
 
 #include "sim/math/pose.h"
@@ -28,6 +30,8 @@ class CapsuleBody {
   /// it touches by up to a radius. Throws PoseError, and leaves the body where it was, if the place
   /// is inside something, has no floor, or no head room.
   void Reset(const BodyPose& pose);
+  /// Reset for places that may not do: where the body stands then, or nothing.
+  std::optional<BodyPose> TryReset(const BodyPose& pose);
 
   /// Moves by a vector in the body's frame (x forward, y left), metres, then turns by its yaw; the
   /// turn is never hindered.

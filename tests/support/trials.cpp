@@ -15,12 +15,7 @@ constexpr int kMostSteps = 500;
 /// Where the body really stands when put at a pose; absent if it cannot stand there.
 std::optional<sim::BodyPose> Stand(const sim::World& world, const sim::BodyPose& pose) {
   sim::CapsuleBody body(world.physics(), {});
-  try {
-    body.Reset(pose);
-  } catch (const sim::PoseError&) {
-    return std::nullopt;
-  }
-  return body.pose();
+  return body.TryReset(pose);
 }
 
 TrialResult Judge(const sim::SimulatedBody& body, const Trial& trial, bool stopped) {

@@ -83,11 +83,8 @@ std::optional<Action> ShortestPathAgent::FollowWayOut(const sim::BodyPose& pose)
 
 double ShortestPathAgent::GainAhead(const GroundTruth& truth, double left) const {
   sim::CapsuleBody body(truth.world->physics(), truth.body);
-  try {
-    body.Reset(truth.pose);
-  } catch (const sim::PoseError&) {
-    return left;  // physics would not put it there anew, so it cannot be asked
-  }
+  // Where physics would not put it anew, it cannot be asked.
+  if (!body.TryReset(truth.pose)) return left;
   body.Move({sim::NominalMotion(Action::kMoveForward).x, 0.0, 0.0});
   return left - query_->GeodesicDistance(body.pose().position.cast<float>(),
                                          truth.goal.position.cast<float>());

@@ -62,11 +62,8 @@ class Search {
     const Place place = places_[static_cast<std::size_t>(from)];
     const double step = sim::NominalMotion(sim::Action::kMoveForward).x;
     for (int k = 0; k < kHeadings; ++k) {
-      try {
-        body_.Reset({place.position, truth_.pose.yaw + 2.0 * sim::kPi * k / kHeadings});
-      } catch (const sim::PoseError&) {
-        return;
-      }
+      const double yaw = truth_.pose.yaw + 2.0 * sim::kPi * k / kHeadings;
+      if (!body_.TryReset({place.position, yaw})) return;
       body_.Move({step, 0.0, 0.0});
       const double moved = (body_.pose().position - place.position).norm();
       if (moved >= kLeastMove) Add(body_.pose().position, from, place.walked + moved);

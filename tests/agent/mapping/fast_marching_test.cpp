@@ -31,17 +31,11 @@ void Block(const Cell& low, const Cell& high, Grid<CellState>* map) {
   }
 }
 
-void RunAll(FastMarching* march) {
-  while (march->Next()) {
-  }
-}
-
 TEST(FastMarching, IsEuclideanInAnEmptyRoom) {
   const Grid<CellState> map = Open();
   for (const Cell from : {Cell{100, 100}, Cell{1, 1}, Cell{37, 150}}) {
     FastMarching march(kSize);
-    march.Start(map, {from});
-    RunAll(&march);
+    march.Run(map, {from});
     double worst = 0.0;
     double sum = 0.0;
     for (int y = 1; y < kSize - 1; ++y) {
@@ -64,8 +58,7 @@ TEST(FastMarching, GoesRoundACornerOnTheShortestWay) {
   FastMarching march(kSize);
   const Cell from{20, 40};
   const Cell to{110, 30};
-  march.Start(map, {from});
-  RunAll(&march);
+  march.Run(map, {from});
   const double corner = std::hypot(60 - 20, 121 - 40) + std::hypot(110 - 60, 121 - 30);
   EXPECT_NEAR(march.distance(to) / corner, 1.0, 0.03);
 }
@@ -80,8 +73,7 @@ TEST(FastMarching, AgreesWithASlowOracleAmongRandomBlocks) {
     }
     map[Cell{2, 2}] = map[Cell{97, 97}] = CellState::kFree;
     FastMarching march(100);
-    march.Start(map, {{2, 2}});
-    RunAll(&march);
+    march.Run(map, {{2, 2}});
     const auto is_free = [&](double x, double y) {
       const Cell cell{static_cast<int>(x), static_cast<int>(y)};
       return map.Contains(cell) && map[cell] == CellState::kFree;
@@ -96,15 +88,12 @@ TEST(FastMarching, DoesNotCrossWallsNorUnknownCellsUnlessAllowed) {
   Grid<CellState> map = Open();
   Block({50, 1}, {50, 198}, &map);
   FastMarching march(kSize);
-  march.Start(map, {{20, 20}});
-  RunAll(&march);
+  march.Run(map, {{20, 20}});
   EXPECT_TRUE(std::isinf(march.distance({60, 20})));
   map[Cell{50, 100}] = CellState::kUnknown;
-  march.Start(map, {{20, 20}});
-  RunAll(&march);
+  march.Run(map, {{20, 20}});
   EXPECT_TRUE(std::isinf(march.distance({60, 20})));
-  march.Start(map, {{20, 20}, true});
-  RunAll(&march);
+  march.Run(map, {{20, 20}, true});
   EXPECT_NEAR(march.distance({60, 20}), std::hypot(30, 80) + std::hypot(10, 80), 4.0);
 }
 
@@ -114,12 +103,10 @@ TEST(FastMarching, TightPlacesCostMoreAndAreGoneAround) {
     for (int x = 80; x < 90; ++x) map[Cell{x, y}] = CellState::kTight;
   }
   FastMarching march(kSize);
-  march.Start(map, {{50, 100}});
-  RunAll(&march);
+  march.Run(map, {{50, 100}});
   EXPECT_NEAR(march.distance({110, 100}), 50.0 + 10.0 * kTightCost, 2.0);
   for (int x = 80; x < 90; ++x) map[Cell{x, 110}] = CellState::kFree;  // a gap to one side
-  march.Start(map, {{50, 100}});
-  RunAll(&march);
+  march.Run(map, {{50, 100}});
   EXPECT_LT(march.distance({110, 100}), 66.0);
 }
 
