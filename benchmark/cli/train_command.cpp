@@ -36,7 +36,7 @@ void Train(const std::filesystem::path& file) {
   SceneBatches train = Batches(config, *config.data, kTrainSeed);
   SceneBatches validation = Batches(config, ValidationData(config), kValidationSeed);
   TrainingLog log(config, &std::cerr);
-  TrainNts(config, &train, &validation, &log);
+  TrainNts(config, train, validation, &log);
   fmt::print("weights and curves: {}\n", config.out);
 }
 

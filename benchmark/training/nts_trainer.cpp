@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/training/nts_trainer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <thread>
+#include <vector>
 
 #include <fmt/core.h>
 
+#include "agent/perception/one_thread.h"
 #include "agent/perception/semantic_net.h"
 #include "benchmark/evaluation/folder_lock.h"
 #include "benchmark/training/adam.h"
-#include "benchmark/training/augment.h"
 #include "benchmark/training/checkpoint.h"
 #include "benchmark/training/curves.h"
-#include "benchmark/training/nts_loss.h"
 #include "benchmark/training/nts_metrics.h"
-#include "sim/base/check.h"
+#include "benchmark/training/train_lanes.h"
 #include "sim/base/error.h"
 #include "sim/base/files.h"
 #include "sim/config/yaml_writer.h"
@@ -31,7 +33,7 @@ std::filesystem::path MadeFolder(const fs::path& folder) {
 
 class NtsTrainer {
  public:
-  NtsTrainer(const TrainConfig& config, BatchSource* train, BatchSource* validation,
+  NtsTrainer(const TrainConfig& config, const BatchSource* train, const BatchSource* validation,
              TrainObserver* observer)
       : config_(config),
         train_(train),
@@ -39,13 +41,14 @@ class NtsTrainer {
         observer_(observer),
         folder_(MadeFolder(config.out)),
         lock_(folder_),
-        rng_(config.seed, "train_nts"),
+        pool_(std::min(config.lanes, static_cast<int>(std::thread::hardware_concurrency()))),
         net_(config.model, config.seed),
+        lanes_(config_, &net_, &pool_),
         adam_(net_),
         checkpoints_(config) {}
 
   void Run() {
-    at::set_num_threads(config_.threads);
+    agent::StayInThisThread();
     const std::optional<TrainState> found = checkpoints_.Read(&net_, &adam_);
     if (found) state_ = *found;
     if (state_.step > 0) observer_->Resumed(state_.step);
@@ -66,51 +69,10 @@ class NtsTrainer {
   }
 
  private:
-  torch::Tensor Input(PairBatch& batch) const {
-    const torch::Tensor color = torch::from_blob(
-        batch.color.data(), {batch.count, agent::kPanoramaRows, agent::kPanoramaCols, 3},
-        torch::kUInt8);
-    torch::Tensor depth;
-    if (config_.model.uses_depth()) {
-      CHECK(!batch.depth.empty());
-      depth = torch::from_blob(batch.depth.data(),
-                               {batch.count, agent::kPanoramaRows, agent::kPanoramaCols},
-                               torch::kFloat32);
-    }
-    return agent::PrepareInput(config_.model, color, depth);
-  }
-
-  static PairBatch Next(BatchSource* source, std::uint64_t number) {
-    PairBatch batch = source->Batch(number);
-    batch.Check();
-    return batch;
-  }
-
   /// One step of the optimiser; its loss.
   double Step() {
-    const auto step = static_cast<std::uint64_t>(state_.step);
-    net_.train();
-    std::vector<torch::Tensor> inputs;
-    std::vector<LabelledPairs> labels;
-    for (int scene = 0; scene < config_.scenes; ++scene) {
-      const std::uint64_t number =
-          step * static_cast<std::uint64_t>(config_.scenes) + static_cast<std::uint64_t>(scene);
-      PairBatch batch = Next(train_, number);
-      Augment(config_.augment, rng_.Fork("augment", number), &batch);
-      inputs.push_back(Input(batch));
-      const auto pairs = DrawPairs(batch, config_.pairs, rng_.Fork("pairs", number));
-      labels.push_back(Labels(batch, pairs));
-    }
-    const LabelledPairs all = Join(labels);
-    const auto dropout = at::detail::createCPUGenerator(sim::MixSeed(config_.seed, step));
-    const agent::PanoramaParts parts = net_.Describe(at::cat(inputs), dropout);
-    const torch::Tensor total =
-        Losses(parts.explorable, net_.Compare(parts.Select(all.source), parts.Select(all.goal)),
-               all)
-            .Total();
-    const auto loss = total.item<double>();
+    const double loss = lanes_.Pass(*train_, state_.step);
     RequireNumber(loss, "training");
-    total.backward();
     adam_.Step(config_.optimiser.RateAt(state_.step, config_.steps),
                config_.optimiser.weight_decay);
     ++state_.step;
@@ -135,16 +97,26 @@ class NtsTrainer {
   }
 
   NtsMetrics Validate() {
-    const torch::NoGradGuard no_grad;
+    struct Answers {
+      torch::Tensor explorable;
+      agent::PairOutputs pairs;
+      LabelledPairs truth;
+    };
+    std::vector<Answers> answers(static_cast<std::size_t>(config_.validation_batches));
     net_.eval();
+    pool_.ForEach(config_.validation_batches, [&](int i, int) {
+      const torch::NoGradGuard no_grad;
+      agent::StayInThisThread();
+      PairBatch batch = validation_->Batch(static_cast<std::uint64_t>(i));
+      batch.Check();
+      const LabelledPairs truth = Labels(batch, AllPairs(batch));
+      const agent::PanoramaParts parts = net_.Describe(InputOf(config_.model, &batch));
+      answers[static_cast<std::size_t>(i)] = {
+          parts.explorable, net_.Compare(parts.Select(truth.source), parts.Select(truth.goal)),
+          truth};
+    });
     MetricSums sums;
-    for (int i = 0; i < config_.validation_batches; ++i) {
-      PairBatch batch = Next(validation_, static_cast<std::uint64_t>(i));
-      const LabelledPairs labels = Labels(batch, AllPairs(batch));
-      const agent::PanoramaParts parts = net_.Describe(Input(batch));
-      sums.Add(parts.explorable,
-               net_.Compare(parts.Select(labels.source), parts.Select(labels.goal)), labels);
-    }
+    for (const Answers& one : answers) sums.Add(one.explorable, one.pairs, one.truth);
     return sums.Means();
   }
 
@@ -164,13 +136,14 @@ class NtsTrainer {
   }
 
   TrainConfig config_;
-  BatchSource* train_;
-  BatchSource* validation_;
+  const BatchSource* train_;
+  const BatchSource* validation_;
   TrainObserver* observer_;
   fs::path folder_;
   FolderLock lock_;
-  sim::Rng rng_;
+  sim::WorkerPool pool_;
   agent::SemanticNet net_;
+  TrainLanes lanes_;
   Adam adam_;
   Checkpoints checkpoints_;
   TrainState state_;
@@ -178,9 +151,9 @@ class NtsTrainer {
 
 }  // namespace
 
-void TrainNts(const TrainConfig& config, BatchSource* train, BatchSource* validation,
+void TrainNts(const TrainConfig& config, const BatchSource& train, const BatchSource& validation,
               TrainObserver* observer) {
-  NtsTrainer(config, train, validation, observer).Run();
+  NtsTrainer(config, &train, &validation, observer).Run();
 }
 
 }  // namespace bulletnav::bench

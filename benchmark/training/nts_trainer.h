@@ -27,11 +27,11 @@ class TrainObserver {
 /// Trains the learned model of Neural Topological SLAM, appendix A, and writes to config.out:
 /// weights.safetensors, the result; weights_best.safetensors, of the lowest validation loss so far;
 /// curves.csv, curves.svg and curves.png; checkpoints. A training that was killed goes on
-/// from its last checkpoint when called again, and ends with the same bits as one that was not, for
-/// the same number of threads. Validation batches are number 0 on of `validation`.
+/// from its last checkpoint when called again, and ends with the same bits as one that was not, on
+/// any number of threads. Validation batches are number 0 on of `validation`.
 /// Throws Error if the loss is no longer a number (the last good checkpoint stays), if a checkpoint
 /// is of another config or if another process trains there; FileError if files cannot be written.
-void TrainNts(const TrainConfig& config, BatchSource* train, BatchSource* validation,
+void TrainNts(const TrainConfig& config, const BatchSource& train, const BatchSource& validation,
               TrainObserver* observer);
 
 }  // namespace bulletnav::bench

@@ -33,8 +33,8 @@ class BatchSource {
   BatchSource& operator=(BatchSource&&) = delete;
 
   /// The same for the same number, whatever was asked before: so a training can be resumed. All
-  /// batches of a source have the same count.
-  virtual PairBatch Batch(std::uint64_t number) = 0;
+  /// batches of a source have the same count. May be called from several threads.
+  virtual PairBatch Batch(std::uint64_t number) const = 0;
 };
 
 /// Turns panorama `index` as if its camera had turned counter-clockwise by `twelfths` of a circle:

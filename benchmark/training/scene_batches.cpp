@@ -61,30 +61,24 @@ SceneBatches::SceneBatches(const DataConfig& config, int panoramas, bool with_de
     scene.samples = std::move(one.samples);
     scene.render = LoadForPanoramas(one.file, config);
     scene.panoramas = std::make_unique<ScenePanoramas>(*scene.render, config);
+    scene.drawing = std::make_unique<std::mutex>();
   }
 }
 
-PairBatch SceneBatches::Batch(std::uint64_t number) {
-  PairBatch batch;
-  if (next_.valid()) batch = next_.get();
-  if (batch.count == 0 || next_number_ != number) batch = Make(number);
-  next_number_ = number + 1;
-  next_ = std::async(std::launch::async, [this, number] {
-    return Make(number + 1);
-  });
-  return batch;
-}
-
-PairBatch SceneBatches::Make(std::uint64_t number) {
+PairBatch SceneBatches::Batch(std::uint64_t number) const {
   sim::Rng rng = sim::Rng(seed_, "training batch").Fork("number", number);
-  Scene& scene = scenes_[static_cast<std::size_t>(rng.Below(static_cast<int>(scenes_.size())))];
+  const Scene& scene =
+      scenes_[static_cast<std::size_t>(rng.Below(static_cast<int>(scenes_.size())))];
   const std::vector<int> chosen = Draw(panoramas_, scene.samples.count(), &rng);
   PairBatch batch;
   batch.count = panoramas_;
   const auto n = static_cast<std::size_t>(panoramas_);
   batch.color.resize(3 * pixels_ * n);
   if (with_depth_) batch.depth.resize(pixels_ * n);
-  scene.panoramas->Render(scene.samples.poses, chosen, batch.color, batch.depth);
+  {
+    const std::lock_guard lock(*scene.drawing);
+    scene.panoramas->Render(scene.samples.poses, chosen, batch.color, batch.depth);
+  }
   for (const int source : chosen) {
     for (int i = 0; i < agent::kDirections; ++i) {
       batch.explorable.push_back(scene.samples.IsExplorable(source, i) ? 1 : 0);

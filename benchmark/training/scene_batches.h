@@ -2,8 +2,8 @@
 #pragma once
 #include <cstdint>
 #include <functional>
-#include <future>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 #include "benchmark/training/dataset.h"
@@ -13,9 +13,8 @@
 namespace bulletnav::bench {
 
 /// Batches from labelled scenes: each of random points of one random scene, the panoramas drawn
-/// anew. The next batch is drawn in the background while the caller works on the last one.
-/// Batch(number) is a function of config, seed and number. All scenes are kept in memory, about
-/// 50 MB each.
+/// anew. Batch(number) is a function of config, seed and number. All scenes are kept in memory,
+/// about 50 MB each.
 class SceneBatches final : public BatchSource {
  public:
   /// Labels scenes that are not yet, loads all of them, with a call of `advance` after each.
@@ -23,24 +22,21 @@ class SceneBatches final : public BatchSource {
   SceneBatches(const DataConfig& config, int panoramas, bool with_depth, std::uint64_t seed,
                const std::function<void(const LabelledScene&)>& advance);
 
-  PairBatch Batch(std::uint64_t number) override;
+  PairBatch Batch(std::uint64_t number) const override;
 
  private:
   struct Scene {
     SceneSamples samples;
     std::unique_ptr<const sim::RenderScene> render;
-    std::unique_ptr<ScenePanoramas> panoramas;  // for one batch at a time
+    std::unique_ptr<ScenePanoramas> panoramas;
+    std::unique_ptr<std::mutex> drawing;  // panoramas draw for one batch at a time
   };
-
-  PairBatch Make(std::uint64_t number);
 
   int panoramas_;
   bool with_depth_;
   std::uint64_t seed_;
   std::size_t pixels_;
   std::vector<Scene> scenes_;
-  std::uint64_t next_number_ = 0;
-  std::future<PairBatch> next_;  // the last member: its end waits for what works on the others
 };
 
 }  // namespace bulletnav::bench

@@ -40,7 +40,8 @@ void TrainConfig::Validate() const {
   RequireAtLeast(2, pairs, "pairs");
   RequireAtLeast(1, validate_every, "validate_every");
   RequireAtLeast(1, validation_batches, "validation_batches");
-  RequireAtLeast(1, threads, "threads");
+  RequireAtLeast(1, lanes, "lanes");
+  if (scenes % lanes != 0) throw sim::Error("lanes must divide scenes");
 }
 
 DataConfig ValidationData(const TrainConfig& config) {

@@ -58,11 +58,11 @@ struct TrainConfig {
   AugmentSpec augment;
   int steps = 20000;
   int scenes = 4;            // batches a step
+  int lanes = 2;             // that share them; each normalises by its own batches
   int panoramas = 16;        // in each batch
   int pairs = 64;            // compared of each batch, half of them of one node if there are enough
   int validate_every = 500;  // steps; a checkpoint is written then, too
   int validation_batches = 32;
-  int threads = 2;  // of torch; bits of the result depend on it
   std::uint64_t seed = 0;
 
   template <class V>
@@ -75,11 +75,11 @@ struct TrainConfig {
     v("augment", augment);
     v("steps", steps);
     v("scenes", scenes);
+    v("lanes", lanes);
     v("panoramas", panoramas);
     v("pairs", pairs);
     v("validate_every", validate_every);
     v("validation_batches", validation_batches);
-    v("threads", threads);
     v("seed", seed);
   }
   /// Throws Error.

@@ -98,7 +98,7 @@ bench::PairBatch BarBatch(const std::vector<Stand>& stands) {
   return batch;
 }
 
-bench::PairBatch BarSource::Batch(std::uint64_t number) {
+bench::PairBatch BarSource::Batch(std::uint64_t number) const {
   sim::Rng rng = sim::Rng(seed_, "bars").Fork("batch", number);
   std::vector<Stand> stands(static_cast<std::size_t>(count_));
   for (Stand& stand : stands) {

@@ -20,7 +20,7 @@ bench::PairBatch BarBatch(const std::vector<Stand>& stands);
 class BarSource : public bench::BatchSource {
  public:
   BarSource(int count, std::uint64_t seed) : count_(count), seed_(seed) {}
-  bench::PairBatch Batch(std::uint64_t number) override;
+  bench::PairBatch Batch(std::uint64_t number) const override;
 
  private:
   int count_;

@@ -41,11 +41,10 @@ TEST(TrainNts, LearnsWhereThingsAreFromBars) {
   config.pairs = 32;
   config.validate_every = config.steps;
   config.validation_batches = 10;
-  config.threads = 1;
   tests::BarSource train(config.panoramas, 1);
   tests::BarSource validation(config.panoramas, 2);
   LastMetrics log(config, &std::cout);
-  TrainNts(config, &train, &validation, &log);
+  TrainNts(config, train, validation, &log);
   EXPECT_GT(log.metrics().connection, 0.75);
   EXPECT_GT(log.metrics().direction, 0.3);
   EXPECT_GT(log.metrics().direction_near, 0.6);

@@ -29,12 +29,11 @@ TrainConfig TinyConfig(const fs::path& out) {
   config.model.pair_features = 32;
   config.optimiser.warmup_steps = 2;
   config.steps = 6;
-  config.scenes = 1;
+  config.scenes = 2;
   config.panoramas = 4;
   config.pairs = 8;
   config.validate_every = 2;
   config.validation_batches = 1;
-  config.threads = 1;
   return config;
 }
 
@@ -63,7 +62,7 @@ class TrainNtsTest : public testing::Test {
   void Train(const TrainConfig& config, TrainObserver* observer) {
     BarSource train(config.panoramas, 1);
     BarSource validation(config.panoramas, 2);
-    TrainNts(config, &train, &validation, observer);
+    TrainNts(config, train, validation, observer);
   }
   std::string Complaint(const TrainConfig& config) {
     Watcher watcher;
@@ -118,13 +117,13 @@ TEST_F(TrainNtsTest, RefusesToGoOnByAnotherConfig) {
   EXPECT_THAT(Complaint(config), HasSubstr("another config"));
 }
 
-/// Depths that are no numbers from batch 3 on.
+/// Depths that are no numbers from batch 6 on, of the fourth step.
 class PoisonedSource : public BarSource {
  public:
   using BarSource::BarSource;
-  PairBatch Batch(std::uint64_t number) override {
+  PairBatch Batch(std::uint64_t number) const override {
     PairBatch batch = BarSource::Batch(number);
-    if (number >= 3) batch.depth[0] = std::numeric_limits<float>::quiet_NaN();
+    if (number >= 6) batch.depth[0] = std::numeric_limits<float>::quiet_NaN();
     return batch;
   }
 };
@@ -135,14 +134,14 @@ TEST_F(TrainNtsTest, StopsAtALossThatIsNoNumberAndKeepsTheCheckpoint) {
   BarSource validation(config.panoramas, 2);
   Watcher watcher;
   try {
-    TrainNts(config, &train, &validation, &watcher);
+    TrainNts(config, train, validation, &watcher);
     FAIL();
   } catch (const sim::Error& e) {
     EXPECT_THAT(e.what(), HasSubstr("nan at step 4"));
     EXPECT_THAT(e.what(), HasSubstr("checkpoint.safetensors"));
   }
   BarSource good(config.panoramas, 1);
-  TrainNts(config, &good, &validation, &watcher);
+  TrainNts(config, good, validation, &watcher);
   EXPECT_EQ(watcher.resumed(), 2);
 }
 
