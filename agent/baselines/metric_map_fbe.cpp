@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <optional>
 
+#include "agent/mapping/goal_track.h"
 #include "agent/mapping/map_navigator.h"
+#include "agent/perception/model_goal_estimator.h"
 #include "agent/registry.h"
 #include "sim/base/error.h"
 #include "sim/math/rng.h"
@@ -19,14 +21,20 @@ class MetricMapFbeAgent final : public Agent {
 
   struct Config {
     NavigatorSpec navigator;
+    double goal_seen = 0.5;      // probability from which a semantic model sees the goal
+    int sightings = 2;           // of the goal that must agree
     double stop_distance = 0.5;  // metres to walk to the goal; episodes ask for less than 1
 
     template <class V>
     void Visit(V& v) {
       v("navigator", navigator);
+      v("goal_seen", goal_seen);
+      v("sightings", sightings);
       v("stop_distance", stop_distance);
     }
     void Validate() const {
+      if (!(goal_seen >= 0.0 && goal_seen <= 1.0)) throw sim::Error("goal_seen must be in [0, 1]");
+      if (sightings < 1) throw sim::Error("sightings must be at least 1");
       if (!(stop_distance > 0.0)) throw sim::Error("stop_distance must be positive");
     }
   };
@@ -34,7 +42,11 @@ class MetricMapFbeAgent final : public Agent {
   MetricMapFbeAgent(const Config& config, const AgentContext& context)
       : config_(config),
         navigator_(context.rig, config.navigator),
-        estimator_(context.goal_estimator) {
+        estimator_(context.goal_estimator),
+        goal_at_(config.sightings) {
+    if (!estimator_ && context.semantic_model) {
+      estimator_ = std::make_shared<ModelGoalEstimator>(context.semantic_model, config.goal_seen);
+    }
     if (!estimator_) throw sim::Error("metric_map_fbe needs something that recognises the goal");
   }
 
@@ -46,17 +58,17 @@ class MetricMapFbeAgent final : public Agent {
   void NextGoal(const Panorama& goal, std::uint64_t seed) override {
     goal_ = goal;
     rng_ = sim::Rng(seed, kName);
-    goal_at_.reset();
+    goal_at_.Reset();
     target_.reset();
   }
 
   sim::Action Act(const Observation& observation) override {
     navigator_.Observe(observation);
     const auto seen = estimator_->Estimate(observation.panorama, goal_);
-    if (seen) goal_at_ = navigator_.PointAt(seen->distance, seen->bearing);
-    target_ = goal_at_;
+    if (seen) goal_at_.Add(navigator_.PointAt(seen->distance, seen->bearing), seen->distance);
+    target_ = goal_at_.point();
     std::optional<sim::Action> action;
-    if (goal_at_) action = Approach(seen.has_value());
+    if (target_) action = Approach(seen.has_value());
     if (!action) action = Explore();
     navigator_.Took(*action);
     return *action;
@@ -71,11 +83,11 @@ class MetricMapFbeAgent final : public Agent {
  private:
   /// Absent if there is no way there, or the goal is not where it was taken to be.
   std::optional<sim::Action> Approach(bool is_seen) {
-    const auto plan = navigator_.Plan(*goal_at_, true);
+    const auto plan = navigator_.Plan(*target_, true);
     if (!plan) return std::nullopt;
     if (plan->distance > config_.stop_distance) return navigator_.Steer(plan->point);
     if (is_seen) return sim::Action::kStop;
-    goal_at_.reset();
+    goal_at_.Reset();
     return std::nullopt;
   }
 
@@ -100,7 +112,7 @@ class MetricMapFbeAgent final : public Agent {
   std::shared_ptr<GoalEstimator> estimator_;
   Panorama goal_;
   sim::Rng rng_{0, kName};
-  std::optional<Point> goal_at_;
+  GoalTrack goal_at_;
   std::optional<Point> target_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "agent/nts/goal_track.h"
+#include "agent/mapping/goal_track.h"
 
 namespace bulletnav::agent {
 namespace {

@@ -5,9 +5,9 @@
 #include <string_view>
 
 #include "agent/agent.h"
+#include "agent/mapping/goal_track.h"
 #include "agent/mapping/map_navigator.h"
 #include "agent/nts/global_policy.h"
-#include "agent/nts/goal_track.h"
 #include "agent/nts/graph_update.h"
 #include "agent/nts/nts_spec.h"
 #include "agent/nts/progress_watch.h"

@@ -6,23 +6,14 @@
 #include <string>
 #include <utility>
 
+#include "agent/perception/model_file.h"
+#include "agent/perception/one_thread.h"
 #include "agent/perception/semantic_net.h"
 #include "sim/base/check.h"
 #include "sim/base/error.h"
 
 namespace bulletnav::agent {
 namespace {
-
-void RequireRig(const Rig& rig, const ModelConfig& config, const std::filesystem::path& weights) {
-  const std::string model = "the model of " + weights.string() + " takes ";
-  if (rig.panorama.rows != kPanoramaRows || rig.panorama.cols != kPanoramaCols) {
-    throw sim::Error(model + "panoramas of 128 x 512; set the panorama's rows and cols so");
-  }
-  if (!rig.has_color) throw sim::Error(model + "colour, but the setting gives none");
-  if (config.uses_depth() && !rig.has_depth) {
-    throw sim::Error(model + "depth; use weights of the rgb setting, or the setting rgbd");
-  }
-}
 
 /// The four parts of a panorama that pairs are compared by, and what they hold together.
 struct Layout {
@@ -44,11 +35,6 @@ std::array<float, kDirections> ToArray(const torch::Tensor& row) {
   std::array<float, kDirections> values{};
   std::copy_n(flat.data_ptr<float>(), kDirections, values.begin());
   return values;
-}
-
-/// Torch's pool of threads would make small work slower and sums depend on its size.
-void StayInThisThread() {
-  if (at::get_num_threads() != 1) at::set_num_threads(1);
 }
 
 }  // namespace

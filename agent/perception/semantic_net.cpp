@@ -4,14 +4,12 @@
 #include <set>
 #include <sstream>
 
+#include "agent/perception/model_file.h"
 #include "sim/base/error.h"
-#include "sim/config/yaml_reader.h"
 #include "sim/config/yaml_writer.h"
 
 namespace bulletnav::agent {
 namespace {
-
-constexpr const char* kModelKey = "model";
 
 std::string ShapeText(at::IntArrayRef shape) {
   std::ostringstream out;
@@ -100,12 +98,7 @@ void SaveNet(const SemanticNet& net, std::map<std::string, std::string> notes, S
 
 std::shared_ptr<SemanticNet> LoadNet(const std::filesystem::path& file) {
   const TensorFile content = ReadTensorFile(file);
-  const auto found = content.metadata.find(kModelKey);
-  if (found == content.metadata.end()) {
-    throw sim::FileError(file, "", "does not say what model its weights belong to; train it again");
-  }
-  const auto config = sim::LoadYamlText<ModelConfig>(found->second, file);
-  auto net = std::make_shared<SemanticNet>(config, 0);
+  auto net = std::make_shared<SemanticNet>(ModelConfigOf(content, file), 0);
   SetWeights(content, "", file, net.get());
   return net;
 }

@@ -2,6 +2,8 @@
 #pragma once
 #include <CLI/App.hpp>
 
+#include "benchmark/evaluation/run_agents.h"
+
 namespace bulletnav::bench {
 
 /// Each adds its subcommands to the program; a subcommand's callback does the work and reports
@@ -15,7 +17,8 @@ void AddPlotCommand(CLI::App* program);
 void AddRenderCommand(CLI::App* program);
 /// Adds "generate" to the "scenes" command.
 void AddGenerateCommand(CLI::App* scenes);
-void AddRunCommand(CLI::App* program);
+/// Without a loader, runs of agents with learned functions are handed over to bulletnav-learn.
+void AddRunCommand(CLI::App* program, const ModelLoader& load_model = {});
 void AddScenesCommand(CLI::App* program);
 void AddTableCommand(CLI::App* program);
 

@@ -1,10 +1,21 @@
 // SPDX-License-Identifier: MIT
 // The commands that need torch, in a program of their own: see forwarded_commands.cpp.
+#include "agent/perception/learned_model.h"
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/program.h"
+
+namespace {
+
+std::shared_ptr<bulletnav::agent::SemanticModel> LoadModel(const std::filesystem::path& weights,
+                                                           const bulletnav::agent::Rig& rig) {
+  return std::make_shared<bulletnav::agent::LearnedModel>(weights, rig);
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   return bulletnav::bench::RunProgram(argc, argv, [](CLI::App* program) {
     bulletnav::bench::AddTrainCommand(program);
+    bulletnav::bench::AddRunCommand(program, LoadModel);
   });
 }

@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include "benchmark/cli/commands.h"
+#include "benchmark/cli/hand_over.h"
 #include "benchmark/cli/progress.h"
 #include "benchmark/cli/run_progress.h"
 #include "benchmark/evaluation/runner.h"
@@ -43,6 +44,7 @@ RunHooks MakeHooks(RunProgress* progress) {
 
 void PlayConfig(const RunCommandOptions& options) {
   RunConfig config = LoadRunConfig(options.config);
+  if (!options.run.load_model && !UsedWeights(config).empty()) HandOverToLearn();
   const fs::path folder = options.out.empty() ? fs::path("results") / config.name : options.out;
   RunProgress progress;
   const RunOutcome outcome =
@@ -58,8 +60,9 @@ void PlayConfig(const RunCommandOptions& options) {
 
 }  // namespace
 
-void AddRunCommand(CLI::App* program) {
+void AddRunCommand(CLI::App* program, const ModelLoader& load_model) {
   auto options = std::make_shared<RunCommandOptions>();
+  options->run.load_model = load_model;
   CLI::App* command = program->add_subcommand(
       "run", "Play a config's episodes with its agents; goes on where it was stopped");
   command->add_option("config", options->config, "YAML file, as configs/quickstart.yaml")

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "agent/perception/model_file.h"
 #include "benchmark/evaluation/privileged/oracle_goal_estimator.h"
 #include "benchmark/evaluation/privileged/oracle_semantic_model.h"
 #include "sim/base/check.h"
@@ -11,6 +12,8 @@
 
 namespace bulletnav::bench {
 namespace {
+
+namespace fs = std::filesystem;
 
 /// Privileged agents behind the interface of the others: they see the truth instead of what the
 /// observations hold.
@@ -59,35 +62,50 @@ std::string WhyNot(const RunAgent& agent, const agent::Rig& rig) {
   return "";
 }
 
-bool UsesOracle(const AgentEntry& entry) {
-  return entry.goal_estimator == GoalEstimatorKind::kOracle ||
-         entry.semantic_model == SemanticModelKind::kOracle;
+/// Stands for a model in a program that cannot load one.
+class UnloadedModel final : public agent::SemanticModel {
+ public:
+  std::vector<agent::PanoramaCode> Encode(std::span<const agent::Panorama>) override {
+    throw sim::Error(kWhy);
+  }
+  std::array<float, agent::kDirections> Explorable(const agent::PanoramaCode&) override {
+    throw sim::Error(kWhy);
+  }
+  std::vector<agent::PairPrediction> Compare(std::span<const agent::PanoramaCode* const>,
+                                             const agent::PanoramaCode&) override {
+    throw sim::Error(kWhy);
+  }
+
+ private:
+  static constexpr const char* kWhy = "this program was built without the learned functions";
+};
+
+/// The contexts of all lanes; a learned model is shared by them.
+std::vector<agent::AgentContext> ContextsOf(const RunAgent& agent, const agent::Rig& rig,
+                                            std::span<const GroundTruth* const> truths) {
+  std::shared_ptr<agent::SemanticModel> learned;
+  if (agent.is_learned()) {
+    const Setting setting = rig.has_depth ? Setting::kRgbd : Setting::kRgb;
+    learned = agent.load_model(FindWeights(agent.weights.of(setting)), rig);
+  }
+  std::vector<agent::AgentContext> contexts;
+  for (const GroundTruth* truth : truths) {
+    agent::AgentContext& context = contexts.emplace_back();
+    context.rig = rig;
+    context.semantic_model = learned;
+    if (agent.entry.semantic_model != SemanticModelKind::kOracle) continue;
+    context.goal_estimator = std::make_shared<OracleGoalEstimator>(*truth);
+    context.semantic_model = std::make_shared<OracleSemanticModel>(*truth);
+  }
+  return contexts;
 }
 
-agent::AgentContext ContextOf(const AgentEntry& entry, const agent::Rig& rig,
-                              const GroundTruth& truth) {
-  agent::AgentContext context;
-  context.rig = rig;
-  switch (entry.goal_estimator) {
-    case GoalEstimatorKind::kNone:
-      break;
-    case GoalEstimatorKind::kOracle:
-      context.goal_estimator = std::make_shared<OracleGoalEstimator>(truth);
-      break;
-  }
-  switch (entry.semantic_model) {
-    case SemanticModelKind::kNone:
-      break;
-    case SemanticModelKind::kOracle:
-      context.semantic_model = std::make_shared<OracleSemanticModel>(truth);
-      break;
-  }
-  return context;
-}
-
-RunAgent FindAgent(const RunConfig& config, const AgentEntry& entry) {
+RunAgent FindAgent(const RunConfig& config, const AgentEntry& entry,
+                   const ModelLoader& load_model) {
   RunAgent agent;
   agent.entry = entry;
+  agent.weights = config.weights;
+  agent.load_model = load_model;
   if (entry.parameters) {
     sim::YamlWriter writer;
     writer.Write(*entry.parameters);
@@ -114,19 +132,54 @@ RunAgent FindAgent(const RunConfig& config, const AgentEntry& entry) {
 
 }  // namespace
 
+ModelLoader WeightsCheck() {
+  return [](const fs::path& weights, const agent::Rig& rig) {
+    const agent::ModelConfig config = agent::ModelConfigOf(agent::ReadTensorFile(weights), weights);
+    agent::RequireRig(rig, config, weights);
+    return std::make_shared<UnloadedModel>();
+  };
+}
+
+fs::path FindWeights(const std::string& weights) {
+  if (fs::exists(weights)) return weights;
+  fs::path folder = fs::read_symlink("/proc/self/exe");
+  while (fs::path(weights).is_relative() && folder.has_relative_path()) {
+    folder = folder.parent_path();
+    if (fs::exists(folder / weights)) return folder / weights;
+  }
+  throw sim::FileError(weights, "", "does not exist; train it: bulletnav train configs/train/...");
+}
+
+std::map<std::string, fs::path> UsedWeights(const RunConfig& config) {
+  std::map<std::string, fs::path> used;
+  for (const AgentEntry& entry : config.agents) {
+    if (entry.semantic_model != SemanticModelKind::kLearned) continue;
+    for (const Setting setting : entry.settings.empty() ? config.settings : entry.settings) {
+      try {
+        used[std::string(sim::NameOf(setting))] = FindWeights(config.weights.of(setting));
+      } catch (const sim::FileError&) {
+        continue;  // the agent's row says so
+      }
+    }
+  }
+  return used;
+}
+
 AgentRow RunAgent::row() const {
   AgentRow row;
   row.agent = entry.name;
   row.title = entry.title;
   if (!settings.empty() && is_privileged) row.note = "privileged";
-  if (!settings.empty() && UsesOracle(entry)) row.note = "oracle";
+  if (!settings.empty() && entry.semantic_model == SemanticModelKind::kOracle) row.note = "oracle";
   if (!missing.empty()) row.note += (row.note.empty() ? "" : "; ") + missing;
   return row;
 }
 
-std::vector<RunAgent> FindAgents(const RunConfig& config) {
+std::vector<RunAgent> FindAgents(const RunConfig& config, const ModelLoader& load_model) {
   std::vector<RunAgent> agents;
-  for (const AgentEntry& entry : config.agents) agents.push_back(FindAgent(config, entry));
+  for (const AgentEntry& entry : config.agents) {
+    agents.push_back(FindAgent(config, entry, load_model));
+  }
   return agents;
 }
 
@@ -170,12 +223,7 @@ std::unique_ptr<agent::BatchAgent> Build(const RunAgent& agent, const agent::Rig
     }
     return std::make_unique<PrivilegedLanes>(std::move(agents), truths);
   }
-  std::vector<agent::AgentContext> contexts;
-  contexts.reserve(truths.size());
-  for (const GroundTruth* truth : truths) {
-    contexts.push_back(ContextOf(agent.entry, rig, *truth));
-  }
-  return agent.maker(contexts);
+  return agent.maker(ContextsOf(agent, rig, truths));
 }
 
 }  // namespace bulletnav::bench

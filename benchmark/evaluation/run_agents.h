@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -15,6 +17,22 @@
 
 namespace bulletnav::bench {
 
+/// Makes a semantic model from a file of weights; see agent::LearnedModel. May be called from
+/// several threads.
+using ModelLoader = std::function<std::shared_ptr<agent::SemanticModel>(
+    const std::filesystem::path& weights, const agent::Rig& rig)>;
+
+/// A loader that finds out whether there are weights that the rig can use, and no more: its models
+/// cannot be asked anything. For programs without torch.
+ModelLoader WeightsCheck();
+
+/// The file of weights itself or, where a relative path is not found from the current folder, the
+/// project's of that name. Throws FileError if there is none.
+std::filesystem::path FindWeights(const std::string& weights);
+
+/// The weights that a config's agents use, by name of the setting; without those that are missing.
+std::map<std::string, std::filesystem::path> UsedWeights(const RunConfig& config);
+
 /// An agent of a run: ready to be built, or known to be missing.
 struct RunAgent {
   AgentEntry entry;
@@ -23,13 +41,17 @@ struct RunAgent {
   bool is_privileged = false;
   std::string parameters;   // YAML text: nodes are not to be shared between threads
   agent::AgentMaker maker;  // of those that are not privileged
+  WeightsSpec weights;
+  ModelLoader load_model;
 
+  bool is_learned() const { return entry.semantic_model == SemanticModelKind::kLearned; }
   /// How tables speak of it.
   AgentRow row() const;
 };
 
 /// Finds out, by building each agent once in each of its settings, what can run.
-std::vector<RunAgent> FindAgents(const RunConfig& config);
+std::vector<RunAgent> FindAgents(const RunConfig& config,
+                                 const ModelLoader& load_model = WeightsCheck());
 
 /// Throws sim::Error that names every agent that cannot run in all of its settings.
 void RequireAll(std::span<const RunAgent> agents);

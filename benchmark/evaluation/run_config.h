@@ -20,10 +20,8 @@ enum class Setting { kRgb, kRgbd };
 /// kNoNoise: exact motion and odometry. kNoStop: being near the goal ends the episode, a stop does
 /// nothing. Source: Neural Topological SLAM, table 2.
 enum class Condition { kNoise, kNoNoise, kNoStop };
-/// Who tells an agent where the goal is once it can be seen.
-enum class GoalEstimatorKind { kNone, kOracle };
-/// Who answers the four functions of Neural Topological SLAM.
-enum class SemanticModelKind { kNone, kOracle };
+/// Who answers the four functions of Neural Topological SLAM: the ground truth, or weights.
+enum class SemanticModelKind { kNone, kOracle, kLearned };
 
 }  // namespace bulletnav::bench
 
@@ -31,7 +29,8 @@ template <>
 struct bulletnav::sim::EnumNames<bulletnav::bench::SemanticModelKind> {
   static constexpr std::array kNames = {
       std::pair{"none", bulletnav::bench::SemanticModelKind::kNone},
-      std::pair{"oracle", bulletnav::bench::SemanticModelKind::kOracle}};
+      std::pair{"oracle", bulletnav::bench::SemanticModelKind::kOracle},
+      std::pair{"learned", bulletnav::bench::SemanticModelKind::kLearned}};
 };
 template <>
 struct bulletnav::sim::EnumNames<bulletnav::bench::Setting> {
@@ -44,12 +43,6 @@ struct bulletnav::sim::EnumNames<bulletnav::bench::Condition> {
       std::pair{"noise", bulletnav::bench::Condition::kNoise},
       std::pair{"no_noise", bulletnav::bench::Condition::kNoNoise},
       std::pair{"no_stop", bulletnav::bench::Condition::kNoStop}};
-};
-template <>
-struct bulletnav::sim::EnumNames<bulletnav::bench::GoalEstimatorKind> {
-  static constexpr std::array kNames = {
-      std::pair{"none", bulletnav::bench::GoalEstimatorKind::kNone},
-      std::pair{"oracle", bulletnav::bench::GoalEstimatorKind::kOracle}};
 };
 
 namespace bulletnav::bench {
@@ -114,13 +107,25 @@ struct TimeBudget {
   void Validate() const;
 };
 
+/// Files of what the learned functions have learned, by setting.
+struct WeightsSpec {
+  std::string rgb = "assets/weights/nts_rgb.safetensors";
+  std::string rgbd = "assets/weights/nts_rgbd.safetensors";
+
+  template <class V>
+  void Visit(V& v) {
+    v("rgb", rgb);
+    v("rgbd", rgbd);
+  }
+  const std::string& of(Setting setting) const { return setting == Setting::kRgb ? rgb : rgbd; }
+};
+
 /// One agent with its parameters.
 struct AgentEntry {
   std::string agent;              // as it is registered
   std::string name;               // of its rows and results; the agent's if empty
   std::string title;              // for people; the paper's if empty
   std::vector<Setting> settings;  // the run's if empty
-  GoalEstimatorKind goal_estimator = GoalEstimatorKind::kNone;
   SemanticModelKind semantic_model = SemanticModelKind::kNone;
   int lanes = 1;                            // episodes that one worker runs through it at once
   std::optional<sim::YamlNode> parameters;  // the agent's own config
@@ -131,7 +136,6 @@ struct AgentEntry {
     v("name", name);
     v("title", title);
     v("settings", settings);
-    v("goal_estimator", goal_estimator);
     v("semantic_model", semantic_model);
     v("lanes", lanes);
     v("parameters", parameters);
@@ -143,11 +147,13 @@ struct AgentEntry {
 struct Fingerprints {
   std::string episodes;
   std::map<std::string, std::string> scenes;
+  std::map<std::string, std::string> weights;  // by setting; of those that agents use
 
   template <class V>
   void Visit(V& v) {
     v("episodes", episodes);
     v("scenes", scenes);
+    v("weights", weights);
   }
   bool operator==(const Fingerprints&) const = default;
 };
@@ -169,6 +175,7 @@ struct RunConfig {
   double success_distance = 1.0;  // metres
   int max_steps = 500;            // a goal
   TimeBudget time_budget;
+  WeightsSpec weights;
   bool trajectories = true;  // kept for plots
   std::vector<AgentEntry> agents;
   std::optional<Fingerprints> fingerprints;  // in saved configs: checked
@@ -190,6 +197,7 @@ struct RunConfig {
     v("success_distance", success_distance);
     v("max_steps", max_steps);
     v("time_budget", time_budget);
+    v("weights", weights);
     v("trajectories", trajectories);
     v.Required("agents", agents);
     v("fingerprints", fingerprints);

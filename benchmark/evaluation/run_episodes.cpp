@@ -5,6 +5,7 @@
 
 #include "benchmark/episodes/episode_file.h"
 #include "benchmark/episodes/ground.h"
+#include "benchmark/evaluation/run_agents.h"
 #include "sim/base/error.h"
 #include "sim/base/files.h"
 #include "sim/house/house_set.h"
@@ -53,6 +54,9 @@ Fingerprints TakeFingerprints(const RunConfig& config, const RunEpisodes& episod
   for (const auto& [scene, file] : episodes.scene_files) {
     fingerprints.scenes[scene] = Hex(sim::Hash64(sim::ReadFile(file)));
   }
+  for (const auto& [setting, file] : UsedWeights(config)) {
+    fingerprints.weights[setting] = Hex(sim::Hash64(sim::ReadFile(file)));
+  }
   return fingerprints;
 }
 
@@ -65,6 +69,12 @@ void CheckFingerprints(const RunConfig& config, const Fingerprints& found) {
     const auto saved = config.fingerprints->scenes.find(scene);
     if (saved != config.fingerprints->scenes.end() && saved->second == hash) continue;
     throw sim::FileError(scene, "", "is not the scene that this saved config is of");
+  }
+  for (const auto& [setting, hash] : found.weights) {
+    const auto saved = config.fingerprints->weights.find(setting);
+    if (saved != config.fingerprints->weights.end() && saved->second == hash) continue;
+    throw sim::Error("the weights for " + setting +
+                     " are not those that this saved config is of; give --out another folder");
   }
   throw sim::Error("the saved config is of other scenes than its episodes now name");
 }

@@ -139,11 +139,19 @@ struct Work {
   std::vector<RunJob> jobs;
 };
 
+void RequireNoneLearned(const std::vector<RunAgent>& agents) {
+  for (const RunAgent& agent : agents) {
+    if (!agent.is_learned() || agent.settings.empty()) continue;
+    throw sim::Error(agent.entry.name + " needs a program with the learned functions");
+  }
+}
+
 Work PlanWork(RunConfig config, const RunOptions& options, int workers, const RunHooks& hooks) {
   Work work;
   work.plan = std::make_shared<RunPlan>();
   RunPlan& plan = *work.plan;
-  plan.agents = FindAgents(config);
+  plan.agents = options.load_model ? FindAgents(config, options.load_model) : FindAgents(config);
+  if (!options.load_model) RequireNoneLearned(plan.agents);
   if (options.require_all) RequireAll(plan.agents);
   const StartProgress quiet = [](const std::string& /*what*/, int /*total*/) {
     return [] {};

@@ -30,7 +30,7 @@ constexpr const char* kConfig =
     "episodes:\n"
     "  file: episodes.json.gz\n"
     "  draw: {scenes: [scene], counts: {easy: 8, medium: 8, hard: 8}, seed: 0}\n"
-    "agents: [{agent: metric_map_fbe, goal_estimator: oracle}]\n";
+    "agents: [{agent: metric_map_fbe, semantic_model: oracle}]\n";
 
 /// What playing the episodes without the runner took.
 struct PlainTimes {

@@ -20,7 +20,7 @@ constexpr const char* kGood =
     "conditions: [noise, no_stop]\n"
     "agents:\n"
     "  - {agent: random, parameters: {stop: 0.5, forward: 0.25}}\n"
-    "  - {agent: metric_map_fbe, goal_estimator: oracle, settings: [rgbd]}\n"
+    "  - {agent: metric_map_fbe, semantic_model: oracle, settings: [rgbd]}\n"
     "  - {agent: shortest_path, name: ceiling}\n"
     "  - {agent: nts}\n";
 
@@ -50,7 +50,7 @@ TEST(RunConfig, FillsInNamesAndParameters) {
 
 TEST(RunConfig, SavedOneReadsBackTheSame) {
   RunConfig config = ParseRunConfig(kGood, "night.yaml");
-  config.fingerprints = Fingerprints{"0123", {{"a.glb", "77e1"}}};
+  config.fingerprints = Fingerprints{"0123", {{"a.glb", "77e1"}}, {{"rgbd", "5a5a"}}};
   const std::string text = sim::ToYaml(config);
   const RunConfig again = ParseRunConfig(text, "config.yaml");
   EXPECT_EQ(sim::ToYaml(again), text);
@@ -98,7 +98,7 @@ TEST(RunAgents, SayWhatIsMissing) {
 
 TEST(RunAgents, WithoutAnEstimatorAnAgentThatNeedsOneIsMissing) {
   const RunConfig config =
-      ParseRunConfig(With("goal_estimator: oracle", "goal_estimator: none"), "c.yaml");
+      ParseRunConfig(With("semantic_model: oracle", "semantic_model: none"), "c.yaml");
   EXPECT_THAT(FindAgents(config)[1].row().note, HasSubstr("recognises the goal"));
 }
 

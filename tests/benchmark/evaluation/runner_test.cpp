@@ -134,7 +134,7 @@ class RunnerTest : public testing::Test {
 tests::TemporaryFolder* RunnerTest::houses_ = nullptr;
 
 constexpr const char* kAgents =
-    "{agent: shortest_path}, {agent: random}, {agent: metric_map_fbe, goal_estimator: oracle}, "
+    "{agent: shortest_path}, {agent: random}, {agent: metric_map_fbe, semantic_model: oracle}, "
     "{agent: nts, semantic_model: oracle}, {agent: active_neural_slam}";
 
 TEST_F(RunnerTest, AnyNumberOfWorkersGivesTheSameBytes) {

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#include "agent/perception/model_file.h"
+
+#include <string>
+
+#include "sim/base/error.h"
+#include "sim/config/yaml_reader.h"
+
+namespace bulletnav::agent {
+
+ModelConfig ModelConfigOf(const TensorFile& weights, const std::filesystem::path& file) {
+  const auto found = weights.metadata.find(kModelKey);
+  if (found == weights.metadata.end()) {
+    throw sim::FileError(file, "", "does not say what model its weights belong to; train it again");
+  }
+  return sim::LoadYamlText<ModelConfig>(found->second, file);
+}
+
+void RequireRig(const Rig& rig, const ModelConfig& config, const std::filesystem::path& file) {
+  const std::string model = "the model of " + file.string() + " takes ";
+  if (rig.panorama.rows != kPanoramaRows || rig.panorama.cols != kPanoramaCols) {
+    throw sim::Error(model + "panoramas of 128 x 512; set the panorama's rows and cols so");
+  }
+  if (!rig.has_color) throw sim::Error(model + "colour, but the setting gives none");
+  if (config.uses_depth() && !rig.has_depth) {
+    throw sim::Error(model + "depth; use weights of the rgb setting, or the setting rgbd");
+  }
+}
+
+}  // namespace bulletnav::agent
