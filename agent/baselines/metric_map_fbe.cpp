@@ -11,6 +11,8 @@
 namespace bulletnav::agent {
 namespace {
 
+constexpr double kAtGoal = 0.3;  // metres from where it would be quite certain
+
 /// Maps with depth, walks to the nearest frontier until the goal is seen, then to the goal.
 /// Source: Neural Topological SLAM, section 5.1 "Metric Spatial Map + FBE + Local". What the paper
 /// leaves open: where the goal was last seen is kept on the map until the body gets there; with
@@ -21,9 +23,10 @@ class MetricMapFbeAgent final : public Agent {
 
   struct Config {
     NavigatorSpec navigator;
-    double goal_seen = 0.5;      // probability from which a semantic model sees the goal
-    int sightings = 2;           // of the goal that must agree
-    double stop_distance = 0.5;  // metres to walk to the goal; episodes ask for less than 1
+    double goal_seen = 0.5;        // probability from which a semantic model sees the goal
+    int sightings = 2;             // of the goal that must agree
+    double stop_distance = 0.5;    // metres to walk to the goal; episodes ask for less than 1
+    double stop_certainty = 0.95;  // probability that it is the goal, to stop there
 
     template <class V>
     void Visit(V& v) {
@@ -31,10 +34,14 @@ class MetricMapFbeAgent final : public Agent {
       v("goal_seen", goal_seen);
       v("sightings", sightings);
       v("stop_distance", stop_distance);
+      v("stop_certainty", stop_certainty);
     }
     void Validate() const {
       if (!(goal_seen >= 0.0 && goal_seen <= 1.0)) throw sim::Error("goal_seen must be in [0, 1]");
       if (sightings < 1) throw sim::Error("sightings must be at least 1");
+      if (!(stop_certainty > 0.0 && stop_certainty < 1.0)) {
+        throw sim::Error("stop_certainty must lie between 0 and 1");
+      }
       if (!(stop_distance > 0.0)) throw sim::Error("stop_distance must be positive");
     }
   };
@@ -43,7 +50,7 @@ class MetricMapFbeAgent final : public Agent {
       : config_(config),
         navigator_(context.rig, config.navigator),
         estimator_(context.goal_estimator),
-        goal_at_(config.sightings) {
+        goal_at_(config.sightings, config.stop_certainty) {
     if (!estimator_ && context.semantic_model) {
       estimator_ = std::make_shared<ModelGoalEstimator>(context.semantic_model, config.goal_seen);
     }
@@ -65,10 +72,13 @@ class MetricMapFbeAgent final : public Agent {
   sim::Action Act(const Observation& observation) override {
     navigator_.Observe(observation);
     const auto seen = estimator_->Estimate(observation.panorama, goal_);
-    if (seen) goal_at_.Add(navigator_.PointAt(seen->distance, seen->bearing), seen->distance);
+    if (seen) {
+      goal_at_.Add(navigator_.PointAt(seen->distance, seen->bearing), seen->distance,
+                   seen->certainty);
+    }
     target_ = goal_at_.point();
     std::optional<sim::Action> action;
-    if (target_) action = Approach(seen.has_value());
+    if (target_) action = Approach(seen && seen->certainty >= config_.stop_certainty);
     if (!action) action = Explore();
     navigator_.Took(*action);
     return *action;
@@ -82,12 +92,12 @@ class MetricMapFbeAgent final : public Agent {
 
  private:
   /// Absent if there is no way there, or the goal is not where it was taken to be.
-  std::optional<sim::Action> Approach(bool is_seen) {
+  std::optional<sim::Action> Approach(bool is_certain) {
     const auto plan = navigator_.Plan(*target_, true);
     if (!plan) return std::nullopt;
-    if (plan->distance > config_.stop_distance) return navigator_.Steer(plan->point);
-    if (is_seen) return sim::Action::kStop;
-    goal_at_.Reset();
+    if (is_certain && plan->distance <= config_.stop_distance) return sim::Action::kStop;
+    if (plan->distance > kAtGoal) return navigator_.Steer(plan->point);
+    goal_at_.Refute();
     return std::nullopt;
   }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "agent/mapping/goal_track.h"
 
+#include <algorithm>
+
 namespace bulletnav::agent {
 namespace {
 
@@ -12,12 +14,29 @@ constexpr double kLeastRange = 0.3;  // metres; nearer sightings weigh no more
 }  // namespace
 
 void GoalTrack::Reset() {
+  refuted_.clear();
+  Forget();
+}
+
+void GoalTrack::Refute() {
+  if (agreeing_ > 0) refuted_.push_back(mean_);
+  Forget();
+}
+
+bool GoalTrack::IsRefuted(const Point& point) const {
+  return std::any_of(refuted_.begin(), refuted_.end(), [&](const Point& wrong) {
+    return Distance(point, wrong) < kSameGoal;
+  });
+}
+
+void GoalTrack::Forget() {
   agreeing_ = 0;
   astray_ = 0;
   weight_ = 0.0;
 }
 
-void GoalTrack::Add(const Point& point, double distance) {
+void GoalTrack::Add(const Point& point, double distance, double certainty) {
+  if (certainty < certainty_ && IsRefuted(point)) return;
   const double range = kLeastRange + distance;
   const double weight = 1.0 / (range * range);
   if (agreeing_ > 0 && Distance(point, mean_) > kSameGoal && ++astray_ < kMostAstray) return;

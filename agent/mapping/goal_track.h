@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <optional>
+#include <vector>
 
 #include "agent/mapping/metric_map.h"
 
@@ -10,20 +11,30 @@ namespace bulletnav::agent {
 /// near sightings weigh more, for their bearing errs by less, and old ones less.
 class GoalTrack {
  public:
-  /// `sightings`: that must agree before the goal is taken to be somewhere.
-  explicit GoalTrack(int sightings) : needed_(sightings) {}
+  /// `sightings`: that must agree before the goal is taken to be somewhere. `certainty`: the
+  /// probability from which a sighting is believed whatever was refuted.
+  GoalTrack(int sightings, double certainty) : needed_(sightings), certainty_(certainty) {}
 
   void Reset();
-  /// `distance`: by F_R, metres. Sightings far from the mean are left out, unless they go on.
-  void Add(const Point& point, double distance);
+  /// `distance`: by F_R, metres; `certainty`: its probability. Sightings far from the mean are left
+  /// out, unless they go on.
+  void Add(const Point& point, double distance, double certainty);
+
+  /// The goal turned out not to be at point(): less certain sightings of it there are no news.
+  void Refute();
 
   /// Absent if it has not been seen often enough.
   std::optional<Point> point() const;
 
  private:
+  void Forget();
   void Restart(const Point& point, double weight);
 
+  bool IsRefuted(const Point& point) const;
+
   int needed_;
+  double certainty_;
+  std::vector<Point> refuted_;
   int agreeing_ = 0;
   int astray_ = 0;  // sightings in a row that were left out
   double weight_ = 0.0;

@@ -14,6 +14,7 @@ namespace {
 constexpr int kGoalItself = -1;       // for the watch, which tells ghosts and nodes by number
 constexpr int kFirstNode = 1 << 20;   // nodes' numbers there
 constexpr double kSlack = 0.3;        // metres that a way may be longer than straight
+constexpr double kAtGoal = 0.3;       // metres from where it would be quite certain
 constexpr double kNowhereToGo = 0.1;  // metres to a waypoint
 
 }  // namespace
@@ -33,7 +34,7 @@ NtsAgent::NtsAgent(const Config& config, const AgentContext& context, std::strin
       policy_(config.policy, model_, choice),
       watch_(config.policy.patience, config.policy.least_progress),
       choice_(choice),
-      goal_(config.policy.sightings) {}
+      goal_(config.policy.sightings, config.policy.stop_certainty) {}
 
 void NtsAgent::Reset(const Panorama& goal, std::uint64_t seed) {
   navigator_.Reset();
@@ -72,14 +73,15 @@ void NtsAgent::LookForGoal(const PanoramaCode& code) {
   sees_goal_ = view_.same_node >= spec_.policy.goal_seen;
   if (!sees_goal_) return;
   const RelativeGoal goal = RelativePoseOf(view_);
-  goal_.Add(navigator_.PointAt(goal.distance, goal.bearing), goal.distance);
+  goal_.Add(navigator_.PointAt(goal.distance, goal.bearing), goal.distance, goal.certainty);
 }
 
 std::optional<sim::Action> NtsAgent::Approach() {
   target_ = goal_.point();
   if (!target_) return std::nullopt;
   const double distance = Distance(*target_, navigator_.here());
-  const bool is_there = sees_goal_ && distance <= spec_.policy.stop_distance;
+  const bool is_certain = view_.same_node >= spec_.policy.stop_certainty;
+  const bool is_there = is_certain && distance <= spec_.policy.stop_distance;
   const auto plan = navigator_.Plan(*target_, true);
   const bool is_stuck = plan && watch_.IsStuck(kGoalItself, plan->distance);
   // A sight of the goal across something that has to be gone round is no arrival.
@@ -87,9 +89,9 @@ std::optional<sim::Action> NtsAgent::Approach() {
   if (is_there && !is_astray) return sim::Action::kStop;
   // Odometry has smeared the map until it left no way.
   if (is_stuck || !plan) navigator_.ForgetMap();
-  const bool is_wrong = plan && !sees_goal_ && distance <= spec_.policy.node_reached;
+  const bool is_wrong = !is_certain && (is_stuck || distance <= kAtGoal);
   if (!plan || is_wrong) {
-    goal_.Reset();
+    goal_.Refute();
     return std::nullopt;
   }
   return navigator_.Steer(plan->point);

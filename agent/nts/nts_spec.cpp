@@ -24,6 +24,7 @@ void GraphSpec::Validate() const {
 
 void PolicySpec::Validate() const {
   RequireProbability(goal_seen, "goal_seen");
+  RequireProbability(stop_certainty, "stop_certainty");
   if (sightings < 1) throw sim::Error("sightings must be at least 1");
   if (!(path_weight >= 0.0 && change_margin >= 0.0)) {
     throw sim::Error("path_weight and change_margin must not be negative");

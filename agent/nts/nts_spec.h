@@ -40,6 +40,7 @@ struct PolicySpec {
   double ghost_reached = 0.5;    // this near a ghost is visited
   double node_reached = 0.5;     // the same for a regular node
   double stop_distance = 0.5;    // to the goal, by F_R; episodes ask for less than 1
+  double stop_certainty = 0.95;  // probability that it is the goal, to stop there
   int patience = 30;             // steps without coming nearer until something is given up
   double least_progress = 0.25;  // what counts as coming nearer
 
@@ -55,6 +56,7 @@ struct PolicySpec {
     v("ghost_reached", ghost_reached);
     v("node_reached", node_reached);
     v("stop_distance", stop_distance);
+    v("stop_certainty", stop_certainty);
     v("patience", patience);
     v("least_progress", least_progress);
   }

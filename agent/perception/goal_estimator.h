@@ -6,10 +6,12 @@
 
 namespace bulletnav::agent {
 
-/// A place seen from the body: metres, and radians counter-clockwise from straight ahead.
+/// A place seen from the body: metres, and radians counter-clockwise from straight ahead; the
+/// probability that it is the goal's.
 struct RelativeGoal {
   double distance = 0.0;
   double bearing = 0.0;
+  double certainty = 1.0;
 };
 
 /// Says whether the goal can be seen from here, and where it then is: the localisation F_L and the

@@ -30,7 +30,8 @@ RelativeGoal RelativePoseOf(const PairPrediction& prediction) {
   const double right = p[(peak + kDirections - 1) % kDirections];
   const double sum = left + right + p[peak];
   const double shift = sum > 0.0 ? kWidth * (left - right) / sum : 0.0;
-  return {prediction.distance, sim::WrapAngle(BearingOf(static_cast<int>(peak)) + shift)};
+  return {prediction.distance, sim::WrapAngle(BearingOf(static_cast<int>(peak)) + shift),
+          prediction.same_node};
 }
 
 }  // namespace bulletnav::agent

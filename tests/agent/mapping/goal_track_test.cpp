@@ -11,13 +11,13 @@ namespace bulletnav::agent {
 namespace {
 
 TEST(GoalTrack, WaitsForSightingsThatAgree) {
-  GoalTrack track(2);
+  GoalTrack track(2, 0.9);
   EXPECT_FALSE(track.point());
-  track.Add({1, 1}, 2.0);
+  track.Add({1, 1}, 2.0, 0.6);
   EXPECT_FALSE(track.point());
-  track.Add({5, 1}, 2.0);
+  track.Add({5, 1}, 2.0, 0.6);
   EXPECT_FALSE(track.point());
-  track.Add({1.2, 1}, 2.0);
+  track.Add({1.2, 1}, 2.0, 0.6);
   ASSERT_TRUE(track.point());
   EXPECT_NEAR(track.point()->x, 1.11, 0.02);
   track.Reset();
@@ -29,11 +29,11 @@ TEST(GoalTrack, AveragesSightingsThatErr) {
   double mean = 0.0;
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     sim::Rng rng(seed, "track");
-    GoalTrack track(1);
+    GoalTrack track(1, 0.9);
     Point last;
     for (int i = 0; i < 12; ++i) {
       last = {0.3 * rng.Normal(), 0.3 * rng.Normal()};
-      track.Add(last, 2.0);
+      track.Add(last, 2.0, 0.6);
     }
     single += std::hypot(last.x, last.y) / 200;
     mean += std::hypot(track.point()->x, track.point()->y) / 200;
@@ -42,20 +42,36 @@ TEST(GoalTrack, AveragesSightingsThatErr) {
 }
 
 TEST(GoalTrack, BelievesNearSightingsMore) {
-  GoalTrack track(1);
-  track.Add({0, 0}, 3.0);
-  track.Add({1, 0}, 0.5);
+  GoalTrack track(1, 0.9);
+  track.Add({0, 0}, 3.0, 0.6);
+  track.Add({1, 0}, 0.5, 0.6);
   EXPECT_GT(track.point()->x, 0.9);
 }
 
 TEST(GoalTrack, MovesWhenSightingsStayElsewhere) {
-  GoalTrack track(1);
-  for (int i = 0; i < 10; ++i) track.Add({0, 0}, 2.0);
-  track.Add({4, 0}, 2.0);
-  track.Add({4, 0}, 2.0);
+  GoalTrack track(1, 0.9);
+  for (int i = 0; i < 10; ++i) track.Add({0, 0}, 2.0, 0.6);
+  track.Add({4, 0}, 2.0, 0.6);
+  track.Add({4, 0}, 2.0, 0.6);
   EXPECT_NEAR(track.point()->x, 0.0, 1e-9);
-  track.Add({4, 0}, 2.0);
+  track.Add({4, 0}, 2.0, 0.6);
   EXPECT_NEAR(track.point()->x, 4.0, 1e-9);
+}
+
+TEST(GoalTrack, WhatWasRefutedTakesCertainty) {
+  GoalTrack track(1, 0.9);
+  track.Add({0, 0}, 2.0, 0.6);
+  track.Refute();
+  track.Add({0.2, 0}, 2.0, 0.8);
+  EXPECT_FALSE(track.point());
+  track.Add({3, 0}, 2.0, 0.6);
+  EXPECT_NEAR(track.point()->x, 3.0, 1e-9);
+  track.Refute();
+  track.Add({0.2, 0}, 2.0, 0.95);
+  EXPECT_NEAR(track.point()->x, 0.2, 1e-9);
+  track.Reset();
+  track.Add({3, 0}, 2.0, 0.6);
+  EXPECT_TRUE(track.point());
 }
 
 }  // namespace

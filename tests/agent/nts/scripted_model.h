@@ -69,7 +69,7 @@ class ScriptedModel final : public SemanticModel {
     PairPrediction p;
     const Point from = At(source);
     const Point to = At(goal);
-    p.same_node = sees(from, to) ? 0.9f : 0.1f;
+    p.same_node = sees(from, to) ? 0.97f : 0.1f;
     p.distance = static_cast<float>(Distance(from, to));
     const double bearing = std::atan2(to.y - from.y, to.x - from.x) - source[2];
     p.direction[static_cast<std::size_t>(DirectionOf(bearing))] = 1.0f;
