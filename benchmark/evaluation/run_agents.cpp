@@ -5,6 +5,7 @@
 #include <array>
 
 #include "agent/perception/model_file.h"
+#include "benchmark/evaluation/privileged/mixed_semantic_model.h"
 #include "benchmark/evaluation/privileged/oracle_goal_estimator.h"
 #include "benchmark/evaluation/privileged/oracle_semantic_model.h"
 #include "sim/base/check.h"
@@ -93,6 +94,12 @@ std::vector<agent::AgentContext> ContextsOf(const RunAgent& agent, const agent::
     agent::AgentContext& context = contexts.emplace_back();
     context.rig = rig;
     context.semantic_model = learned;
+    if (learned && !agent.entry.oracle_functions.empty()) {
+      const auto& functions = agent.entry.oracle_functions;
+      context.semantic_model = std::make_shared<MixedSemanticModel>(
+          learned, std::make_shared<OracleSemanticModel>(*truth),
+          std::set<SemanticFunction>(functions.begin(), functions.end()));
+    }
     if (agent.entry.semantic_model != SemanticModelKind::kOracle) continue;
     context.goal_estimator = std::make_shared<OracleGoalEstimator>(*truth);
     context.semantic_model = std::make_shared<OracleSemanticModel>(*truth);
@@ -171,6 +178,9 @@ AgentRow RunAgent::row() const {
   row.title = entry.title;
   if (!settings.empty() && is_privileged) row.note = "privileged";
   if (!settings.empty() && entry.semantic_model == SemanticModelKind::kOracle) row.note = "oracle";
+  for (const SemanticFunction function : entry.oracle_functions) {
+    row.note += (row.note.empty() ? "oracle " : ", ") + std::string(sim::NameOf(function));
+  }
   if (!missing.empty()) row.note += (row.note.empty() ? "" : "; ") + missing;
   return row;
 }

@@ -73,6 +73,10 @@ void TimeBudget::Validate() const {
 void AgentEntry::Validate() const {
   RequireDistinct(settings, "settings", true);
   if (lanes < 1 || lanes > 4096) throw Error("lanes must lie between 1 and 4096");
+  RequireDistinct(oracle_functions, "oracle_functions", true);
+  if (!oracle_functions.empty() && semantic_model != SemanticModelKind::kLearned) {
+    throw Error("oracle_functions replace some of semantic_model: learned, which is not asked for");
+  }
 }
 
 void RunConfig::Validate() const {

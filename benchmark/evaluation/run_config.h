@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "benchmark/episodes/generator.h"
+#include "benchmark/evaluation/privileged/mixed_semantic_model.h"
 #include "sim/noise/noise_model.h"
 #include "sim/simulator.h"
 
@@ -127,6 +128,7 @@ struct AgentEntry {
   std::string title;              // for people; the paper's if empty
   std::vector<Setting> settings;  // the run's if empty
   SemanticModelKind semantic_model = SemanticModelKind::kNone;
+  std::vector<SemanticFunction> oracle_functions;  // of a learned model, to look for causes
   int lanes = 1;                            // episodes that one worker runs through it at once
   std::optional<sim::YamlNode> parameters;  // the agent's own config
 
@@ -137,6 +139,7 @@ struct AgentEntry {
     v("title", title);
     v("settings", settings);
     v("semantic_model", semantic_model);
+    v("oracle_functions", oracle_functions);
     v("lanes", lanes);
     v("parameters", parameters);
   }
