@@ -20,11 +20,12 @@ class NtsWithoutGraph final : public Agent {
 
   struct Config {
     NavigatorSpec navigator;
-    double explorable = 0.5;     // probability from which a direction may be taken
-    double goal_seen = 0.5;      // probability from which the goal is gone to
-    double stop_distance = 0.5;  // metres, by F_R
-    double walk = 2.5;           // metres until it looks anew
-    int patience = 20;           // steps without coming nearer until it looks anew
+    double explorable = 0.5;       // probability from which a direction may be taken
+    double goal_seen = 0.5;        // probability from which the goal is gone to
+    double stop_distance = 0.5;    // metres, by F_R
+    double stop_certainty = 0.95;  // probability that it is the goal, to stop there
+    double walk = 2.5;             // metres until it looks anew
+    int patience = 20;             // steps without coming nearer until it looks anew
 
     template <class V>
     void Visit(V& v) {
@@ -32,6 +33,7 @@ class NtsWithoutGraph final : public Agent {
       v("explorable", explorable);
       v("goal_seen", goal_seen);
       v("stop_distance", stop_distance);
+      v("stop_certainty", stop_certainty);
       v("walk", walk);
       v("patience", patience);
     }
@@ -84,7 +86,8 @@ class NtsWithoutGraph final : public Agent {
     const bool sees_goal = view.same_node >= config_.goal_seen;
     if (sees_goal) {
       const RelativeGoal goal = RelativePoseOf(view);
-      if (goal.distance <= config_.stop_distance) return sim::Action::kStop;
+      const bool is_certain = goal.certainty >= config_.stop_certainty;
+      if (is_certain && goal.distance <= config_.stop_distance) return sim::Action::kStop;
       target_ = navigator_.PointAt(goal.distance, goal.bearing);
       target_number_ = kGoal;
     } else if (!target_ || target_number_ == kGoal || IsThere()) {

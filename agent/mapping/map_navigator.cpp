@@ -87,16 +87,22 @@ std::optional<Point> MapNavigator::Frontier() {
     map_.MarkExplored(*frontier_, kArrived);
     frontier_.reset();
   }
-  if (frontier_ && HasFrontierNear(*frontier_)) return frontier_;
+  if (frontier_ && HasFrontierNear(*frontier_, kSameFrontier)) return frontier_;
   frontier_.reset();
   const auto cell = frontiers_.Nearest(map_.states(), map_.CellAt(here()));
   if (cell) frontier_ = map_.Centre(*cell);
   return frontier_;
 }
 
-bool MapNavigator::HasFrontierNear(const Point& point) const {
+bool MapNavigator::MayLeadOn(const Point& point, double radius) const {
+  const Cell cell = map_.CellAt(point);
+  const bool is_seen = map_.states().Contains(cell) && map_.states()[cell] != CellState::kUnknown;
+  return !is_seen || HasFrontierNear(point, radius);
+}
+
+bool MapNavigator::HasFrontierNear(const Point& point, double radius) const {
   const Cell middle = map_.CellAt(point);
-  const int reach = static_cast<int>(kSameFrontier / spec_.map.cell);
+  const int reach = static_cast<int>(radius / spec_.map.cell);
   for (int dy = -reach; dy <= reach; ++dy) {
     for (int dx = -reach; dx <= reach; ++dx) {
       const Cell cell{middle.x + dx, middle.y + dy};

@@ -65,9 +65,12 @@ class MapNavigator {
   /// not waver between two; absent if there is none.
   std::optional<Point> Frontier();
 
+  /// Whether known floor ends within `radius` metres of a point; also where the map does not reach.
+  bool MayLeadOn(const Point& point, double radius) const;
+
  private:
   void FeelWalls(const sim::PlanarPose& before);
-  bool HasFrontierNear(const Point& point) const;
+  bool HasFrontierNear(const Point& point, double radius) const;
 
   NavigatorSpec spec_;
   MetricMap map_;

@@ -99,6 +99,7 @@ std::optional<sim::Action> NtsAgent::Approach() {
 
 std::optional<sim::Action> NtsAgent::Travel(const PanoramaCode& code) {
   constexpr int kTries = 8;
+  DropSeenGhosts();
   for (int i = 0; i < kTries; ++i) {
     policy_.Read(&update_.graph());
     subgoal_ = policy_.Choose(update_.graph(), update_.localisation(), navigator_.here());
@@ -128,6 +129,18 @@ bool NtsAgent::TakeView(const PanoramaCode& code, const std::optional<Subgoal>& 
   return false;
 }
 
+void NtsAgent::DropSeenGhosts() {
+  const std::vector<GhostNode> ghosts = update_.graph().ghosts();
+  for (const GhostNode& ghost : ghosts) {
+    if (IsSeen(update_.graph().GhostPoint(ghost))) update_.graph().RemoveGhost(ghost.id);
+  }
+}
+
+bool NtsAgent::IsSeen(const Point& ghost) const {
+  const double radius = spec_.policy.ghost_frontier;
+  return radius > 0.0 && !navigator_.MayLeadOn(ghost, radius);
+}
+
 bool NtsAgent::IsKnown(const Point& point) const {
   const auto is_near = [&](const Point& other) {
     return Distance(point, other) < spec_.graph.ghost_clearance;
@@ -135,7 +148,7 @@ bool NtsAgent::IsKnown(const Point& point) const {
   for (int i = 0; i < static_cast<int>(update_.graph().nodes().size()); ++i) {
     if (is_near(update_.graph().NodePoint(i))) return true;
   }
-  return std::any_of(given_up_.begin(), given_up_.end(), is_near);
+  return IsSeen(point) || std::any_of(given_up_.begin(), given_up_.end(), is_near);
 }
 
 bool NtsAgent::IsGhostReached(const Subgoal& subgoal) const {

@@ -39,7 +39,10 @@ class NtsAgent : public Agent {
   void LookForGoal(const PanoramaCode& code);
   /// Makes a node of the present view if it shows a better way than the graph knows.
   bool TakeView(const PanoramaCode& code, const std::optional<Subgoal>& known);
-  /// Whether going there would be no news: it has been visited or given up.
+  /// Takes ghosts off the graph around which the local map has no end of known floor.
+  void DropSeenGhosts();
+  bool IsSeen(const Point& ghost) const;
+  /// Whether going there would be no news: it has been visited, seen or given up.
   bool IsKnown(const Point& point) const;
   /// To where the goal was seen last; absent if that proves wrong.
   std::optional<sim::Action> Approach();

@@ -37,6 +37,7 @@ struct PolicySpec {
   double view_margin = 1.5;      // better by this the present view becomes a node
   double near_ghost = 1.5;       // to a ghost of such a view where 3 m are not explorable
   double near_penalty = 1.0;     // added to the way by such a ghost
+  double ghost_frontier = 1.5;   // ghosts with no end of known floor this near are no news; 0: all
   double ghost_reached = 0.5;    // this near a ghost is visited
   double node_reached = 0.5;     // the same for a regular node
   double stop_distance = 0.5;    // to the goal, by F_R; episodes ask for less than 1
@@ -53,6 +54,7 @@ struct PolicySpec {
     v("view_margin", view_margin);
     v("near_ghost", near_ghost);
     v("near_penalty", near_penalty);
+    v("ghost_frontier", ghost_frontier);
     v("ghost_reached", ghost_reached);
     v("node_reached", node_reached);
     v("stop_distance", stop_distance);

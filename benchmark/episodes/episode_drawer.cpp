@@ -15,7 +15,9 @@ namespace {
 
 constexpr float kLeastIslandRadius = 1.5f;
 constexpr float kLeastIslandShare = 0.15f;  // of the largest: less is a bed or a table; ours
-constexpr double kMostHeightDifference = 0.5;
+constexpr float kFloorAround = 1.0f;        // metres to where lower floor is looked for; ours
+constexpr float kRaised = 0.12f;            // metres: more than a threshold
+constexpr float kMostHeightDifference = 0.5f;
 constexpr double kWindingRatio = 1.1;
 constexpr double kGoalRadius = 1.0;  // within which an agent succeeds
 constexpr double kSettled = 0.5;     // metres that standing up can move a body, at most
@@ -60,8 +62,23 @@ EpisodeDrawer::EpisodeDrawer(const Ground& ground, std::string scene, std::strin
 std::optional<EpisodeDrawer::Place> EpisodeDrawer::Stand(const Eigen::Vector3f& point, double yaw,
                                                          int island) {
   const auto pose = body_.TryReset({point.cast<double>(), yaw});
-  if (!pose) return std::nullopt;
+  if (!pose || IsRaised(pose->position.cast<float>())) return std::nullopt;
   return Place{*pose, island};
+}
+
+bool EpisodeDrawer::IsRaised(const Eigen::Vector3f& foot) const {
+  constexpr int kPoints = 12;
+  const Eigen::Vector3f up = Eigen::Vector3f::UnitY();
+  for (int i = 0; i < kPoints; ++i) {
+    const float angle = 2.0f * static_cast<float>(sim::kPi) * static_cast<float>(i) / kPoints;
+    const Eigen::Vector3f beside =
+        foot + kFloorAround * Eigen::Vector3f(std::cos(angle), 0.0f, std::sin(angle));
+    constexpr float kDepth = kRaised + kMostHeightDifference;
+    const Eigen::Vector3f top = beside + kRaised * up;
+    const auto floor = ground_.physics.RayTest(top, top - kDepth * up);
+    if (floor && floor->fraction * kDepth > 2.0f * kRaised) return true;
+  }
+  return false;
 }
 
 std::optional<EpisodeDrawer::Place> EpisodeDrawer::DrawStart(sim::Rng* rng) {

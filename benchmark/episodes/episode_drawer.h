@@ -38,7 +38,9 @@ class EpisodeDrawer {
     sim::BodyPose pose;
     int island = 0;
   };
-  /// The body standing at a point, if it can.
+  /// Whether there is lower floor of the same storey around: a table that can be climbed, a stair.
+  bool IsRaised(const Eigen::Vector3f& foot) const;
+  /// The body standing at a point, if it can and the point is on the floor.
   std::optional<Place> Stand(const Eigen::Vector3f& point, double yaw, int island);
   std::optional<Place> DrawStart(sim::Rng* rng);
   /// One try at a goal for `from`, its distance written to `distance`.

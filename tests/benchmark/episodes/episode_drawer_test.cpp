@@ -75,6 +75,20 @@ TEST(EpisodeDrawer, LeavesOutTheTopsOfFurniture) {
   }
 }
 
+TEST(EpisodeDrawer, LeavesOutTablesThatCanBeClimbed) {
+  sim::SceneMesh mesh = tests::BoxRoom(8, 2.6f, 8);
+  tests::AddBox({3, 0, -5}, {5, 0.18f, -3}, {9, 9, 9}, &mesh);
+  tests::AddBox({3.4f, 0.18f, -4.6f}, {4.6f, 0.36f, -3.4f}, {9, 9, 9}, &mesh);
+  const Ground ground("table.glb", mesh, {});
+  ASSERT_EQ(ground.navmesh.islands().size(), 1u);
+  EpisodeDrawer drawer(ground, "table.glb", "table", {}, 1);
+  for (int i = 0; i < 60; ++i) {
+    const Episode episode = drawer.Draw(Difficulty::kEasy, i);
+    EXPECT_LT(episode.start_position.y(), 0.1) << i;
+    EXPECT_LT(episode.goals[0].position.y(), 0.1) << i;
+  }
+}
+
 TEST(EpisodeDrawer, NamesItsEpisodes) {
   const Episode episode = CorridorDrawer().Draw(Difficulty::kHard, 12);
   EXPECT_EQ(episode.id, "corridor-hard-0012");
