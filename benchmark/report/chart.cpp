@@ -60,9 +60,13 @@ class Panel {
         high_ = std::max(high_, value.x);
       }
     }
+    for (const Chart::Tick& tick : chart.ticks) {
+      low_ = std::min(low_, tick.x);
+      high_ = std::max(high_, tick.x);
+    }
     if (!(low_ <= high_)) low_ = high_ = 0.0;
-    low_ -= 0.5;
-    high_ += 0.5;
+    low_ -= chart.margin;
+    high_ += chart.margin;
   }
 
   void Axes() const {
@@ -72,11 +76,10 @@ class Panel {
       canvas_->Text(At(low_, y) - Point(6.0, 0.0), fmt::format("{:.1f}", y),
                     {.size = kTick, .paint = kInk, .align = Align::kRight});
     }
-    const int step = high_ - low_ > 12.0 ? 2 : 1;
-    for (int x = static_cast<int>(std::ceil(low_)); x <= high_; x += step) {
-      canvas_->Line(At(x, 0.0), At(x, 0.0) + Point(0.0, 4.0), 1.0, kInk);
-      canvas_->Text(At(x, 0.0) + Point(0.0, 13.0), std::to_string(x),
-                    {.size = kTick, .paint = kInk});
+    for (const Chart::Tick& tick : Ticks()) {
+      const Point at = At(tick.x, 0.0);
+      canvas_->Line(at, at + Point(0.0, 4.0), 1.0, kInk);
+      canvas_->Text(at + Point(0.0, 13.0), tick.text, {.size = kTick, .paint = kInk});
     }
     canvas_->Line(At(low_, 0.0), At(high_, 0.0), 1.0, kInk);
     canvas_->Line(At(low_, 0.0), At(low_, 1.0), 1.0, kInk);
@@ -104,10 +107,21 @@ class Panel {
     std::vector<Point> points;
     for (const Chart::Value& v : chart_.series[i].values) points.push_back(At(v.x, v.y));
     canvas_->Polyline(points, {1.8, kLineColors[i % kLineColors.size()], {}});
+    if (!chart_.has_marks) return;
     for (const Point& p : points) DrawMarker(p, i, canvas_);
   }
 
  private:
+  std::vector<Chart::Tick> Ticks() const {
+    if (!chart_.ticks.empty()) return chart_.ticks;
+    std::vector<Chart::Tick> ticks;
+    const int step = high_ - low_ > 12.0 ? 2 : 1;
+    for (int x = static_cast<int>(std::ceil(low_)); x <= high_; x += step) {
+      ticks.push_back({static_cast<double>(x), std::to_string(x)});
+    }
+    return ticks;
+  }
+
   Point At(double x, double y) const {
     return corner_ + Point(kLeft + kPanelWidth * (x - low_) / (high_ - low_),
                            kTop + kPanelHeight * (1.0 - y));
