@@ -11,7 +11,9 @@
 #include "benchmark/cli/progress.h"
 #include "benchmark/evaluation/program_version.h"
 #include "benchmark/perception/perception_cases.h"
+#include "benchmark/perception/perception_charts.h"
 #include "benchmark/perception/perception_figures.h"
+#include "benchmark/perception/perception_pictures.h"
 #include "benchmark/perception/perception_report.h"
 #include "sim/base/files.h"
 #include "sim/config/yaml_reader.h"
@@ -55,6 +57,17 @@ std::vector<SceneCases> Ask(const PerceptionConfig& config, const fs::path& weig
   return MakeCases(config.data, make_model, workers, telling);
 }
 
+void Draw(const std::vector<SceneCases>& cases, const PerceptionFigures& figures,
+          const PerceptionConfig& config) {
+  const fs::path out = config.out;
+  WriteFigure(PrecisionRecallFigure(figures.connection), out / "precision_recall");
+  WriteFigure(ConnectionBinsFigure(figures.connection), out / "connection");
+  Progress progress("pictures", config.pictures);
+  DrawExamples(cases, config, out, [&] {
+    progress.Advance();
+  });
+}
+
 void Evaluate(const PerceptionOptions& options) {
   const PerceptionConfig config = ConfigOf(options);
   const fs::path weights = FindWeights(config.weights);
@@ -69,6 +82,7 @@ void Evaluate(const PerceptionOptions& options) {
   const std::string markdown = ToMarkdown(figures, config, source);
   sim::WriteFileAtomically(out / "perception.json", json);
   sim::WriteFileAtomically(out / "perception.md", markdown);
+  Draw(cases, figures, config);
   fmt::print("{}", options.json ? json : markdown);
   fmt::print(stderr, "written to {}\n", out.string());
 }

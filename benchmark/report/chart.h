@@ -27,10 +27,10 @@ struct Chart {
   };
   std::string x_label;
   std::string y_label;
-  std::vector<Series> series;  // as many, in the same order, in all charts of a figure
-  std::vector<Tick> ticks;     // of x, which reaches so far at least; whole numbers if empty
-  double margin = 0.5;         // of x beyond values and ticks
-  bool has_marks = true;       // on each value
+  std::vector<Series> series;    // as many, in the same order, in all charts of a figure
+  std::vector<Tick> ticks = {};  // of x, which reaches so far at least; whole numbers if empty
+  double margin = 0.5;           // of x beyond values and ticks
+  bool has_marks = true;         // on each value
 };
 
 /// Charts side by side under a common legend: a line with marks a series and a band for its
