@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -15,11 +16,12 @@ namespace {
 using Point = Canvas::Point;
 
 constexpr double kMargin = 12.0;
-constexpr double kMap = 470.0;    // width at most
-constexpr double kStrip = 480.0;  // width of panoramas
+constexpr double kMap = 470.0;        // width at most
+constexpr double kMapHeight = 450.0;  // at most
+constexpr double kStrip = 480.0;      // width of panoramas
 constexpr double kCaption = 22.0;
 constexpr double kRow = kCaption + 0.25 * kStrip + 4.0;
-constexpr double kLegend = 58.0;
+constexpr double kLegend = 64.0;
 
 struct Source {
   sim::BodyPose pose;
@@ -61,11 +63,14 @@ class ChoicesDrawing {
  public:
   ChoicesDrawing(const Choices& choices, Canvas* canvas) : choices_(choices), canvas_(canvas) {}
 
+  void Goal(double top, double width) const {
+    Caption("Goal", choices_.goal_text, kMargin, top);
+    DirectionStrip(kMargin, width, canvas_).Panorama(choices_.goal_panorama, top + kCaption);
+  }
+
   void Panoramas(double left) const {
     const DirectionStrip strip(left, kStrip, canvas_);
-    Caption("Goal", choices_.goal_text, left, kMargin);
-    strip.Panorama(choices_.goal_panorama, kMargin + kCaption);
-    double top = kMargin + kRow;
+    double top = kMargin;
     int number = 1;
     for (const Source& source : choices_.sources) {
       Caption(fmt::format("Place {}", number++), source.text, left, top);
@@ -136,17 +141,21 @@ Figure ChoicesFigure(ExampleScene* scene, const std::vector<int>& sources, int g
   const std::string file = scene->cases().scene.filename().string();
   choices->goal_text = room.empty() ? file : room + ", " + file;
   choices->goal_panorama = scene->Panorama(goal);
-  const double height = 2.0 * kMargin + kRow * static_cast<double>(sources.size() + 1);
-  const Point map = FittingSize(choices->map, {kMap, height - 2.0 * kMargin - kLegend});
-  const double strips = 2.0 * kMargin + std::max(map.x(), 300.0) + kMargin;
+  const Point map = FittingSize(choices->map, {kMap, kMapHeight});
+  const double column = std::max(map.x(), 380.0);
+  const double goal_top = kMargin + map.y() + 14.0 + kLegend;
+  const double strips = 2.0 * kMargin + column + kMargin;
+  const double left_height = goal_top + kCaption + 0.25 * column;
+  const double right_height = kMargin + kRow * static_cast<double>(sources.size());
   Figure figure;
   figure.width = static_cast<int>(strips + kStrip + kMargin);
-  figure.height = static_cast<int>(height);
+  figure.height = static_cast<int>(std::max(left_height, right_height) + kMargin);
   figure.draw = [=](Canvas* canvas) {
     const ChoicesDrawing drawing(*choices, canvas);
-    const Point corner(kMargin, kMargin);
+    const Point corner(kMargin + 0.5 * (column - map.x()), kMargin);
     drawing.Map({corner, corner + map});
     drawing.Legend(kMargin + map.y() + 14.0);
+    drawing.Goal(goal_top, column);
     drawing.Panoramas(strips);
   };
   return figure;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/perception/example_figures.h"
 
+#include <array>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -54,7 +55,9 @@ class Legend {
   }
   void Box(const std::string& text, const Paint& paint) {
     Entry(text, [&](const Point& p) {
-      canvas_->Line(p - Point(6.0, 0.0), p + Point(6.0, 0.0), 10.0, paint);
+      const std::array<Point, 4> corners = {p + Point(-6.0, -5.0), p + Point(6.0, -5.0),
+                                            p + Point(6.0, 5.0), p + Point(-6.0, 5.0)};
+      canvas_->Fill(corners, paint);
     });
   }
 
@@ -220,7 +223,7 @@ Figure RelativePoseFigure(ExampleScene* scene, int source, int goal) {
                                                   poses[static_cast<std::size_t>(goal)]);
   const double bearing = std::atan2(truth.y, truth.x);
   const std::string numbers = fmt::format(
-      "distance {:.2f} m, true {:.2f} m;  bearing {:.0f}°, true {:.0f}°;  same node: {:.2f}",
+      "distance {:.2f} m, truly {:.2f} m;  bearing {:.0f}°, truly {:.0f}°;  same node: {:.2f}",
       there.distance, std::hypot(truth.x, truth.y), sim::RadToDeg(there.bearing),
       sim::RadToDeg(bearing), double{said.same_node});
   const std::string where = Whereabouts(*scene, source);

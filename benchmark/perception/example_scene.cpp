@@ -10,9 +10,12 @@
 namespace bulletnav::bench {
 namespace {
 
+constexpr int kRows = 256;
+constexpr int kSmoothing = 3;  // rays a pixel, along each side
+
 DataConfig Finer(const DataConfig& config) {
   DataConfig finer = config;
-  finer.panorama = {.rows = 256, .cols = 1024};
+  finer.panorama = {.rows = kSmoothing * kRows, .cols = kSmoothing * 4 * kRows};
   return finer;
 }
 
@@ -48,7 +51,7 @@ sim::Image ExampleScene::Panorama(int place) {
   sim::Image image(size_.cols, size_.rows, 3);
   const int only = 0;
   panoramas_.Render({&turned, 1}, {&only, 1}, image.pixels, {});
-  return image;
+  return Resize(image, 4 * kRows, kRows);
 }
 
 std::string ExampleScene::RoomOf(int place) const {

@@ -138,7 +138,7 @@ void DrawLegend(const Chart& chart, double top, Canvas* canvas) {
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
     const Point at(kLeft, top + kLegendLine * (static_cast<double>(i) + 0.5));
     canvas->Line(at, at + Point(24.0, 0.0), 1.8, kLineColors[i % kLineColors.size()]);
-    DrawMarker(at + Point(12.0, 0.0), i, canvas);
+    if (chart.has_marks) DrawMarker(at + Point(12.0, 0.0), i, canvas);
     canvas->Text(at + Point(32.0, 0.0), chart.series[i].name,
                  {.size = kTick, .paint = kInk, .align = Align::kLeft});
   }
