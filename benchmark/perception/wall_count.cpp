@@ -15,7 +15,7 @@ constexpr float kHigh = 2.32f;  // wardrobes are up to 2.25 m high, ceilings 2.4
 constexpr float kBelowCeiling = 0.05f;
 constexpr float kThickest = 0.4f;    // of a wall, across or along the line
 constexpr float kStep = 2e-3f;       // past a surface, to find the next one
-constexpr float kAround = 0.1f;      // how far off a wall's two heights may begin
+constexpr float kAround = 0.02f;     // how far off a wall's two heights may begin
 constexpr float kSameFacing = 0.9f;  // cosine
 
 struct Surface {
@@ -90,15 +90,15 @@ int WallsBetween(const sim::PhysicsWorld& scene, const Eigen::Vector3d& from,
   const Line low(scene, a + low_up, b + low_up);
   const Line over(scene, a + high * Vector3f::UnitY(), b + high * Vector3f::UnitY());
   std::vector<Stretch> stretches;
-  for (const Surface& surface : low.Surfaces()) {
-    if (stretches.empty() || !low.IsOneWall(stretches.back().first, surface)) {
+  for (const Surface& surface : over.Surfaces()) {
+    if (stretches.empty() || !over.IsOneWall(stretches.back().first, surface)) {
       stretches.push_back({surface, surface.at});
     }
     stretches.back().end = surface.at;
   }
   return static_cast<int>(
       std::count_if(stretches.begin(), stretches.end(), [&](const Stretch& stretch) {
-        return over.IsBlocked(stretch.first.at - kAround, stretch.end + kAround);
+        return low.IsBlocked(stretch.first.at - kAround, stretch.end + kAround);
       }));
 }
 

@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/perception/wall_count.h"
 
+#include <cmath>
+#include <optional>
+
 #include <gtest/gtest.h>
 
+#include "sim/house/floor_plan_generator.h"
+#include "sim/math/rng.h"
+#include "tests/support/houses.h"
 #include "tests/support/scenes.h"
 #include "tests/support/training_scenes.h"
 
@@ -57,6 +63,71 @@ TEST(WallCount, LowCeilingsDoNotHideWalls) {
   tests::AddBox({3.94f, 0, -4}, {4.06f, 2.2f, -2}, {180, 170, 150}, &mesh);
   EXPECT_EQ(Walls(mesh, {1, 0, -3}, {7, 0, -3}), 1);
   EXPECT_EQ(Walls(mesh, {1, 0, -1}, {7, 0, -1}), 0);
+}
+
+/// Where the way from a to b meets the line through c and d: shares of both, unless parallel.
+std::optional<std::pair<float, float>> Meet(const Eigen::Vector2f& a, const Eigen::Vector2f& b,
+                                            const Eigen::Vector2f& c, const Eigen::Vector2f& d) {
+  Eigen::Matrix2f sides;
+  sides << b - a, c - d;
+  if (std::abs(sides.determinant()) < 1e-3f) return std::nullopt;
+  const Eigen::Vector2f shares = sides.inverse() * (c - a);
+  return std::pair{shares.x(), shares.y()};
+}
+
+/// Walls by the plan; absent where the way comes near an end of a wall, a jamb or a window.
+std::optional<int> WallsOfPlan(const sim::FloorPlan& plan, const Eigen::Vector2f& from,
+                               const Eigen::Vector2f& to) {
+  constexpr float kNear = 0.3f;
+  int walls = 0;
+  for (const sim::Wall& wall : plan.walls) {
+    const auto at = Meet(from, to, wall.a, wall.b);
+    const float near = kNear / (wall.b - wall.a).norm();
+    if (!at || at->second < -near || at->second > 1.0f + near) continue;
+    if (at->first < -0.1f || at->first > 1.1f) continue;
+    if (at->first < 0.0f || at->first > 1.0f) return std::nullopt;
+    if (at->second < near || at->second > 1.0f - near) return std::nullopt;
+    ++walls;
+  }
+  for (const sim::Opening& opening : plan.openings) {
+    const auto at = Meet(from, to, opening.a, opening.b);
+    const float near = kNear / opening.width();
+    if (!at || at->first < 0.0f || at->first > 1.0f) continue;
+    if (at->second < -near || at->second > 1.0f + near) continue;
+    if (!opening.IsPassage() || at->second < near || at->second > 1.0f - near) return std::nullopt;
+    const bool is_shut = opening.has_leaf && opening.door_angle == 0.0f;
+    walls -= is_shut ? 0 : 1;
+  }
+  return walls;
+}
+
+TEST(WallCount, AgreesWithTheFloorPlansOfHouses) {
+  int compared = 0;
+  int different = 0;
+  for (std::uint64_t seed = 0; seed < 3; ++seed) {
+    const sim::FloorPlan plan = sim::GenerateFloorPlan(sim::Rng(seed, "shell_house"));
+    const sim::PhysicsWorld scene(tests::ShellHouse(seed));
+    sim::Rng rng(seed, "walls");
+    for (int i = 0; i < 300; ++i) {
+      const auto draw = [&] {
+        const auto& outline = rng.Pick(plan.rooms).outline;
+        Eigen::AlignedBox2f box;
+        for (const sim::PlanPoint& corner : outline) box.extend(corner);
+        return Eigen::Vector2f(rng.Uniform(box.min().x(), box.max().x()),
+                               rng.Uniform(box.min().y(), box.max().y()));
+      };
+      const Eigen::Vector2f a = draw();
+      const Eigen::Vector2f b = draw();
+      const auto walls = WallsOfPlan(plan, a, b);
+      if (!walls) continue;
+      ++compared;
+      const Vector3d from(a.x(), 0, a.y());
+      const Vector3d to(b.x(), 0, b.y());
+      different += WallsBetween(scene, from, to) == *walls ? 0 : 1;
+    }
+  }
+  EXPECT_GT(compared, 200);
+  EXPECT_LE(different, compared / 100);
 }
 
 }  // namespace
