@@ -20,7 +20,8 @@ constexpr double kMap = 470.0;        // width at most
 constexpr double kMapHeight = 450.0;  // at most
 constexpr double kStrip = 480.0;      // width of panoramas
 constexpr double kCaption = 22.0;
-constexpr double kRow = kCaption + 0.25 * kStrip + 4.0;
+constexpr double kBelow = 4.0;
+constexpr double kRow = kCaption + 0.25 * kStrip + kBelow;
 constexpr double kLegend = 64.0;
 
 struct Source {
@@ -68,7 +69,8 @@ class ChoicesDrawing {
     DirectionStrip(kMargin, width, canvas_).Panorama(choices_.goal_panorama, top + kCaption);
   }
 
-  void Panoramas(double left) const {
+  /// `pitch`: from one to the next.
+  void Panoramas(double left, double pitch) const {
     const DirectionStrip strip(left, kStrip, canvas_);
     double top = kMargin;
     int number = 1;
@@ -81,7 +83,7 @@ class ChoicesDrawing {
       }
       strip.Box(source.choice.best, top + kCaption, 1.5, {2.5, kTruth, {6.0, 4.0}});
       strip.Box(source.choice.said, top + kCaption, 4.5, {2.5, kSaid, {}});
-      top += kRow;
+      top += pitch;
     }
   }
 
@@ -146,17 +148,22 @@ Figure ChoicesFigure(ExampleScene* scene, const std::vector<int>& sources, int g
   const double goal_top = kMargin + map.y() + 14.0 + kLegend;
   const double strips = 2.0 * kMargin + column + kMargin;
   const double left_height = goal_top + kCaption + 0.25 * column;
-  const double right_height = kMargin + kRow * static_cast<double>(sources.size());
+  const double right_height = kMargin + kRow * static_cast<double>(sources.size()) - kBelow;
+  const double height = std::max(left_height, right_height);
+  // The last panorama ends where the goal's does.
+  const double spare =
+      (height - right_height) / std::max(1.0, static_cast<double>(sources.size()) - 1.0);
+  const double pitch = kRow + spare;
   Figure figure;
   figure.width = static_cast<int>(strips + kStrip + kMargin);
-  figure.height = static_cast<int>(std::max(left_height, right_height) + kMargin);
+  figure.height = static_cast<int>(height + kMargin);
   figure.draw = [=](Canvas* canvas) {
     const ChoicesDrawing drawing(*choices, canvas);
     const Point corner(kMargin + 0.5 * (column - map.x()), kMargin);
     drawing.Map({corner, corner + map});
     drawing.Legend(kMargin + map.y() + 14.0);
     drawing.Goal(goal_top, column);
-    drawing.Panoramas(strips);
+    drawing.Panoramas(strips, pitch);
   };
   return figure;
 }

@@ -83,10 +83,11 @@ std::string ConnectionText(const ConnectionFigures& f) {
 }
 
 std::string BinsText(const char* head, const std::vector<ConnectionBin>& bins) {
-  std::string text = Heads({head, "Pairs", "Accuracy", "Recall", "False positives"});
+  std::string text = Heads({head, "Pairs", "Of one node", "Accuracy", "Recall", "False positives"});
   for (const ConnectionBin& bin : bins) {
-    text += Line({bin.bin, std::to_string(bin.accuracy.count), WithInterval(bin.accuracy),
-                  WithInterval(bin.recall), WithInterval(bin.false_positive_rate)});
+    text += Line({bin.bin, std::to_string(bin.accuracy.count), std::to_string(bin.recall.count),
+                  WithInterval(bin.accuracy), WithInterval(bin.recall),
+                  WithInterval(bin.false_positive_rate)});
   }
   return text;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "benchmark/perception/ranking.h"
 
@@ -156,13 +157,10 @@ double MeanTruth(std::span<const SceneCases> scenes) {
   double count = 0.0;
   for (const SceneCases& cases : scenes) {
     ForEachPair(cases, [&](int source, int goal) {
-      const PairLabel& truth = cases.samples.pair(source, goal);
-      if (truth.same_node != 0) return;
-      for (int i = 0; i < agent::kDirections; ++i) {
-        if (!cases.samples.IsExplorable(source, i)) continue;
-        sum += double{truth.far_score(i)};
-        count += 1.0;
-      }
+      if (cases.samples.pair(source, goal).same_node != 0) return;
+      const Options options = OptionsOf(cases, source, goal);
+      sum = std::accumulate(options.truth.begin(), options.truth.end(), sum);
+      count += static_cast<double>(options.truth.size());
     });
   }
   return count > 0.0 ? sum / count : 0.0;
