@@ -101,6 +101,14 @@ std::optional<int> WallsOfPlan(const sim::FloorPlan& plan, const Eigen::Vector2f
   return walls;
 }
 
+Eigen::Vector2f PlaceIn(const sim::FloorPlan& plan, sim::Rng* rng) {
+  Eigen::AlignedBox2f box;
+  for (const sim::PlanPoint& corner : rng->Pick(plan.rooms).outline) box.extend(corner);
+  const auto across = static_cast<float>(rng->Uniform());
+  const auto along = static_cast<float>(rng->Uniform());
+  return box.min() + box.sizes().cwiseProduct(Eigen::Vector2f(across, along));
+}
+
 TEST(WallCount, AgreesWithTheFloorPlansOfHouses) {
   int compared = 0;
   int different = 0;
@@ -109,21 +117,13 @@ TEST(WallCount, AgreesWithTheFloorPlansOfHouses) {
     const sim::PhysicsWorld scene(tests::ShellHouse(seed));
     sim::Rng rng(seed, "walls");
     for (int i = 0; i < 300; ++i) {
-      const auto draw = [&] {
-        const auto& outline = rng.Pick(plan.rooms).outline;
-        Eigen::AlignedBox2f box;
-        for (const sim::PlanPoint& corner : outline) box.extend(corner);
-        return Eigen::Vector2f(rng.Uniform(box.min().x(), box.max().x()),
-                               rng.Uniform(box.min().y(), box.max().y()));
-      };
-      const Eigen::Vector2f a = draw();
-      const Eigen::Vector2f b = draw();
+      const Eigen::Vector2f a = PlaceIn(plan, &rng);
+      const Eigen::Vector2f b = PlaceIn(plan, &rng);
       const auto walls = WallsOfPlan(plan, a, b);
       if (!walls) continue;
       ++compared;
-      const Vector3d from(a.x(), 0, a.y());
-      const Vector3d to(b.x(), 0, b.y());
-      different += WallsBetween(scene, from, to) == *walls ? 0 : 1;
+      const int counted = WallsBetween(scene, {a.x(), 0, a.y()}, {b.x(), 0, b.y()});
+      different += counted == *walls ? 0 : 1;
     }
   }
   EXPECT_GT(compared, 200);
