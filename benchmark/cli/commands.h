@@ -12,6 +12,8 @@ void AddBenchCommand(CLI::App* program);
 void AddCompareCommand(CLI::App* program);
 void AddDatasetCommand(CLI::App* program);
 void AddTrainCommand(CLI::App* program);
+/// Handed over to bulletnav-learn, as training is.
+void AddEvaluatePerceptionCommand(CLI::App* program);
 void AddEpisodesCommand(CLI::App* program);
 void AddPlotCommand(CLI::App* program);
 void AddRenderCommand(CLI::App* program);

@@ -25,4 +25,9 @@ void AddTrainCommand(CLI::App* program) {
   AddForwarded(program, "train", "Train the learned functions of Neural Topological SLAM");
 }
 
+void AddEvaluatePerceptionCommand(CLI::App* program) {
+  AddForwarded(program, "evaluate-perception",
+               "How right the learned functions are in scenes they have not seen");
+}
+
 }  // namespace bulletnav::bench

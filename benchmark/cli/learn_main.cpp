@@ -16,6 +16,7 @@ std::shared_ptr<bulletnav::agent::SemanticModel> LoadModel(const std::filesystem
 int main(int argc, char** argv) {
   return bulletnav::bench::RunProgram(argc, argv, [](CLI::App* program) {
     bulletnav::bench::AddTrainCommand(program);
+    bulletnav::bench::AddEvaluatePerceptionCommand(program);
     bulletnav::bench::AddRunCommand(program, LoadModel);
   });
 }

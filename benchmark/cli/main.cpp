@@ -9,6 +9,7 @@ int main(int argc, char** argv) {
     bulletnav::bench::AddEpisodesCommand(program);
     bulletnav::bench::AddDatasetCommand(program);
     bulletnav::bench::AddTrainCommand(program);
+    bulletnav::bench::AddEvaluatePerceptionCommand(program);
     bulletnav::bench::AddRunCommand(program);
     bulletnav::bench::AddTableCommand(program);
     bulletnav::bench::AddCompareCommand(program);

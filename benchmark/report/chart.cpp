@@ -60,9 +60,13 @@ class Panel {
         high_ = std::max(high_, value.x);
       }
     }
+    for (const Chart::Tick& tick : chart.ticks) {
+      low_ = std::min(low_, tick.x);
+      high_ = std::max(high_, tick.x);
+    }
     if (!(low_ <= high_)) low_ = high_ = 0.0;
-    low_ -= 0.5;
-    high_ += 0.5;
+    low_ -= chart.margin;
+    high_ += chart.margin;
   }
 
   void Axes() const {
@@ -72,11 +76,10 @@ class Panel {
       canvas_->Text(At(low_, y) - Point(6.0, 0.0), fmt::format("{:.1f}", y),
                     {.size = kTick, .paint = kInk, .align = Align::kRight});
     }
-    const int step = high_ - low_ > 12.0 ? 2 : 1;
-    for (int x = static_cast<int>(std::ceil(low_)); x <= high_; x += step) {
-      canvas_->Line(At(x, 0.0), At(x, 0.0) + Point(0.0, 4.0), 1.0, kInk);
-      canvas_->Text(At(x, 0.0) + Point(0.0, 13.0), std::to_string(x),
-                    {.size = kTick, .paint = kInk});
+    for (const Chart::Tick& tick : Ticks()) {
+      const Point at = At(tick.x, 0.0);
+      canvas_->Line(at, at + Point(0.0, 4.0), 1.0, kInk);
+      canvas_->Text(at + Point(0.0, 13.0), tick.text, {.size = kTick, .paint = kInk});
     }
     canvas_->Line(At(low_, 0.0), At(high_, 0.0), 1.0, kInk);
     canvas_->Line(At(low_, 0.0), At(low_, 1.0), 1.0, kInk);
@@ -104,10 +107,21 @@ class Panel {
     std::vector<Point> points;
     for (const Chart::Value& v : chart_.series[i].values) points.push_back(At(v.x, v.y));
     canvas_->Polyline(points, {1.8, kLineColors[i % kLineColors.size()], {}});
+    if (!chart_.has_marks) return;
     for (const Point& p : points) DrawMarker(p, i, canvas_);
   }
 
  private:
+  std::vector<Chart::Tick> Ticks() const {
+    if (!chart_.ticks.empty()) return chart_.ticks;
+    std::vector<Chart::Tick> ticks;
+    const int step = high_ - low_ > 12.0 ? 2 : 1;
+    for (int x = static_cast<int>(std::ceil(low_)); x <= high_; x += step) {
+      ticks.push_back({static_cast<double>(x), std::to_string(x)});
+    }
+    return ticks;
+  }
+
   Point At(double x, double y) const {
     return corner_ + Point(kLeft + kPanelWidth * (x - low_) / (high_ - low_),
                            kTop + kPanelHeight * (1.0 - y));
@@ -124,7 +138,7 @@ void DrawLegend(const Chart& chart, double top, Canvas* canvas) {
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
     const Point at(kLeft, top + kLegendLine * (static_cast<double>(i) + 0.5));
     canvas->Line(at, at + Point(24.0, 0.0), 1.8, kLineColors[i % kLineColors.size()]);
-    DrawMarker(at + Point(12.0, 0.0), i, canvas);
+    if (chart.has_marks) DrawMarker(at + Point(12.0, 0.0), i, canvas);
     canvas->Text(at + Point(32.0, 0.0), chart.series[i].name,
                  {.size = kTick, .paint = kInk, .align = Align::kLeft});
   }

@@ -9,7 +9,8 @@
 
 namespace bulletnav::bench {
 
-/// Shares, all in [0, 1], against something countable, with their confidence.
+/// Shares, all in [0, 1], against something countable, with their confidence, or a curve of one
+/// share against another.
 struct Chart {
   struct Value {
     double x = 0.0;
@@ -20,9 +21,16 @@ struct Chart {
     std::string name;
     std::vector<Value> values;  // by rising x
   };
+  struct Tick {
+    double x = 0.0;
+    std::string text;
+  };
   std::string x_label;
   std::string y_label;
-  std::vector<Series> series;  // as many, in the same order, in all charts of a figure
+  std::vector<Series> series;    // as many, in the same order, in all charts of a figure
+  std::vector<Tick> ticks = {};  // of x, which reaches so far at least; whole numbers if empty
+  double margin = 0.5;           // of x beyond values and ticks
+  bool has_marks = true;         // on each value
 };
 
 /// Charts side by side under a common legend: a line with marks a series and a band for its

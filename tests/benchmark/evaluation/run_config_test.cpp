@@ -113,7 +113,8 @@ TEST(RunConfig, EveryShippedOneLoads) {
   for (const auto& entry : std::filesystem::recursive_directory_iterator(BULLETNAV_CONFIGS)) {
     const std::filesystem::path& file = entry.path();
     const bool is_run = file.extension() == ".yaml" && file.parent_path().filename() != "train" &&
-                        !file.filename().string().starts_with("episodes");
+                        !file.filename().string().starts_with("episodes") &&
+                        file.stem() != "perception";
     if (!is_run) continue;
     ++count;
     const RunConfig config = LoadRunConfig(file);
