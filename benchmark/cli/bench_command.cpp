@@ -32,8 +32,8 @@ void Bench(const BenchOptions& options) {
     sim::WriteHouseSet(folder, {.count = 1, .first_seed = 0, .workers = 1}, [] {});
     file = folder / "house_000.glb";
   }
-  std::vector<Figure> figures;
-  const auto tell = [&](const Figure& figure) {
+  std::vector<BenchFigure> figures;
+  const auto tell = [&](const BenchFigure& figure) {
     figures.push_back(figure);
     fmt::print(stderr, "{}: {:.4g} {}\n", figure.name, figure.value, figure.unit);
   };

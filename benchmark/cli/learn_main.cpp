@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The commands that need torch, in a program of their own: see forwarded_commands.cpp.
+#include <cstdlib>
+
 #include "agent/perception/learned_model.h"
 #include "benchmark/cli/commands.h"
+#include "benchmark/cli/hand_over.h"
 #include "benchmark/cli/program.h"
 
 namespace {
@@ -15,6 +18,8 @@ std::shared_ptr<bulletnav::agent::SemanticModel> LoadModel(const std::filesystem
 
 int main(int argc, char** argv) {
   return bulletnav::bench::RunProgram(argc, argv, [](CLI::App* program) {
+    // Started by itself: OpenBLAS has to be set up before it is loaded, see HandOverToLearn.
+    if (std::getenv("OPENBLAS_NUM_THREADS") == nullptr) bulletnav::bench::HandOverToLearn();
     bulletnav::bench::AddTrainCommand(program);
     bulletnav::bench::AddEvaluatePerceptionCommand(program);
     bulletnav::bench::AddRunCommand(program, LoadModel);

@@ -116,7 +116,7 @@ class RunBench {
 
 }  // namespace
 
-void MeasureRuns(const BenchScene& scene, const std::function<void(const Figure&)>& tell) {
+void MeasureRuns(const BenchScene& scene, const std::function<void(const BenchFigure&)>& tell) {
   RunBench bench(scene);
   std::vector<double> plain;
   std::vector<double> one;

@@ -2,7 +2,7 @@
 #pragma once
 #include <functional>
 
-#include "benchmark/perf/figure.h"
+#include "benchmark/perf/bench_figure.h"
 #include "benchmark/perf/simulator_figures.h"
 
 namespace bulletnav::bench {
@@ -11,6 +11,6 @@ namespace bulletnav::bench {
 /// whole run with one worker and with two, what the agent takes of a step, and what the runner
 /// (bookkeeping, files) takes of the run, as the difference to the same episodes played in a plain
 /// loop. `tell` is called with each as it is ready. Throws sim::Error if no episodes can be drawn.
-void MeasureRuns(const BenchScene& scene, const std::function<void(const Figure&)>& tell);
+void MeasureRuns(const BenchScene& scene, const std::function<void(const BenchFigure&)>& tell);
 
 }  // namespace bulletnav::bench

@@ -58,7 +58,7 @@ std::vector<sim::CameraPose> Cameras(const std::vector<sim::BodyPose>& poses) {
 class SimulatorBench {
  public:
   SimulatorBench(const BenchScene& scene, const std::filesystem::path& program,
-                 const std::function<void(const Figure&)>& tell)
+                 const std::function<void(const BenchFigure&)>& tell)
       : scene_(scene), program_(program), tell_(tell) {
     const sim::ImportedScene imported = sim::ImportScene(scene.file, scene.import);
     mesh_ = imported.mesh;
@@ -234,7 +234,7 @@ class SimulatorBench {
 
   BenchScene scene_;
   std::filesystem::path program_;
-  const std::function<void(const Figure&)>& tell_;
+  const std::function<void(const BenchFigure&)>& tell_;
   sim::SceneMesh mesh_;
   std::string name_;
   std::shared_ptr<const sim::World> world_;
@@ -245,7 +245,7 @@ class SimulatorBench {
 }  // namespace
 
 void MeasureSimulator(const BenchScene& scene, const std::filesystem::path& program,
-                      const std::function<void(const Figure&)>& tell) {
+                      const std::function<void(const BenchFigure&)>& tell) {
   SimulatorBench(scene, program, tell).Run();
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "benchmark/perf/figure.h"
+#include "benchmark/perf/bench_figure.h"
 #include "sim/scene/import.h"
 
 namespace bulletnav::bench {
@@ -20,6 +20,6 @@ struct BenchScene {
 /// is called with each as it is ready. `program`: the executable to start for start-up time and
 /// memory.
 void MeasureSimulator(const BenchScene& scene, const std::filesystem::path& program,
-                      const std::function<void(const Figure&)>& tell);
+                      const std::function<void(const BenchFigure&)>& tell);
 
 }  // namespace bulletnav::bench

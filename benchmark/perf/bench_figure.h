@@ -7,7 +7,7 @@
 namespace bulletnav::bench {
 
 /// One measured figure.
-struct Figure {
+struct BenchFigure {
   std::string name;
   double value = 0.0;
   std::string unit;
@@ -24,8 +24,8 @@ double MedianRate(const std::function<void()>& work, int units, double seconds =
 double Median(std::vector<double> values);
 
 /// A list of {name, value, unit, scene, backend, workers}.
-std::string ToJson(const std::vector<Figure>& figures);
+std::string ToJson(const std::vector<BenchFigure>& figures);
 /// A table for people.
-std::string ToText(const std::vector<Figure>& figures);
+std::string ToText(const std::vector<BenchFigure>& figures);
 
 }  // namespace bulletnav::bench

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "benchmark/perf/figure.h"
+#include "benchmark/perf/bench_figure.h"
 
 #include <algorithm>
 #include <chrono>
@@ -38,9 +38,9 @@ double MedianRate(const std::function<void()>& work, int units, double seconds) 
   return Median(rates);
 }
 
-std::string ToJson(const std::vector<Figure>& figures) {
+std::string ToJson(const std::vector<BenchFigure>& figures) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const Figure& f : figures) {
+  for (const BenchFigure& f : figures) {
     list.push_back({{"name", f.name},
                     {"value", f.value},
                     {"unit", f.unit},
@@ -51,10 +51,10 @@ std::string ToJson(const std::vector<Figure>& figures) {
   return list.dump(1) + "\n";
 }
 
-std::string ToText(const std::vector<Figure>& figures) {
+std::string ToText(const std::vector<BenchFigure>& figures) {
   std::string text = fmt::format("{:<34} {:>10} {:<14} {:<8} {:>7}  {}\n", "figure", "value",
                                  "unit", "backend", "workers", "scene");
-  for (const Figure& f : figures) {
+  for (const BenchFigure& f : figures) {
     text += fmt::format("{:<34} {:>10.4g} {:<14} {:<8} {:>7}  {}\n", f.name, f.value, f.unit,
                         f.backend, f.workers, f.scene);
   }
