@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: MIT
 // The commands that need torch, in a program of their own: see forwarded_commands.cpp.
+#include "agent/perception/learned_mapper.h"
 #include "agent/perception/learned_model.h"
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/program.h"
 
 namespace {
 
-std::shared_ptr<bulletnav::agent::SemanticModel> LoadModel(const std::filesystem::path& weights,
-                                                           const bulletnav::agent::Rig& rig) {
-  return std::make_shared<bulletnav::agent::LearnedModel>(weights, rig);
+using bulletnav::agent::Rig;
+
+bulletnav::bench::ModelLoaders Loaders() {
+  return {[](const std::filesystem::path& weights, const Rig& rig) {
+            return std::make_shared<bulletnav::agent::LearnedModel>(weights, rig);
+          },
+          [](const std::filesystem::path& weights, const Rig& rig) {
+            return std::make_shared<bulletnav::agent::LearnedMapper>(weights, rig);
+          }};
 }
 
 }  // namespace
@@ -16,6 +23,6 @@ std::shared_ptr<bulletnav::agent::SemanticModel> LoadModel(const std::filesystem
 int main(int argc, char** argv) {
   return bulletnav::bench::RunProgram(argc, argv, [](CLI::App* program) {
     bulletnav::bench::AddTrainCommand(program);
-    bulletnav::bench::AddRunCommand(program, LoadModel);
+    bulletnav::bench::AddRunCommand(program, Loaders());
   });
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "agent/perception/model_file.h"
 #include "benchmark/evaluation/privileged/oracle_goal_estimator.h"
@@ -62,50 +63,74 @@ std::string WhyNot(const RunAgent& agent, const agent::Rig& rig) {
   return "";
 }
 
-/// Stands for a model in a program that cannot load one.
+constexpr const char* kWithoutTorch = "this program was built without the learned functions";
+
+/// Stand for models in a program that cannot load them.
 class UnloadedModel final : public agent::SemanticModel {
  public:
   std::vector<agent::PanoramaCode> Encode(std::span<const agent::Panorama>) override {
-    throw sim::Error(kWhy);
+    throw sim::Error(kWithoutTorch);
   }
   std::array<float, agent::kDirections> Explorable(const agent::PanoramaCode&) override {
-    throw sim::Error(kWhy);
+    throw sim::Error(kWithoutTorch);
   }
   std::vector<agent::PairPrediction> Compare(std::span<const agent::PanoramaCode* const>,
                                              const agent::PanoramaCode&) override {
-    throw sim::Error(kWhy);
+    throw sim::Error(kWithoutTorch);
   }
-
- private:
-  static constexpr const char* kWhy = "this program was built without the learned functions";
 };
 
-/// The contexts of all lanes; a learned model is shared by them.
+class UnloadedMapper final : public agent::FreeSpaceModel {
+ public:
+  agent::FreeSpace Predict(const agent::Panorama&) override { throw sim::Error(kWithoutTorch); }
+};
+
+Setting SettingOf(const agent::Rig& rig) {
+  return rig.has_depth ? Setting::kRgbd : Setting::kRgb;
+}
+
+/// Whether an agent that looks at panoramas through some model is given the mapper as well.
+bool TakesMapper(const AgentEntry& entry, Setting setting) {
+  return setting == Setting::kRgb && entry.semantic_model != SemanticModelKind::kNone;
+}
+
+/// The mapper's weights; absent if there are none, for not every agent needs them.
+std::optional<fs::path> FindMapper(const WeightsSpec& weights) {
+  try {
+    return FindWeights(weights.mapper);
+  } catch (const sim::FileError&) {
+    return std::nullopt;
+  }
+}
+
+/// The contexts of all lanes; learned models are shared by them.
 std::vector<agent::AgentContext> ContextsOf(const RunAgent& agent, const agent::Rig& rig,
                                             std::span<const GroundTruth* const> truths) {
-  std::shared_ptr<agent::SemanticModel> learned;
+  agent::AgentContext shared;
+  shared.rig = rig;
   if (agent.is_learned()) {
-    const Setting setting = rig.has_depth ? Setting::kRgbd : Setting::kRgb;
-    learned = agent.load_model(FindWeights(agent.weights.of(setting)), rig);
+    shared.semantic_model =
+        agent.loaders.semantic_model(FindWeights(agent.weights.of(SettingOf(rig))), rig);
   }
-  std::vector<agent::AgentContext> contexts;
-  for (const GroundTruth* truth : truths) {
-    agent::AgentContext& context = contexts.emplace_back();
-    context.rig = rig;
-    context.semantic_model = learned;
-    if (agent.entry.semantic_model != SemanticModelKind::kOracle) continue;
-    context.goal_estimator = std::make_shared<OracleGoalEstimator>(*truth);
-    context.semantic_model = std::make_shared<OracleSemanticModel>(*truth);
+  if (TakesMapper(agent.entry, SettingOf(rig))) {
+    if (const auto file = FindMapper(agent.weights)) {
+      shared.mapper = agent.loaders.mapper(*file, rig);
+    }
+  }
+  std::vector<agent::AgentContext> contexts(truths.size(), shared);
+  if (agent.entry.semantic_model != SemanticModelKind::kOracle) return contexts;
+  for (std::size_t i = 0; i < truths.size(); ++i) {
+    contexts[i].goal_estimator = std::make_shared<OracleGoalEstimator>(*truths[i]);
+    contexts[i].semantic_model = std::make_shared<OracleSemanticModel>(*truths[i]);
   }
   return contexts;
 }
 
-RunAgent FindAgent(const RunConfig& config, const AgentEntry& entry,
-                   const ModelLoader& load_model) {
+RunAgent FindAgent(const RunConfig& config, const AgentEntry& entry, const ModelLoaders& loaders) {
   RunAgent agent;
   agent.entry = entry;
   agent.weights = config.weights;
-  agent.load_model = load_model;
+  agent.loaders = loaders;
   if (entry.parameters) {
     sim::YamlWriter writer;
     writer.Write(*entry.parameters);
@@ -132,12 +157,20 @@ RunAgent FindAgent(const RunConfig& config, const AgentEntry& entry,
 
 }  // namespace
 
-ModelLoader WeightsCheck() {
-  return [](const fs::path& weights, const agent::Rig& rig) {
+ModelLoaders WeightsCheck() {
+  ModelLoaders loaders;
+  loaders.semantic_model = [](const fs::path& weights, const agent::Rig& rig) {
     const agent::ModelConfig config = agent::ModelConfigOf(agent::ReadTensorFile(weights), weights);
     agent::RequireRig(rig, config, weights);
     return std::make_shared<UnloadedModel>();
   };
+  loaders.mapper = [](const fs::path& weights, const agent::Rig& rig) {
+    const agent::MapperConfig config =
+        agent::MapperConfigOf(agent::ReadTensorFile(weights), weights);
+    agent::RequireRig(rig, config.seeing(), weights);
+    return std::make_shared<UnloadedMapper>();
+  };
+  return loaders;
 }
 
 fs::path FindWeights(const std::string& weights) {
@@ -152,9 +185,11 @@ fs::path FindWeights(const std::string& weights) {
 
 std::map<std::string, fs::path> UsedWeights(const RunConfig& config) {
   std::map<std::string, fs::path> used;
+  const std::optional<fs::path> mapper = FindMapper(config.weights);
   for (const AgentEntry& entry : config.agents) {
-    if (entry.semantic_model != SemanticModelKind::kLearned) continue;
     for (const Setting setting : entry.settings.empty() ? config.settings : entry.settings) {
+      if (mapper && TakesMapper(entry, setting)) used["mapper"] = *mapper;
+      if (entry.semantic_model != SemanticModelKind::kLearned) continue;
       try {
         used[std::string(sim::NameOf(setting))] = FindWeights(config.weights.of(setting));
       } catch (const sim::FileError&) {
@@ -163,6 +198,12 @@ std::map<std::string, fs::path> UsedWeights(const RunConfig& config) {
     }
   }
   return used;
+}
+
+bool RunAgent::needs_torch() const {
+  return std::any_of(settings.begin(), settings.end(), [&](Setting setting) {
+    return is_learned() || (TakesMapper(entry, setting) && FindMapper(weights));
+  });
 }
 
 AgentRow RunAgent::row() const {
@@ -175,10 +216,10 @@ AgentRow RunAgent::row() const {
   return row;
 }
 
-std::vector<RunAgent> FindAgents(const RunConfig& config, const ModelLoader& load_model) {
+std::vector<RunAgent> FindAgents(const RunConfig& config, const ModelLoaders& loaders) {
   std::vector<RunAgent> agents;
   for (const AgentEntry& entry : config.agents) {
-    agents.push_back(FindAgent(config, entry, load_model));
+    agents.push_back(FindAgent(config, entry, loaders));
   }
   return agents;
 }
