@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "benchmark/report/figure.h"
-#include "benchmark/training/learner.h"
+#include "benchmark/training/train_task.h"
 
 namespace bulletnav::bench {
 

@@ -2,17 +2,12 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <map>
-#include <memory>
 #include <string>
-#include <vector>
 
 #include "agent/perception/torch.h"
 #include "benchmark/training/measures.h"
 #include "benchmark/training/pair_batch.h"
-#include "benchmark/training/train_config.h"
-#include "sim/config/yaml_writer.h"
 #include "sim/threads/worker_pool.h"
 
 namespace bulletnav::bench {
@@ -43,33 +38,6 @@ class Learner {
   /// Writes weights that the agents can load; notes go into their metadata. Throws FileError.
   virtual void Save(std::map<std::string, std::string> notes,
                     const std::filesystem::path& file) const = 0;
-};
-
-/// A line of the picture of a training's curves.
-struct CurveLine {
-  std::string title;
-  std::string measure;
-};
-
-/// A training of one kind of model, for the trainer of all.
-struct TrainTask {
-  TrainPlan plan;
-  std::string config;   // all that the user said, as YAML
-  std::string essence;  // the same without the folder: what the result follows from
-  std::function<std::unique_ptr<Learner>()> make;        // always the same net
-  std::function<std::string(const Measures&)> describe;  // a validation, in a line
-  std::string curves_label;                              // of the picture's y axis
-  std::vector<CurveLine> curves;
-
-  template <class Config>
-  static TrainTask Of(Config config) {
-    TrainTask task;
-    task.plan = config;
-    task.config = sim::ToYaml(config);
-    config.out.clear();
-    task.essence = sim::ToYaml(config);
-    return task;
-  }
 };
 
 }  // namespace bulletnav::bench

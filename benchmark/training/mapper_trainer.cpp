@@ -9,6 +9,7 @@
 #include "agent/perception/one_thread.h"
 #include "benchmark/training/augment.h"
 #include "benchmark/training/batch_tensors.h"
+#include "benchmark/training/learner.h"
 #include "benchmark/training/mapper_loss.h"
 #include "benchmark/training/mapper_metrics.h"
 

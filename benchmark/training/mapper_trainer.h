@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "benchmark/training/learner.h"
 #include "benchmark/training/train_config.h"
+#include "benchmark/training/train_task.h"
 #include "benchmark/training/trainer.h"
 
 namespace bulletnav::bench {

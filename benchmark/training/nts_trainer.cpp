@@ -9,6 +9,7 @@
 #include "agent/perception/semantic_net.h"
 #include "benchmark/training/augment.h"
 #include "benchmark/training/batch_tensors.h"
+#include "benchmark/training/learner.h"
 #include "benchmark/training/nts_loss.h"
 #include "benchmark/training/nts_metrics.h"
 

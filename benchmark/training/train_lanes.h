@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "benchmark/training/learner.h"
+#include "benchmark/training/train_task.h"
 #include "sim/threads/worker_pool.h"
 
 namespace bulletnav::bench {

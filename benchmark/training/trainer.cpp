@@ -16,6 +16,7 @@
 #include "benchmark/training/curves.h"
 #include "benchmark/training/learner.h"
 #include "benchmark/training/train_lanes.h"
+#include "benchmark/training/train_task.h"
 #include "sim/base/error.h"
 #include "sim/base/files.h"
 

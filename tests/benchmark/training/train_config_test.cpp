@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-#include "benchmark/training/learner.h"
+#include "benchmark/training/train_task.h"
 #include "sim/base/error.h"
 #include "tests/support/temporary_folder.h"
 
