@@ -94,10 +94,10 @@ bool TakesMapper(const AgentEntry& entry, Setting setting) {
   return setting == Setting::kRgb && entry.semantic_model != SemanticModelKind::kNone;
 }
 
-/// The mapper's weights; absent if there are none, for not every agent needs them.
-std::optional<fs::path> FindMapper(const WeightsSpec& weights) {
+/// Absent if there is no such file.
+std::optional<fs::path> FindIfThere(const std::string& weights) {
   try {
-    return FindWeights(weights.mapper);
+    return FindWeights(weights);
   } catch (const sim::FileError&) {
     return std::nullopt;
   }
@@ -113,7 +113,8 @@ std::vector<agent::AgentContext> ContextsOf(const RunAgent& agent, const agent::
         agent.loaders.semantic_model(FindWeights(agent.weights.of(SettingOf(rig))), rig);
   }
   if (TakesMapper(agent.entry, SettingOf(rig))) {
-    if (const auto file = FindMapper(agent.weights)) {
+    // Not every agent needs it; those that do say so.
+    if (const auto file = FindIfThere(agent.weights.mapper)) {
       shared.mapper = agent.loaders.mapper(*file, rig);
     }
   }
@@ -185,16 +186,14 @@ fs::path FindWeights(const std::string& weights) {
 
 std::map<std::string, fs::path> UsedWeights(const RunConfig& config) {
   std::map<std::string, fs::path> used;
-  const std::optional<fs::path> mapper = FindMapper(config.weights);
+  const auto use = [&](const std::string& key, const std::string& weights) {
+    if (const auto file = FindIfThere(weights)) used[key] = *file;  // else the agent's row says so
+  };
   for (const AgentEntry& entry : config.agents) {
     for (const Setting setting : entry.settings.empty() ? config.settings : entry.settings) {
-      if (mapper && TakesMapper(entry, setting)) used["mapper"] = *mapper;
+      if (TakesMapper(entry, setting)) use("mapper", config.weights.mapper);
       if (entry.semantic_model != SemanticModelKind::kLearned) continue;
-      try {
-        used[std::string(sim::NameOf(setting))] = FindWeights(config.weights.of(setting));
-      } catch (const sim::FileError&) {
-        continue;  // the agent's row says so
-      }
+      use(std::string(sim::NameOf(setting)), config.weights.of(setting));
     }
   }
   return used;
@@ -202,7 +201,7 @@ std::map<std::string, fs::path> UsedWeights(const RunConfig& config) {
 
 bool RunAgent::needs_torch() const {
   return std::any_of(settings.begin(), settings.end(), [&](Setting setting) {
-    return is_learned() || (TakesMapper(entry, setting) && FindMapper(weights));
+    return is_learned() || (TakesMapper(entry, setting) && FindIfThere(weights.mapper));
   });
 }
 
