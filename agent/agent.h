@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "agent/belief.h"
+#include "agent/mapping/free_space_model.h"
 #include "agent/observation.h"
 #include "agent/perception/goal_estimator.h"
 #include "agent/perception/semantic_model.h"
@@ -16,6 +17,7 @@ struct AgentContext {
   Rig rig;
   std::shared_ptr<GoalEstimator> goal_estimator = nullptr;  // null where none is offered
   std::shared_ptr<SemanticModel> semantic_model = nullptr;  // the same; other lanes may share it
+  std::shared_ptr<FreeSpaceModel> mapper = nullptr;         // likewise; for bodies without depth
 };
 
 /// Finds the place where the goal's panorama was taken. Sees observations and nothing else: no true

@@ -48,7 +48,7 @@ class MetricMapFbeAgent final : public Agent {
 
   MetricMapFbeAgent(const Config& config, const AgentContext& context)
       : config_(config),
-        navigator_(context.rig, config.navigator),
+        navigator_(context.rig, config.navigator, context.mapper),
         estimator_(context.goal_estimator),
         goal_at_(config.sightings, config.stop_certainty) {
     if (!estimator_ && context.semantic_model) {

@@ -48,7 +48,7 @@ class NtsWithoutGraph final : public Agent {
   NtsWithoutGraph(const Config& config, const AgentContext& context)
       : config_(config),
         model_(RequireModel(context, kName)),
-        navigator_(context.rig, config.navigator),
+        navigator_(context.rig, config.navigator, context.mapper),
         watch_(config.patience, kLeastProgress) {}
 
   void Reset(const Panorama& goal, std::uint64_t seed) override {

@@ -12,26 +12,27 @@ namespace {
 constexpr float kSightStep = 0.7f;  // cells; no ray jumps over a cell
 constexpr float kNothingSeen = -1.0f;
 
+float InCells(const MapSpec& spec) {
+  return static_cast<float>(spec.vision / spec.cell);
+}
+
 }  // namespace
 
 DepthRing::DepthRing(const Rig& rig, const MapSpec& spec)
-    : rows_(rig.panorama.rows),
+    : ViewWindow(static_cast<int>(std::ceil(InCells(spec))) + 1),
+      rows_(rig.panorama.rows),
       cols_(static_cast<std::size_t>(rig.panorama.cols)),
       rays_(rig.panorama),
       camera_height_(rig.camera_height),
-      vision_(static_cast<float>(spec.vision / spec.cell)),
+      vision_(InCells(spec)),
       cell_(static_cast<float>(spec.cell)),
       low_(static_cast<float>(spec.obstacle_low)),
       high_(static_cast<float>(spec.obstacle_high)),
-      reach_(static_cast<int>(std::ceil(vision_)) + 1),
       along_x_(cols_),
       along_y_(cols_),
       range_(cols_),
       height_(cols_),
-      free_(cols_),
-      obstacle_points_(2 * reach_ + 1),
-      floor_points_(2 * reach_ + 1),
-      seen_(2 * reach_ + 1) {
+      free_(cols_) {
   for (std::size_t c = 0; c < cols_; ++c) flat_.push_back(std::hypot(rays_.x[c], rays_.z[c]));
   for (const float up : rays_.y) {
     for (const float flat : flat_) per_metre_.push_back(1.0f / std::hypot(flat, up));
@@ -41,11 +42,10 @@ DepthRing::DepthRing(const Rig& rig, const MapSpec& spec)
   rays_per_column_ = static_cast<int>(std::ceil(apart / 0.8));
 }
 
-void DepthRing::Project(std::span<const float> depth, double x, double y, double yaw) {
+void DepthRing::Project(const Panorama& panorama, double x, double y, double yaw) {
+  const std::span<const float> depth = panorama.depth;
   CHECK_EQ(depth.size(), static_cast<std::size_t>(rows_) * cols_);
-  obstacle_points_.Fill(0);
-  floor_points_.Fill(0);
-  seen_.Fill(0);
+  Clear();
   std::fill(free_.begin(), free_.end(), kNothingSeen);
   TurnColumns(yaw);
   const auto in_x = static_cast<float>(reach_ + x);

@@ -1,33 +1,23 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <cstdint>
 #include <span>
 #include <vector>
 
-#include "agent/mapping/grid.h"
 #include "agent/mapping/map_spec.h"
+#include "agent/mapping/view_window.h"
 #include "agent/observation.h"
 
 namespace bulletnav::agent {
 
 /// Projects a whole panorama of depth onto the cells of a square window around the body: the mapper
 /// of Active Neural SLAM with a ring instead of 90 degrees.
-/// Window: the body stands in its middle cell; x and y as in the map.
 /// Cost: O(pixels), some 0.3 ms for 128 x 512.
-class DepthRing {
+class DepthRing final : public ViewWindow {
  public:
   DepthRing(const Rig& rig, const MapSpec& spec);
 
-  /// `x`, `y`: where the body stands in its cell, 0 to 1; `yaw`: against the map's x axis.
   /// Expects: depth of the rig's size (checked).
-  void Project(std::span<const float> depth, double x, double y, double yaw);
-
-  /// Cells from the middle to the edge.
-  int reach() const { return reach_; }
-  /// Points in the body's way, points below, and cells that were looked at or into.
-  const Grid<std::uint16_t>& obstacle_points() const { return obstacle_points_; }
-  const Grid<std::uint16_t>& floor_points() const { return floor_points_; }
-  const Grid<std::uint8_t>& seen() const { return seen_; }
+  void Project(const Panorama& panorama, double x, double y, double yaw) override;
 
  private:
   void TurnColumns(double yaw);
@@ -44,7 +34,6 @@ class DepthRing {
   float cell_;
   float low_;
   float high_;
-  int reach_;
   int rays_per_column_;
   std::vector<float> flat_;       // [cols] length of the level part of a column's rays
   std::vector<float> per_metre_;  // [rows, cols] 1 / length of a pixel's ray
@@ -53,9 +42,6 @@ class DepthRing {
   std::vector<float> range_;   // [cols] of the row at hand: level range in cells,
   std::vector<float> height_;  // and height in metres
   std::vector<float> free_;    // [cols] cells to the first obstacle
-  Grid<std::uint16_t> obstacle_points_;
-  Grid<std::uint16_t> floor_points_;
-  Grid<std::uint8_t> seen_;
 };
 
 }  // namespace bulletnav::agent

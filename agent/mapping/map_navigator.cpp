@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "sim/base/error.h"
 
@@ -28,9 +29,10 @@ void NavigatorSpec::Validate() const {
   }
 }
 
-MapNavigator::MapNavigator(const Rig& rig, const NavigatorSpec& spec)
+MapNavigator::MapNavigator(const Rig& rig, const NavigatorSpec& spec,
+                           std::shared_ptr<FreeSpaceModel> mapper)
     : spec_(spec),
-      map_(rig, spec.map),
+      map_(rig, spec.map, std::move(mapper)),
       planner_(spec.map, spec.ahead),
       frontiers_(spec.map.cells(), spec.least_frontier) {}
 
@@ -53,7 +55,7 @@ void MapNavigator::Observe(const Observation& observation) {
   pose_ = sim::Compose(pose_, observation.odometry);
   map_.MarkTrack(before, pose_);
   FeelWalls(before);
-  map_.Update(observation.panorama.depth, pose_);
+  map_.Update(observation.panorama, pose_);
 }
 
 void MapNavigator::FeelWalls(const sim::PlanarPose& before) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <memory>
 #include <optional>
 
 #include "agent/mapping/frontier.h"
@@ -39,11 +40,13 @@ struct NavigatorSpec {
 ///   each step: navigator.Observe(observation); ... navigator.Took(action);
 class MapNavigator {
  public:
-  MapNavigator(const Rig& rig, const NavigatorSpec& spec);
+  /// See MetricMap.
+  MapNavigator(const Rig& rig, const NavigatorSpec& spec,
+               std::shared_ptr<FreeSpaceModel> mapper = nullptr);
 
   void Reset();
-  /// Moves the pose by the odometry, marks felt walls, adds the depth to the map. Throws Error if
-  /// the odometry is broken.
+  /// Moves the pose by the odometry, marks felt walls, adds what is seen to the map. Throws Error
+  /// if the odometry is broken.
   void Observe(const Observation& observation);
   /// The action chosen; the next observation shows what came of it.
   void Took(sim::Action action) { last_action_ = action; }

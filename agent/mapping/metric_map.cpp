@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "agent/mapping/depth_ring.h"
+#include "agent/mapping/learned_ring.h"
 #include "sim/base/error.h"
 
 namespace bulletnav::agent {
@@ -26,19 +28,23 @@ Grid<T> Moved(const Grid<T>& grid, const Cell& by, const T& fill) {
   return moved;
 }
 
-DepthRing MakeRing(const Rig& rig, const MapSpec& spec) {
-  if (!rig.has_depth) throw sim::Error("a metric map needs depth, which this setting has not");
+std::unique_ptr<ViewWindow> MakeView(const Rig& rig, const MapSpec& spec,
+                                     std::shared_ptr<FreeSpaceModel> mapper) {
+  if (!rig.has_depth) {
+    if (mapper) return std::make_unique<LearnedRing>(std::move(mapper), spec);
+    throw sim::Error("a metric map needs depth, which this setting has not, or a mapper's weights");
+  }
   if (spec.vision >= static_cast<double>(rig.panorama.max_depth_m)) {
     throw sim::Error("the map's vision must be less than the panorama's max_depth_m");
   }
-  return {rig, spec};
+  return std::make_unique<DepthRing>(rig, spec);
 }
 
 }  // namespace
 
-MetricMap::MetricMap(const Rig& rig, const MapSpec& spec)
+MetricMap::MetricMap(const Rig& rig, const MapSpec& spec, std::shared_ptr<FreeSpaceModel> mapper)
     : spec_(spec),
-      ring_(MakeRing(rig, spec)),
+      view_(MakeView(rig, spec, std::move(mapper))),
       evidence_(spec.cells()),
       explored_(spec.cells()),
       track_(spec.cells()),
@@ -68,10 +74,10 @@ Point MetricMap::Centre(const Cell& cell) const {
   return {(cell.x + low_.x + 0.5) * spec_.cell, (cell.y + low_.y + 0.5) * spec_.cell};
 }
 
-void MetricMap::Update(std::span<const float> depth, const sim::PlanarPose& pose) {
+void MetricMap::Update(const Panorama& panorama, const sim::PlanarPose& pose) {
   Cell here = CellAt({pose.x, pose.y});
   const int grown = spec_.dilation_cells + spec_.clearance_cells;
-  const int margin = ring_.reach() + grown + 2;
+  const int margin = view_->reach() + grown + 2;
   const int last = states_.size() - 1 - margin;
   if (here.x < margin || here.y < margin || here.x > last || here.y > last) {
     MoveTo(here);
@@ -79,17 +85,17 @@ void MetricMap::Update(std::span<const float> depth, const sim::PlanarPose& pose
   }
   const double x = pose.x / spec_.cell;
   const double y = pose.y / spec_.cell;
-  ring_.Project(depth, x - std::floor(x), y - std::floor(y), pose.yaw);
+  view_->Project(panorama, x - std::floor(x), y - std::floor(y), pose.yaw);
   Merge(here);
-  Refresh(here, ring_.reach() + grown);
+  Refresh(here, view_->reach() + grown);
 }
 
 void MetricMap::Merge(const Cell& middle) {
-  const int n = ring_.seen().size();
+  const int n = view_->seen().size();
   for (int y = 0; y < n; ++y) {
     for (int x = 0; x < n; ++x) {
-      if (ring_.seen()[Cell{x, y}] == 0) continue;
-      MergeCell({x, y}, {middle.x + x - ring_.reach(), middle.y + y - ring_.reach()});
+      if (view_->seen()[Cell{x, y}] == 0) continue;
+      MergeCell({x, y}, {middle.x + x - view_->reach(), middle.y + y - view_->reach()});
     }
   }
 }
@@ -97,9 +103,10 @@ void MetricMap::Merge(const Cell& middle) {
 void MetricMap::MergeCell(const Cell& seen, const Cell& cell) {
   explored_[cell] = 1;
   std::uint8_t& evidence = evidence_[cell];
-  if (ring_.obstacle_points()[seen] >= spec_.obstacle_points) {
+  if (view_->obstacle_points()[seen] >= spec_.obstacle_points) {
     evidence = static_cast<std::uint8_t>(std::min(evidence + kSeenObstacle, kMostEvidence));
-  } else if (ring_.floor_points()[seen] > 0 && ring_.obstacle_points()[seen] == 0 && evidence > 0) {
+  } else if (view_->floor_points()[seen] > 0 && view_->obstacle_points()[seen] == 0 &&
+             evidence > 0) {
     --evidence;
   }
 }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
-#include <span>
+#include <memory>
 
 #include "agent/belief.h"
-#include "agent/mapping/depth_ring.h"
+#include "agent/mapping/free_space_model.h"
 #include "agent/mapping/grid.h"
 #include "agent/mapping/map_spec.h"
+#include "agent/mapping/view_window.h"
 #include "agent/observation.h"
 #include "sim/math/pose.h"
 
@@ -29,15 +30,16 @@ inline double Distance(const Point& a, const Point& b) {
 /// Source: Active Neural SLAM's mapper; the fading of obstacles and the moving map are ours.
 class MetricMap {
  public:
-  /// Throws Error if the rig has no depth, or none as far as the vision goes.
-  MetricMap(const Rig& rig, const MapSpec& spec);
+  /// Maps by depth if the rig has it, else by what `mapper` makes of colour. Throws Error if it has
+  /// neither, or no depth as far as the vision goes.
+  MetricMap(const Rig& rig, const MapSpec& spec, std::shared_ptr<FreeSpaceModel> mapper = nullptr);
 
   /// Forgets everything; the body is at `pose`.
   void Clear(const sim::PlanarPose& pose);
 
-  /// Adds the panorama of depth taken at `pose`. Changes only cells within the vision, unless the
+  /// Adds the panorama taken at `pose`. Changes only cells within the vision, unless the
   /// body nears the edge: then the map moves, and what leaves it is forgotten.
-  void Update(std::span<const float> depth, const sim::PlanarPose& pose);
+  void Update(const Panorama& panorama, const sim::PlanarPose& pose);
 
   /// Marks the body's way between two poses as passable.
   void MarkTrack(const sim::PlanarPose& from, const sim::PlanarPose& to);
@@ -71,7 +73,7 @@ class MetricMap {
   void GrowObstacle(const Cell& obstacle, const Cell& low, const Cell& high);
 
   MapSpec spec_;
-  DepthRing ring_;
+  std::unique_ptr<ViewWindow> view_;
   Cell low_;  // the corner cell, in cells of the plane
   Grid<std::uint8_t> evidence_;
   Grid<std::uint8_t> explored_;

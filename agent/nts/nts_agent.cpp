@@ -29,7 +29,7 @@ NtsAgent::NtsAgent(const Config& config, const AgentContext& context, std::strin
                    GhostChoice choice)
     : spec_(config),
       model_(RequireModel(context, name)),
-      navigator_(context.rig, config.navigator),
+      navigator_(context.rig, config.navigator, context.mapper),
       update_(config.graph, model_),
       policy_(config.policy, model_, choice),
       watch_(config.policy.patience, config.policy.least_progress),

@@ -18,7 +18,7 @@ namespace bulletnav::agent {
 std::shared_ptr<SemanticModel> RequireModel(const AgentContext& context, std::string_view agent);
 
 /// Neural Topological SLAM, section 4.1: graph update, global policy, and a local policy that plans
-/// on a metric map of depth. Each observation is encoded once.
+/// on a metric map. Each observation is encoded once.
 /// What the paper leaves open: a goal seen from the body itself is gone to at once and remembered
 /// until it proves wrong; a reached ghost becomes a node; a ghost, an edge or a sight of the goal
 /// that cannot be walked to for PolicySpec::patience steps is given up; with nothing left on the

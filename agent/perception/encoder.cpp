@@ -78,13 +78,13 @@ void AverageDepth(const float* in, std::int64_t factor, float* out) {
   }
 }
 
+}  // namespace
+
 Trunk::Shape TrunkShape(const ModelConfig& config, int in) {
   const int halvings = config.rows == 128 ? 3 : config.rows == 64 ? 2 : 1;
   const Ends ends = config.encoder == EncoderForm::kPanorama ? Ends::kMeet : Ends::kZeros;
   return {in, config.width, halvings, ends};
 }
-
-}  // namespace
 
 Encoder::Encoder(const ModelConfig& config, sim::Rng* rng) : config_(config) {
   const bool separate = config.depth == DepthFusion::kSeparate;

@@ -43,6 +43,9 @@ class Encoder : public torch::nn::Module {
 torch::Tensor PrepareInput(const ModelConfig& config, const torch::Tensor& color,
                            const torch::Tensor& depth);
 
+/// The trunk of a configuration, for pictures of `in` channels.
+Trunk::Shape TrunkShape(const ModelConfig& config, int in);
+
 /// What the trunk computes in on this machine.
 torch::ScalarType ComputeType(const ModelConfig& config);
 

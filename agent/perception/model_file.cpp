@@ -7,13 +7,26 @@
 #include "sim/config/yaml_reader.h"
 
 namespace bulletnav::agent {
+namespace {
+
+template <class Config>
+Config ConfigOf(const TensorFile& weights, const char* key, const std::filesystem::path& file) {
+  const auto found = weights.metadata.find(key);
+  if (found == weights.metadata.end()) {
+    throw sim::FileError(file, "",
+                         std::string("does not hold the weights of a ") + key + "; train it again");
+  }
+  return sim::LoadYamlText<Config>(found->second, file);
+}
+
+}  // namespace
 
 ModelConfig ModelConfigOf(const TensorFile& weights, const std::filesystem::path& file) {
-  const auto found = weights.metadata.find(kModelKey);
-  if (found == weights.metadata.end()) {
-    throw sim::FileError(file, "", "does not say what model its weights belong to; train it again");
-  }
-  return sim::LoadYamlText<ModelConfig>(found->second, file);
+  return ConfigOf<ModelConfig>(weights, kModelKey, file);
+}
+
+MapperConfig MapperConfigOf(const TensorFile& weights, const std::filesystem::path& file) {
+  return ConfigOf<MapperConfig>(weights, kMapperKey, file);
 }
 
 void RequireRig(const Rig& rig, const ModelConfig& config, const std::filesystem::path& file) {

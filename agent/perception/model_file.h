@@ -3,17 +3,21 @@
 #include <filesystem>
 
 #include "agent/observation.h"
+#include "agent/perception/mapper_config.h"
 #include "agent/perception/model_config.h"
 #include "agent/perception/safetensors.h"
 
 namespace bulletnav::agent {
 
-/// Where the metadata of a file of weights hold the model's configuration, as YAML.
+/// Where the metadata of a file of weights hold the configuration of a semantic model or of a
+/// mapper, as YAML.
 inline constexpr const char* kModelKey = "model";
+inline constexpr const char* kMapperKey = "mapper";
 
 /// The configuration that the weights belong to; `file` is named in errors. Throws FileError if it
 /// is missing or bad.
 ModelConfig ModelConfigOf(const TensorFile& weights, const std::filesystem::path& file);
+MapperConfig MapperConfigOf(const TensorFile& weights, const std::filesystem::path& file);
 
 /// Throws Error unless a rig gives what the model takes: 128 x 512 panoramas with colour and, by
 /// its configuration, depth.

@@ -31,21 +31,10 @@ class SemanticNet : public torch::nn::Module {
   std::shared_ptr<Heads> heads_;
 };
 
-/// All parameters and running means, by name, after `prefix`.
-void AppendWeights(const SemanticNet& net, const std::string& prefix, TensorFile* content);
-/// Sets them; `file` is named in errors. Throws FileError if one is missing or of another shape, or
-/// if one too many starts with `prefix`.
-void SetWeights(const TensorFile& content, const std::string& prefix,
-                const std::filesystem::path& file, SemanticNet* net);
-
 /// A file of weights holds the configuration as YAML in its metadata under "model".
 void SaveNet(const SemanticNet& net, std::map<std::string, std::string> notes, StoredType type,
              const std::filesystem::path& file);
 /// Throws FileError, also if the configuration is missing or bad.
 std::shared_ptr<SemanticNet> LoadNet(const std::filesystem::path& file);
-
-/// Between tensors of float32 and their stored form.
-TensorFile::Tensor ToStored(const torch::Tensor& tensor);
-torch::Tensor FromStored(const TensorFile::Tensor& stored);
 
 }  // namespace bulletnav::agent

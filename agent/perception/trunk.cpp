@@ -4,6 +4,11 @@
 #include <string>
 
 namespace bulletnav::agent {
+namespace {
+
+constexpr std::size_t kBlocks = 2;  // a stage
+
+}  // namespace
 
 Trunk::Trunk(const Shape& shape, sim::Rng* rng) : ends_(shape.ends) {
   stem_ = Add("stem", {shape.in, shape.width, 7, 2, shape.ends}, rng);
@@ -35,15 +40,18 @@ void Trunk::AddBlock(const std::string& name, ConvNorm::Shape shape, sim::Rng* r
   blocks_.push_back(block);
 }
 
-torch::Tensor Trunk::forward(const torch::Tensor& x) {
+std::vector<torch::Tensor> Trunk::Stages(const torch::Tensor& x) {
   torch::Tensor y = stem_->forward(x).relu_();
   const bool wraps = ends_ == Ends::kMeet;
   y = at::max_pool2d(wraps ? WrapColumns(y, 1) : y, {3, 3}, {2, 2}, {1, wraps ? 0 : 1});
-  for (const Block& block : blocks_) {
+  std::vector<torch::Tensor> stages;
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    const Block& block = blocks_[i];
     const torch::Tensor kept = block.shortcut ? block.shortcut->forward(y) : y;
     y = block.second->forward(block.first->forward(y).relu_()).add_(kept).relu_();
+    if (i % kBlocks == kBlocks - 1) stages.push_back(y);
   }
-  return y;
+  return stages;
 }
 
 void Trunk::Fold(torch::ScalarType type) {

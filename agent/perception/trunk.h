@@ -23,7 +23,9 @@ class Trunk : public torch::nn::Module {
   Trunk(const Shape& shape, sim::Rng* rng);
 
   /// [n, in, rows, cols] to [n, features, rows / d, cols / d].
-  torch::Tensor forward(const torch::Tensor& x);
+  torch::Tensor forward(const torch::Tensor& x) { return Stages(x).back(); }
+  /// What each of the four stages comes to, the result last.
+  std::vector<torch::Tensor> Stages(const torch::Tensor& x);
   void Fold(torch::ScalarType type);
 
  private:

@@ -19,8 +19,8 @@ void AddPlotCommand(CLI::App* program);
 void AddRenderCommand(CLI::App* program);
 /// Adds "generate" to the "scenes" command.
 void AddGenerateCommand(CLI::App* scenes);
-/// Without a loader, runs of agents with learned functions are handed over to bulletnav-learn.
-void AddRunCommand(CLI::App* program, const ModelLoader& load_model = {});
+/// Without loaders, runs of agents with learned functions are handed over to bulletnav-learn.
+void AddRunCommand(CLI::App* program, const ModelLoaders& loaders = {});
 void AddScenesCommand(CLI::App* program);
 void AddTableCommand(CLI::App* program);
 

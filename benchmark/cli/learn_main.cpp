@@ -2,6 +2,7 @@
 // The commands that need torch, in a program of their own: see forwarded_commands.cpp.
 #include <cstdlib>
 
+#include "agent/perception/learned_mapper.h"
 #include "agent/perception/learned_model.h"
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/hand_over.h"
@@ -9,9 +10,15 @@
 
 namespace {
 
-std::shared_ptr<bulletnav::agent::SemanticModel> LoadModel(const std::filesystem::path& weights,
-                                                           const bulletnav::agent::Rig& rig) {
-  return std::make_shared<bulletnav::agent::LearnedModel>(weights, rig);
+using bulletnav::agent::Rig;
+
+bulletnav::bench::ModelLoaders Loaders() {
+  return {[](const std::filesystem::path& weights, const Rig& rig) {
+            return std::make_shared<bulletnav::agent::LearnedModel>(weights, rig);
+          },
+          [](const std::filesystem::path& weights, const Rig& rig) {
+            return std::make_shared<bulletnav::agent::LearnedMapper>(weights, rig);
+          }};
 }
 
 }  // namespace
@@ -22,6 +29,6 @@ int main(int argc, char** argv) {
     if (std::getenv("OPENBLAS_NUM_THREADS") == nullptr) bulletnav::bench::HandOverToLearn();
     bulletnav::bench::AddTrainCommand(program);
     bulletnav::bench::AddEvaluatePerceptionCommand(program);
-    bulletnav::bench::AddRunCommand(program, LoadModel);
+    bulletnav::bench::AddRunCommand(program, Loaders());
   });
 }

@@ -44,7 +44,7 @@ RunHooks MakeHooks(RunProgress* progress) {
 
 void PlayConfig(const RunCommandOptions& options) {
   RunConfig config = LoadRunConfig(options.config);
-  if (!options.run.load_model && !UsedWeights(config).empty()) HandOverToLearn();
+  if (!options.run.loaders && !UsedWeights(config).empty()) HandOverToLearn();
   const fs::path folder = options.out.empty() ? fs::path("results") / config.name : options.out;
   RunProgress progress;
   const RunOutcome outcome =
@@ -60,9 +60,9 @@ void PlayConfig(const RunCommandOptions& options) {
 
 }  // namespace
 
-void AddRunCommand(CLI::App* program, const ModelLoader& load_model) {
+void AddRunCommand(CLI::App* program, const ModelLoaders& loaders) {
   auto options = std::make_shared<RunCommandOptions>();
-  options->run.load_model = load_model;
+  options->run.loaders = loaders;
   CLI::App* command = program->add_subcommand(
       "run", "Play a config's episodes with its agents; goes on where it was stopped");
   command->add_option("config", options->config, "YAML file, as configs/quickstart.yaml")

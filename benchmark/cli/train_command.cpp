@@ -9,6 +9,7 @@
 
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/progress.h"
+#include "benchmark/training/mapper_trainer.h"
 #include "benchmark/training/nts_trainer.h"
 #include "benchmark/training/scene_batches.h"
 #include "benchmark/training/training_log.h"
@@ -21,23 +22,34 @@ namespace {
 constexpr std::uint64_t kTrainSeed = 0;  // added to the config's
 constexpr std::uint64_t kValidationSeed = 1'000'003;
 
-SceneBatches Batches(const TrainConfig& config, const DataConfig& data, std::uint64_t seed) {
-  const bool with_depth = config.model.depth != agent::DepthFusion::kNone;
+SceneBatches Batches(const TrainPlan& plan, const DataConfig& data, bool with_depth,
+                     std::uint64_t seed) {
   Progress progress("labelling scenes", static_cast<int>(ScenesOf(data).size()));
-  return {data, config.panoramas, with_depth, config.seed + seed, [&](const LabelledScene& scene) {
+  return {data, plan.panoramas, with_depth, plan.seed + seed, [&](const LabelledScene& scene) {
             if (!scene.note.empty()) fmt::print(stderr, "{}\n", scene.note);
             progress.Advance();
           }};
 }
 
+void Train(const std::filesystem::path& file, const TrainTask& task, bool with_depth) {
+  const TrainPlan& plan = task.plan;
+  if (!plan.data) throw sim::FileError(file, "", "has no block 'data'; see configs/train");
+  const SceneBatches train = Batches(plan, *plan.data, with_depth, kTrainSeed);
+  const SceneBatches validation = Batches(plan, ValidationData(plan), with_depth, kValidationSeed);
+  TrainingLog log(plan, &std::cerr);
+  RunTraining(task, train, validation, &log);
+  fmt::print("weights and curves: {}\n", plan.out);
+}
+
 void Train(const std::filesystem::path& file) {
-  const auto config = sim::LoadYaml<TrainConfig>(file);
-  if (!config.data) throw sim::FileError(file, "", "has no block 'data'; see configs/train");
-  SceneBatches train = Batches(config, *config.data, kTrainSeed);
-  SceneBatches validation = Batches(config, ValidationData(config), kValidationSeed);
-  TrainingLog log(config, &std::cerr);
-  TrainNts(config, train, validation, &log);
-  fmt::print("weights and curves: {}\n", config.out);
+  switch (TrainedBy(file)) {
+    case Trained::kNts: {
+      const auto config = sim::LoadYaml<TrainConfig>(file);
+      return Train(file, NtsTask(config), config.model.uses_depth());
+    }
+    case Trained::kMapper:
+      return Train(file, MapperTask(sim::LoadYaml<MapperTrainConfig>(file)), true);
+  }
 }
 
 }  // namespace
@@ -45,7 +57,9 @@ void Train(const std::filesystem::path& file) {
 void AddTrainCommand(CLI::App* program) {
   auto file = std::make_shared<std::filesystem::path>();
   CLI::App* command = program->add_subcommand(
-      "train", "Train the learned functions of Neural Topological SLAM; goes on after a kill");
+      "train",
+      "Train the learned functions of Neural Topological SLAM or the mapper for colour; goes on "
+      "after a kill");
   command->add_option("config", *file, "YAML file, as configs/train/nts_rgbd.yaml")->required();
   command->callback([file] {
     Train(*file);

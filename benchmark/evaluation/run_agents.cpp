@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "agent/perception/model_file.h"
 #include "benchmark/evaluation/privileged/mixed_semantic_model.h"
@@ -63,56 +64,83 @@ std::string WhyNot(const RunAgent& agent, const agent::Rig& rig) {
   return "";
 }
 
-/// Stands for a model in a program that cannot load one.
+constexpr const char* kWithoutTorch = "this program was built without the learned functions";
+
+/// Stand for models in a program that cannot load them.
 class UnloadedModel final : public agent::SemanticModel {
  public:
   std::vector<agent::PanoramaCode> Encode(std::span<const agent::Panorama>) override {
-    throw sim::Error(kWhy);
+    throw sim::Error(kWithoutTorch);
   }
   std::array<float, agent::kDirections> Explorable(const agent::PanoramaCode&) override {
-    throw sim::Error(kWhy);
+    throw sim::Error(kWithoutTorch);
   }
   std::vector<agent::PairPrediction> Compare(std::span<const agent::PanoramaCode* const>,
                                              const agent::PanoramaCode&) override {
-    throw sim::Error(kWhy);
+    throw sim::Error(kWithoutTorch);
   }
-
- private:
-  static constexpr const char* kWhy = "this program was built without the learned functions";
 };
 
-/// The contexts of all lanes; a learned model is shared by them.
+class UnloadedMapper final : public agent::FreeSpaceModel {
+ public:
+  agent::FreeSpace Predict(const agent::Panorama&) override { throw sim::Error(kWithoutTorch); }
+};
+
+Setting SettingOf(const agent::Rig& rig) {
+  return rig.has_depth ? Setting::kRgbd : Setting::kRgb;
+}
+
+/// Whether an agent that looks at panoramas through some model is given the mapper as well.
+bool TakesMapper(const AgentEntry& entry, Setting setting) {
+  return setting == Setting::kRgb && entry.semantic_model != SemanticModelKind::kNone;
+}
+
+/// Absent if there is no such file.
+std::optional<fs::path> FindIfThere(const std::string& weights) {
+  try {
+    return FindWeights(weights);
+  } catch (const sim::FileError&) {
+    return std::nullopt;
+  }
+}
+
+/// The contexts of all lanes; learned models are shared by them.
 std::vector<agent::AgentContext> ContextsOf(const RunAgent& agent, const agent::Rig& rig,
                                             std::span<const GroundTruth* const> truths) {
-  std::shared_ptr<agent::SemanticModel> learned;
+  agent::AgentContext shared;
+  shared.rig = rig;
   if (agent.is_learned()) {
-    const Setting setting = rig.has_depth ? Setting::kRgbd : Setting::kRgb;
-    learned = agent.load_model(FindWeights(agent.weights.of(setting)), rig);
+    shared.semantic_model =
+        agent.loaders.semantic_model(FindWeights(agent.weights.of(SettingOf(rig))), rig);
+  }
+  if (TakesMapper(agent.entry, SettingOf(rig))) {
+    // Not every agent needs it; those that do say so.
+    if (const auto file = FindIfThere(agent.weights.mapper)) {
+      shared.mapper = agent.loaders.mapper(*file, rig);
+    }
   }
   std::vector<agent::AgentContext> contexts;
   for (const GroundTruth* truth : truths) {
-    agent::AgentContext& context = contexts.emplace_back();
-    context.rig = rig;
-    context.semantic_model = learned;
-    if (learned && !agent.entry.oracle_functions.empty()) {
+    agent::AgentContext& context = contexts.emplace_back(shared);
+    const auto oracle = std::make_shared<OracleSemanticModel>(*truth);
+    if (agent.is_learned() && !agent.entry.oracle_functions.empty()) {
       const auto& functions = agent.entry.oracle_functions;
       context.semantic_model = std::make_shared<MixedSemanticModel>(
-          learned, std::make_shared<OracleSemanticModel>(*truth),
+          shared.semantic_model, oracle,
           std::set<SemanticFunction>(functions.begin(), functions.end()));
     }
     if (agent.entry.semantic_model != SemanticModelKind::kOracle) continue;
     context.goal_estimator = std::make_shared<OracleGoalEstimator>(*truth);
-    context.semantic_model = std::make_shared<OracleSemanticModel>(*truth);
+    context.semantic_model = oracle;
   }
   return contexts;
 }
 
-RunAgent FindAgent(const RunConfig& config, const AgentEntry& entry,
-                   const ModelLoader& load_model) {
+RunAgent FindAgent(const RunConfig& config, const AgentEntry& entry, const ModelLoaders& loaders) {
   RunAgent agent;
   agent.entry = entry;
   agent.weights = config.weights;
-  agent.load_model = load_model;
+  agent.loaders = loaders;
   if (entry.parameters) {
     sim::YamlWriter writer;
     writer.Write(*entry.parameters);
@@ -139,12 +167,20 @@ RunAgent FindAgent(const RunConfig& config, const AgentEntry& entry,
 
 }  // namespace
 
-ModelLoader WeightsCheck() {
-  return [](const fs::path& weights, const agent::Rig& rig) {
+ModelLoaders WeightsCheck() {
+  ModelLoaders loaders;
+  loaders.semantic_model = [](const fs::path& weights, const agent::Rig& rig) {
     const agent::ModelConfig config = agent::ModelConfigOf(agent::ReadTensorFile(weights), weights);
     agent::RequireRig(rig, config, weights);
     return std::make_shared<UnloadedModel>();
   };
+  loaders.mapper = [](const fs::path& weights, const agent::Rig& rig) {
+    const agent::MapperConfig config =
+        agent::MapperConfigOf(agent::ReadTensorFile(weights), weights);
+    agent::RequireRig(rig, config.seeing(), weights);
+    return std::make_shared<UnloadedMapper>();
+  };
+  return loaders;
 }
 
 fs::path FindWeights(const std::string& weights) {
@@ -159,17 +195,23 @@ fs::path FindWeights(const std::string& weights) {
 
 std::map<std::string, fs::path> UsedWeights(const RunConfig& config) {
   std::map<std::string, fs::path> used;
+  const auto use = [&](const std::string& key, const std::string& weights) {
+    if (const auto file = FindIfThere(weights)) used[key] = *file;  // else the agent's row says so
+  };
   for (const AgentEntry& entry : config.agents) {
-    if (entry.semantic_model != SemanticModelKind::kLearned) continue;
     for (const Setting setting : entry.settings.empty() ? config.settings : entry.settings) {
-      try {
-        used[std::string(sim::NameOf(setting))] = FindWeights(config.weights.of(setting));
-      } catch (const sim::FileError&) {
-        continue;  // the agent's row says so
-      }
+      if (TakesMapper(entry, setting)) use("mapper", config.weights.mapper);
+      if (entry.semantic_model != SemanticModelKind::kLearned) continue;
+      use(std::string(sim::NameOf(setting)), config.weights.of(setting));
     }
   }
   return used;
+}
+
+bool RunAgent::needs_torch() const {
+  return std::any_of(settings.begin(), settings.end(), [&](Setting setting) {
+    return is_learned() || (TakesMapper(entry, setting) && FindIfThere(weights.mapper));
+  });
 }
 
 AgentRow RunAgent::row() const {
@@ -185,10 +227,10 @@ AgentRow RunAgent::row() const {
   return row;
 }
 
-std::vector<RunAgent> FindAgents(const RunConfig& config, const ModelLoader& load_model) {
+std::vector<RunAgent> FindAgents(const RunConfig& config, const ModelLoaders& loaders) {
   std::vector<RunAgent> agents;
   for (const AgentEntry& entry : config.agents) {
-    agents.push_back(FindAgent(config, entry, load_model));
+    agents.push_back(FindAgent(config, entry, loaders));
   }
   return agents;
 }

@@ -17,20 +17,28 @@
 
 namespace bulletnav::bench {
 
-/// Makes a semantic model from a file of weights; see agent::LearnedModel. May be called from
-/// several threads.
-using ModelLoader = std::function<std::shared_ptr<agent::SemanticModel>(
-    const std::filesystem::path& weights, const agent::Rig& rig)>;
+/// Make learned functions from files of weights; see agent::LearnedModel and agent::LearnedMapper.
+/// May be called from several threads. Empty: this program has none.
+struct ModelLoaders {
+  template <class Model>
+  using Loader = std::function<std::shared_ptr<Model>(const std::filesystem::path& weights,
+                                                      const agent::Rig& rig)>;
+  Loader<agent::SemanticModel> semantic_model;
+  Loader<agent::FreeSpaceModel> mapper;
 
-/// A loader that finds out whether there are weights that the rig can use, and no more: its models
+  explicit operator bool() const { return semantic_model && mapper; }
+};
+
+/// Loaders that find out whether there are weights that the rig can use, and no more: their models
 /// cannot be asked anything. For programs without torch.
-ModelLoader WeightsCheck();
+ModelLoaders WeightsCheck();
 
 /// The file of weights itself or, where a relative path is not found from the current folder, the
 /// project's of that name. Throws FileError if there is none.
 std::filesystem::path FindWeights(const std::string& weights);
 
-/// The weights that a config's agents use, by name of the setting; without those that are missing.
+/// The weights that a config's agents use, by their key in `weights`; without those that are
+/// missing.
 std::map<std::string, std::filesystem::path> UsedWeights(const RunConfig& config);
 
 /// An agent of a run: ready to be built, or known to be missing.
@@ -42,16 +50,18 @@ struct RunAgent {
   std::string parameters;   // YAML text: nodes are not to be shared between threads
   agent::AgentMaker maker;  // of those that are not privileged
   WeightsSpec weights;
-  ModelLoader load_model;
+  ModelLoaders loaders;
 
   bool is_learned() const { return entry.semantic_model == SemanticModelKind::kLearned; }
+  /// Whether it needs a program with the learned functions where it can run.
+  bool needs_torch() const;
   /// How tables speak of it.
   AgentRow row() const;
 };
 
 /// Finds out, by building each agent once in each of its settings, what can run.
 std::vector<RunAgent> FindAgents(const RunConfig& config,
-                                 const ModelLoader& load_model = WeightsCheck());
+                                 const ModelLoaders& loaders = WeightsCheck());
 
 /// Throws sim::Error that names every agent that cannot run in all of its settings.
 void RequireAll(std::span<const RunAgent> agents);

@@ -108,15 +108,18 @@ struct TimeBudget {
   void Validate() const;
 };
 
-/// Files of what the learned functions have learned, by setting.
+/// Files of what has been learned: the functions of Neural Topological SLAM by setting, and the
+/// mapper that agents without depth make their metric maps with.
 struct WeightsSpec {
   std::string rgb = "assets/weights/nts_rgb.safetensors";
   std::string rgbd = "assets/weights/nts_rgbd.safetensors";
+  std::string mapper = "assets/weights/mapper_rgb.safetensors";
 
   template <class V>
   void Visit(V& v) {
     v("rgb", rgb);
     v("rgbd", rgbd);
+    v("mapper", mapper);
   }
   const std::string& of(Setting setting) const { return setting == Setting::kRgb ? rgb : rgbd; }
 };
@@ -150,7 +153,7 @@ struct AgentEntry {
 struct Fingerprints {
   std::string episodes;
   std::map<std::string, std::string> scenes;
-  std::map<std::string, std::string> weights;  // by setting; of those that agents use
+  std::map<std::string, std::string> weights;  // by key of `weights`; of those that agents use
 
   template <class V>
   void Visit(V& v) {

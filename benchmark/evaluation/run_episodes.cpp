@@ -54,8 +54,8 @@ Fingerprints TakeFingerprints(const RunConfig& config, const RunEpisodes& episod
   for (const auto& [scene, file] : episodes.scene_files) {
     fingerprints.scenes[scene] = Hex(sim::Hash64(sim::ReadFile(file)));
   }
-  for (const auto& [setting, file] : UsedWeights(config)) {
-    fingerprints.weights[setting] = Hex(sim::Hash64(sim::ReadFile(file)));
+  for (const auto& [key, file] : UsedWeights(config)) {
+    fingerprints.weights[key] = Hex(sim::Hash64(sim::ReadFile(file)));
   }
   return fingerprints;
 }
@@ -70,10 +70,10 @@ void CheckFingerprints(const RunConfig& config, const Fingerprints& found) {
     if (saved != config.fingerprints->scenes.end() && saved->second == hash) continue;
     throw sim::FileError(scene, "", "is not the scene that this saved config is of");
   }
-  for (const auto& [setting, hash] : found.weights) {
-    const auto saved = config.fingerprints->weights.find(setting);
+  for (const auto& [key, hash] : found.weights) {
+    const auto saved = config.fingerprints->weights.find(key);
     if (saved != config.fingerprints->weights.end() && saved->second == hash) continue;
-    throw sim::Error("the weights for " + setting +
+    throw sim::Error("the weights for " + key +
                      " are not those that this saved config is of; give --out another folder");
   }
   throw sim::Error("the saved config is of other scenes than its episodes now name");

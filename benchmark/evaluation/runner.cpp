@@ -139,9 +139,9 @@ struct Work {
   std::vector<RunJob> jobs;
 };
 
-void RequireNoneLearned(const std::vector<RunAgent>& agents) {
+void RequireNoneNeedsTorch(const std::vector<RunAgent>& agents) {
   for (const RunAgent& agent : agents) {
-    if (!agent.is_learned() || agent.settings.empty()) continue;
+    if (!agent.needs_torch()) continue;
     throw sim::Error(agent.entry.name + " needs a program with the learned functions");
   }
 }
@@ -150,8 +150,8 @@ Work PlanWork(RunConfig config, const RunOptions& options, int workers, const Ru
   Work work;
   work.plan = std::make_shared<RunPlan>();
   RunPlan& plan = *work.plan;
-  plan.agents = options.load_model ? FindAgents(config, options.load_model) : FindAgents(config);
-  if (!options.load_model) RequireNoneLearned(plan.agents);
+  plan.agents = options.loaders ? FindAgents(config, options.loaders) : FindAgents(config);
+  if (!options.loaders) RequireNoneNeedsTorch(plan.agents);
   if (options.require_all) RequireAll(plan.agents);
   const StartProgress quiet = [](const std::string& /*what*/, int /*total*/) {
     return [] {};

@@ -17,7 +17,7 @@ struct RunOptions {
   std::optional<int> episodes;  // only the first so many
   int workers = 0;              // < 1: one a processor
   bool require_all = false;     // agents that cannot run are errors, not remarks in the table
-  ModelLoader load_model = {};  // for agents with learned functions; empty: they cannot be played
+  ModelLoaders loaders = {};    // for agents with learned functions; empty: they cannot be played
 };
 
 /// What a run tells while it goes on; all may be empty.

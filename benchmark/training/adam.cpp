@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "agent/perception/semantic_net.h"
+#include "agent/perception/weights.h"
 #include "sim/base/error.h"
 
 namespace bulletnav::bench {

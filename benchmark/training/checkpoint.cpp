@@ -4,9 +4,10 @@
 #include <bit>
 #include <charconv>
 #include <system_error>
+#include <utility>
 
+#include "agent/perception/weights.h"
 #include "sim/base/error.h"
-#include "sim/config/yaml_writer.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -14,12 +15,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kWeights = "model.";
-
-/// What the training's result follows from.
-std::string Essence(TrainConfig config) {
-  config.out.clear();
-  return sim::ToYaml(config);
-}
 
 /// An integer that was written into the file's metadata.
 template <class T>
@@ -36,15 +31,15 @@ T Number(const agent::TensorFile& content, const std::string& key, const fs::pat
 
 }  // namespace
 
-Checkpoints::Checkpoints(const TrainConfig& config)
-    : newest_(fs::path(config.out) / "checkpoint.safetensors"),
-      previous_(fs::path(config.out) / "checkpoint_previous.safetensors"),
-      config_(Essence(config)) {}
+Checkpoints::Checkpoints(const fs::path& folder, std::string essence)
+    : newest_(folder / "checkpoint.safetensors"),
+      previous_(folder / "checkpoint_previous.safetensors"),
+      essence_(std::move(essence)) {}
 
-void Checkpoints::Write(const TrainState& state, const agent::SemanticNet& net,
+void Checkpoints::Write(const TrainState& state, const torch::nn::Module& net,
                         const Adam& adam) const {
   agent::TensorFile content;
-  content.metadata["config"] = config_;
+  content.metadata["config"] = essence_;
   content.metadata["step"] = std::to_string(state.step);
   content.metadata["best_loss_bits"] =
       std::to_string(std::bit_cast<std::uint64_t>(state.best_loss));
@@ -55,7 +50,7 @@ void Checkpoints::Write(const TrainState& state, const agent::SemanticNet& net,
   agent::WriteTensorFile(newest_, content);
 }
 
-std::optional<TrainState> Checkpoints::Read(agent::SemanticNet* net, Adam* adam) const {
+std::optional<TrainState> Checkpoints::Read(torch::nn::Module* net, Adam* adam) const {
   if (!fs::exists(newest_) && !fs::exists(previous_)) return std::nullopt;
   if (fs::exists(newest_)) {
     std::optional<agent::TensorFile> content;
@@ -70,9 +65,9 @@ std::optional<TrainState> Checkpoints::Read(agent::SemanticNet* net, Adam* adam)
 }
 
 TrainState Checkpoints::Restore(const fs::path& file, const agent::TensorFile& content,
-                                agent::SemanticNet* net, Adam* adam) const {
+                                torch::nn::Module* net, Adam* adam) const {
   const auto config = content.metadata.find("config");
-  if (config == content.metadata.end() || config->second != config_) {
+  if (config == content.metadata.end() || config->second != essence_) {
     throw sim::FileError(file, "", "is of a training by another config; change out or remove it");
   }
   TrainState state;

@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "agent/perception/semantic_net.h"
+#include "agent/perception/safetensors.h"
+#include "agent/perception/torch.h"
 #include "benchmark/training/adam.h"
-#include "benchmark/training/train_config.h"
 
 namespace bulletnav::bench {
 
@@ -21,25 +21,26 @@ struct TrainState {
 /// The newest checkpoint of a training and the one before, in its folder.
 class Checkpoints {
  public:
-  explicit Checkpoints(const TrainConfig& config);
+  /// `essence`: what the training's result follows from, as text.
+  Checkpoints(const std::filesystem::path& folder, std::string essence);
 
   const std::filesystem::path& newest() const { return newest_; }
 
   /// Atomic; a failure leaves the one before. Throws FileError, say if there is no space.
-  void Write(const TrainState& state, const agent::SemanticNet& net, const Adam& adam) const;
+  void Write(const TrainState& state, const torch::nn::Module& net, const Adam& adam) const;
 
   /// Sets `net` and `adam` as they were; none if there is no checkpoint. If the newest one is
   /// damaged, takes the one before. Throws Error if it belongs to a training by another config,
   /// FileError if no checkpoint can be read.
-  std::optional<TrainState> Read(agent::SemanticNet* net, Adam* adam) const;
+  std::optional<TrainState> Read(torch::nn::Module* net, Adam* adam) const;
 
  private:
   TrainState Restore(const std::filesystem::path& file, const agent::TensorFile& content,
-                     agent::SemanticNet* net, Adam* adam) const;
+                     torch::nn::Module* net, Adam* adam) const;
 
   std::filesystem::path newest_;
   std::filesystem::path previous_;
-  std::string config_;
+  std::string essence_;
 };
 
 }  // namespace bulletnav::bench

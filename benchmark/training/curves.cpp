@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/training/curves.h"
 
+#include <array>
 #include <charconv>
-#include <cmath>
+#include <optional>
 #include <sstream>
-#include <string_view>
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include "benchmark/report/chart.h"
 #include "sim/base/error.h"
@@ -15,47 +16,49 @@
 namespace bulletnav::bench {
 namespace {
 
-std::string Join(const std::vector<std::string>& fields) {
-  std::string line;
-  for (const std::string& field : fields) {
-    if (!line.empty()) line += ',';
-    line += field;
-  }
-  line += '\n';
-  return line;
+constexpr std::array<const char*, 3> kFirstNames = {"step", "rate", "train_loss"};
+
+std::vector<std::string> Split(const std::string& line) {
+  std::vector<std::string> fields;
+  std::istringstream in(line);
+  for (std::string field; std::getline(in, field, ',');) fields.push_back(field);
+  return fields;
 }
 
-struct NameWriter {
-  std::vector<std::string> fields;
-  void operator()(std::string_view name, double) { fields.emplace_back(name); }
-};
+template <class T>
+bool ToNumber(const std::string& field, T* value) {
+  const char* end = field.data() + field.size();
+  const auto [stop, error] = std::from_chars(field.data(), end, *value);
+  return error == std::errc() && stop == end;
+}
 
-struct ValueWriter {
-  std::vector<std::string> fields;
-  void operator()(std::string_view, int value) { fields.push_back(std::to_string(value)); }
-  void operator()(std::string_view, double value) {
-    fields.push_back(fmt::format("{:.6g}", value));
+std::string NameLine(const CurvePoint& point) {
+  std::string line = fmt::format("{}", fmt::join(kFirstNames, ","));
+  for (const Measures::Item& item : point.validation.items()) line += "," + item.name;
+  return line + "\n";
+}
+
+std::string ValueLine(const CurvePoint& point) {
+  std::string line = fmt::format("{},{:.6g},{:.6g}", point.step, point.rate, point.train_loss);
+  for (const Measures::Item& item : point.validation.items()) {
+    line += fmt::format(",{:.6g}", item.value);
   }
-};
+  return line + "\n";
+}
 
-/// Takes the fields of a line one after the other.
-struct ValueReader {
-  std::string_view rest;
-  bool ok = true;
-
-  template <class T>
-  void operator()(std::string_view, T& value) {
-    const std::size_t length = std::min(rest.find(','), rest.size());
-    const auto [end, error] = std::from_chars(rest.data(), rest.data() + length, value);
-    ok = ok && error == std::errc() && end == rest.data() + length;
-    rest.remove_prefix(std::min(length + 1, rest.size()));
+/// Absent if the line is not one of numbers with these names.
+std::optional<CurvePoint> PointOf(const std::vector<std::string>& names, const std::string& line) {
+  const std::vector<std::string> fields = Split(line);
+  CurvePoint point;
+  if (fields.size() != names.size() || fields.size() < kFirstNames.size()) return std::nullopt;
+  bool ok = ToNumber(fields[0], &point.step) && ToNumber(fields[1], &point.rate) &&
+            ToNumber(fields[2], &point.train_loss);
+  for (std::size_t i = kFirstNames.size(); i < fields.size(); ++i) {
+    double value = 0.0;
+    ok = ok && ToNumber(fields[i], &value);
+    point.validation(names[i], value);
   }
-};
-
-std::string NameLine() {
-  NameWriter names;
-  CurvePoint().Visit(names);
-  return Join(names.fields);
+  return ok ? std::optional(point) : std::nullopt;
 }
 
 /// Steps a unit of the axis: 1, 10, 100... so that at most twenty are left.
@@ -72,48 +75,41 @@ Curves::Curves(std::filesystem::path file, int last_step) : file_(std::move(file
   std::istringstream text(sim::ReadTextFile(file_));
   std::string line;
   std::getline(text, line);
-  if (line + "\n" != NameLine()) {
-    throw sim::FileError(file_, "1", "has not the columns that this program writes; remove it");
-  }
+  const std::vector<std::string> names = Split(line);
   for (int number = 2; std::getline(text, line); ++number) {
-    CurvePoint point;
-    ValueReader reader{line};
-    point.Visit(reader);
-    if (!reader.ok || !reader.rest.empty()) {
+    const std::optional<CurvePoint> point = PointOf(names, line);
+    if (!point) {
       throw sim::FileError(file_, std::to_string(number), "is not a line of numbers; remove it");
     }
-    if (point.step <= last_step) points_.push_back(point);
+    if (point->step <= last_step) points_.push_back(*point);
   }
 }
 
 void Curves::Append(const CurvePoint& point) {
-  points_.push_back(point);
-  std::string text = NameLine();
-  for (CurvePoint& each : points_) {
-    ValueWriter values;
-    each.Visit(values);
-    text += Join(values.fields);
+  const std::string names = NameLine(point);
+  if (!points_.empty() && NameLine(points_.front()) != names) {
+    throw sim::FileError(file_, "1", "has not the columns that this program writes; remove it");
   }
+  points_.push_back(point);
+  std::string text = names;
+  for (const CurvePoint& each : points_) text += ValueLine(each);
   sim::WriteFileAtomically(file_, text);
 }
 
-Figure CurvesFigure(const std::vector<CurvePoint>& points) {
+Figure CurvesFigure(const std::vector<CurvePoint>& points, const std::vector<CurveLine>& lines,
+                    const std::string& label) {
   const int unit = UnitFor(points.empty() ? 0 : points.back().step);
   Chart chart;
   chart.x_label = unit == 1 ? "steps" : fmt::format("steps / {}", unit);
-  chart.y_label = "share right, validation";
-  const auto add = [&](const std::string& name, double NtsMetrics::*metric) {
-    Chart::Series series{name, {}};
+  chart.y_label = label;
+  for (const CurveLine& line : lines) {
+    Chart::Series series{line.title, {}};
     for (const CurvePoint& point : points) {
-      const double y = point.validation.*metric;
+      const double y = point.validation.at(line.measure);
       series.values.push_back({static_cast<double>(point.step) / unit, y, {y, y}});
     }
     chart.series.push_back(series);
-  };
-  add("same node (guessing: 0.5)", &NtsMetrics::connection);
-  add("goal's twelfth (guessing: 0.08)", &NtsMetrics::direction);
-  add("explorable (guessing: 0.5)", &NtsMetrics::explorable);
-  add("best way within 1 m", &NtsMetrics::score_choice);
+  }
   return ChartFigure({&chart, 1});
 }
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "benchmark/report/figure.h"
-#include "benchmark/training/nts_metrics.h"
+#include "benchmark/training/train_task.h"
 
 namespace bulletnav::bench {
 
@@ -14,15 +14,7 @@ struct CurvePoint {
   int step = 0;
   double rate = 0.0;
   double train_loss = 0.0;  // mean since the last point
-  NtsMetrics validation;
-
-  template <class V>
-  void Visit(V& v) {
-    v("step", step);
-    v("rate", rate);
-    v("train_loss", train_loss);
-    validation.Visit(v);
-  }
+  Measures validation;
 };
 
 /// The points of a training so far, in a file with comma-separated values and a line of names.
@@ -40,7 +32,8 @@ class Curves {
   std::vector<CurvePoint> points_;
 };
 
-/// The shares of right answers against steps.
-Figure CurvesFigure(const std::vector<CurvePoint>& points);
+/// Some of the measures against steps.
+Figure CurvesFigure(const std::vector<CurvePoint>& points, const std::vector<CurveLine>& lines,
+                    const std::string& label);
 
 }  // namespace bulletnav::bench

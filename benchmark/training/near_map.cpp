@@ -34,7 +34,7 @@ NearMap::NearMap(const DataConfig& config)
       ways_(states_.size()) {}
 
 void NearMap::Project(std::span<const float> depth) {
-  ring_.Project(depth, 0.5, 0.5, 0.0);
+  ring_.Project({{}, depth}, 0.5, 0.5, 0.0);
   states_.Fill(CellState::kBlocked);
   const int last = states_.size() - 1;
   for (int y = 1; y < last; ++y) {

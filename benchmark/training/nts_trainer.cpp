@@ -1,113 +1,58 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/training/nts_trainer.h"
 
-#include <algorithm>
-#include <cmath>
-#include <filesystem>
-#include <thread>
-#include <vector>
+#include <utility>
 
 #include <fmt/core.h>
 
 #include "agent/perception/one_thread.h"
 #include "agent/perception/semantic_net.h"
-#include "benchmark/evaluation/folder_lock.h"
-#include "benchmark/training/adam.h"
-#include "benchmark/training/checkpoint.h"
-#include "benchmark/training/curves.h"
+#include "benchmark/training/augment.h"
+#include "benchmark/training/batch_tensors.h"
+#include "benchmark/training/learner.h"
+#include "benchmark/training/nts_loss.h"
 #include "benchmark/training/nts_metrics.h"
-#include "benchmark/training/train_lanes.h"
-#include "sim/base/error.h"
-#include "sim/base/files.h"
-#include "sim/config/yaml_writer.h"
 
 namespace bulletnav::bench {
 namespace {
 
-namespace fs = std::filesystem;
-
-std::filesystem::path MadeFolder(const fs::path& folder) {
-  sim::MakeFolder(folder);
-  return folder;
-}
-
-class NtsTrainer {
+class NtsLearner final : public Learner {
  public:
-  NtsTrainer(const TrainConfig& config, const BatchSource* train, const BatchSource* validation,
-             TrainObserver* observer)
-      : config_(config),
-        train_(train),
-        validation_(validation),
-        observer_(observer),
-        folder_(MadeFolder(config.out)),
-        lock_(folder_),
-        pool_(std::min(config.lanes, static_cast<int>(std::thread::hardware_concurrency()))),
-        net_(config.model, config.seed),
-        lanes_(config_, &net_, &pool_),
-        adam_(net_),
-        checkpoints_(config) {}
+  explicit NtsLearner(const TrainConfig& config)
+      : config_(config), rng_(config.seed, "train_nts"), net_(config.model, config.seed) {}
 
-  void Run() {
-    agent::StayInThisThread();
-    const std::optional<TrainState> found = checkpoints_.Read(&net_, &adam_);
-    if (found) state_ = *found;
-    if (state_.step > 0) observer_->Resumed(state_.step);
-    Curves curves(folder_ / "curves.csv", state_.step);
-    double loss_sum = 0.0;
-    int since = 0;
-    while (state_.step < config_.steps) {
-      loss_sum += Step();
-      ++since;
-      if (state_.step % config_.validate_every != 0 && state_.step < config_.steps) continue;
-      curves.Append(Validated(loss_sum / since));
-      checkpoints_.Write(state_, net_, adam_);
-      loss_sum = 0.0;
-      since = 0;
+  torch::nn::Module& net() override { return net_; }
+
+  torch::Tensor Loss(const LaneWork& work) override {
+    std::vector<torch::Tensor> inputs;
+    std::vector<LabelledPairs> labels;
+    for (int i = 0; i < work.count; ++i) {
+      const std::uint64_t number = work.first + static_cast<std::uint64_t>(i);
+      PairBatch batch = work.batches->Batch(number);
+      batch.Check();
+      Augment(config_.augment, rng_.Fork("augment", number), &batch);
+      inputs.push_back(InputOf(config_.model, &batch));
+      labels.push_back(Labels(batch, DrawPairs(batch, config_.pairs, rng_.Fork("pairs", number))));
     }
-    Save("weights.safetensors");
-    WriteFigure(CurvesFigure(curves.points()), folder_ / "curves");
+    const LabelledPairs all = Join(labels);
+    const agent::PanoramaParts parts =
+        net_.Describe(at::cat(inputs), at::detail::createCPUGenerator(work.seed));
+    return Losses(parts.explorable, net_.Compare(parts.Select(all.source), parts.Select(all.goal)),
+                  all)
+        .Total();
   }
 
- private:
-  /// One step of the optimiser; its loss.
-  double Step() {
-    const double loss = lanes_.Pass(*train_, state_.step);
-    RequireNumber(loss, "training");
-    adam_.Step(config_.optimiser.RateAt(state_.step, config_.steps),
-               config_.optimiser.weight_decay);
-    ++state_.step;
-    observer_->Stepped(state_.step, loss);
-    return loss;
-  }
-
-  CurvePoint Validated(double train_loss) {
-    CurvePoint point;
-    point.step = state_.step;
-    point.rate = config_.optimiser.RateAt(state_.step - 1, config_.steps);
-    point.train_loss = train_loss;
-    point.validation = Validate();
-    const double loss = point.validation.loss;
-    RequireNumber(loss, "validation");
-    if (loss < state_.best_loss) {
-      state_.best_loss = loss;
-      Save("weights_best.safetensors");
-    }
-    observer_->Validated(state_.step, point.validation);
-    return point;
-  }
-
-  NtsMetrics Validate() {
+  Measures Validate(const BatchSource& batches, int count, sim::WorkerPool* pool) override {
     struct Answers {
       torch::Tensor explorable;
       agent::PairOutputs pairs;
       LabelledPairs truth;
     };
-    std::vector<Answers> answers(static_cast<std::size_t>(config_.validation_batches));
-    net_.eval();
-    pool_.ForEach(config_.validation_batches, [&](int i, int) {
+    std::vector<Answers> answers(static_cast<std::size_t>(count));
+    pool->ForEach(count, [&](int i, int) {
       const torch::NoGradGuard no_grad;
       agent::StayInThisThread();
-      PairBatch batch = validation_->Batch(static_cast<std::uint64_t>(i));
+      PairBatch batch = batches.Batch(static_cast<std::uint64_t>(i));
       batch.Check();
       const LabelledPairs truth = Labels(batch, AllPairs(batch));
       const agent::PanoramaParts parts = net_.Describe(InputOf(config_.model, &batch));
@@ -117,43 +62,43 @@ class NtsTrainer {
     });
     MetricSums sums;
     for (const Answers& one : answers) sums.Add(one.explorable, one.pairs, one.truth);
-    return sums.Means();
+    return Measures::Of(sums.Means());
   }
 
-  void RequireNumber(double loss, const std::string& which) const {
-    if (std::isfinite(loss)) return;
-    const std::string kept = fs::exists(checkpoints_.newest())
-                                 ? "the last good checkpoint is " + checkpoints_.newest().string()
-                                 : "there is no checkpoint yet";
-    throw sim::Error(fmt::format("the {} loss is {} at step {}; {}; lower the learning_rate", which,
-                                 loss, state_.step + 1, kept));
+  void Save(std::map<std::string, std::string> notes,
+            const std::filesystem::path& file) const override {
+    agent::SaveNet(net_, std::move(notes), agent::StoredType::kFloat32, file);
   }
 
-  void Save(const std::string& name) const {
-    agent::SaveNet(net_,
-                   {{"training", sim::ToYaml(config_)}, {"step", std::to_string(state_.step)}},
-                   agent::StoredType::kFloat32, folder_ / name);
-  }
-
+ private:
   TrainConfig config_;
-  const BatchSource* train_;
-  const BatchSource* validation_;
-  TrainObserver* observer_;
-  fs::path folder_;
-  FolderLock lock_;
-  sim::WorkerPool pool_;
+  sim::Rng rng_;
   agent::SemanticNet net_;
-  TrainLanes lanes_;
-  Adam adam_;
-  Checkpoints checkpoints_;
-  TrainState state_;
 };
+
+std::string Describe(const Measures& m) {
+  return fmt::format(
+      "loss {:.3f}; right: same node {:.1f}%, twelfth {:.1f}%, explorable {:.1f}%, best way "
+      "{:.1f}%; off by {:.2f} m, score {:.3f}",
+      m.at("loss"), 100.0 * m.at("connection"), 100.0 * m.at("direction"),
+      100.0 * m.at("explorable"), 100.0 * m.at("score_choice"), m.at("distance_error_m"),
+      m.at("score_error"));
+}
 
 }  // namespace
 
-void TrainNts(const TrainConfig& config, const BatchSource& train, const BatchSource& validation,
-              TrainObserver* observer) {
-  NtsTrainer(config, &train, &validation, observer).Run();
+TrainTask NtsTask(const TrainConfig& config) {
+  TrainTask task = TrainTask::Of(config);
+  task.make = [config] {
+    return std::make_unique<NtsLearner>(config);
+  };
+  task.describe = Describe;
+  task.curves_label = "share right, validation";
+  task.curves = {{"same node (guessing: 0.5)", "connection"},
+                 {"goal's twelfth (guessing: 0.08)", "direction"},
+                 {"explorable (guessing: 0.5)", "explorable"},
+                 {"best way within 1 m", "score_choice"}};
+  return task;
 }
 
 }  // namespace bulletnav::bench

@@ -14,6 +14,11 @@ void RequireAtLeast(int low, int value, const std::string& name) {
   if (value < low) throw sim::Error(name + " must be at least " + std::to_string(low));
 }
 
+void RequireTask(const TrainPlan& plan, Trained trained) {
+  if (plan.task.value_or(Trained::kNts) == trained) return;
+  throw sim::Error("task must be " + std::string(sim::NameOf(trained)));
+}
+
 }  // namespace
 
 double OptimiserSpec::RateAt(int step, int steps) const {
@@ -32,24 +37,46 @@ void OptimiserSpec::Validate() const {
   RequireAtLeast(0, warmup_steps, "warmup_steps");
 }
 
-void TrainConfig::Validate() const {
+void TrainPlan::Validate() const {
   if (out.empty()) throw sim::Error("out must name a folder");
   RequireAtLeast(1, steps, "steps");
   RequireAtLeast(1, scenes, "scenes");
   RequireAtLeast(2, panoramas, "panoramas");
-  RequireAtLeast(2, pairs, "pairs");
   RequireAtLeast(1, validate_every, "validate_every");
   RequireAtLeast(1, validation_batches, "validation_batches");
   RequireAtLeast(1, lanes, "lanes");
   if (scenes % lanes != 0) throw sim::Error("lanes must divide scenes");
 }
 
-DataConfig ValidationData(const TrainConfig& config) {
-  if (config.validation) return *config.validation;
-  if (!config.data || !config.data->houses) {
+void TrainConfig::Validate() const {
+  TrainPlan::Validate();
+  RequireTask(*this, Trained::kNts);
+  RequireAtLeast(2, pairs, "pairs");
+}
+
+void MapperTrainConfig::Validate() const {
+  TrainPlan::Validate();
+  RequireTask(*this, Trained::kMapper);
+  if (!(obstacle_weight > 0.0 && obstacle_weight <= 100.0)) {
+    throw sim::Error("obstacle_weight must be in (0, 100]");
+  }
+}
+
+Trained TrainedBy(const std::filesystem::path& file) {
+  const sim::YamlNode root = sim::ParseYaml(sim::ReadYamlFile(file), file);
+  root.ExpectMap();
+  Trained trained = Trained::kNts;
+  const YAML::Node& map = root.yaml();
+  if (map["task"]) sim::YamlReader::Read(root.Child(map["task"]), trained);
+  return trained;
+}
+
+DataConfig ValidationData(const TrainPlan& plan) {
+  if (plan.validation) return *plan.validation;
+  if (!plan.data || !plan.data->houses) {
     throw sim::Error("the config names no houses to validate on; give it a block 'validation'");
   }
-  DataConfig validation = *config.data;
+  DataConfig validation = *plan.data;
   validation.scenes.clear();
   validation.houses->split = "val";
   return validation;

@@ -2,10 +2,12 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
 
+#include "agent/perception/mapper_config.h"
 #include "agent/perception/model_config.h"
 #include "benchmark/training/augment.h"
 #include "benchmark/training/data_config.h"
@@ -15,6 +17,8 @@ namespace bulletnav::bench {
 
 /// kCosine: falls to zero at the last step.
 enum class Schedule { kConstant, kCosine };
+/// What is trained: the functions of Neural Topological SLAM, or the mapper for colour alone.
+enum class Trained { kNts, kMapper };
 
 }  // namespace bulletnav::bench
 
@@ -23,6 +27,11 @@ struct bulletnav::sim::EnumNames<bulletnav::bench::Schedule> {
   static constexpr std::array kNames = {
       std::pair{"constant", bulletnav::bench::Schedule::kConstant},
       std::pair{"cosine", bulletnav::bench::Schedule::kCosine}};
+};
+template <>
+struct bulletnav::sim::EnumNames<bulletnav::bench::Trained> {
+  static constexpr std::array kNames = {std::pair{"nts", bulletnav::bench::Trained::kNts},
+                                        std::pair{"mapper", bulletnav::bench::Trained::kMapper}};
 };
 
 namespace bulletnav::bench {
@@ -48,45 +57,90 @@ struct OptimiserSpec {
   void Validate() const;
 };
 
-/// A training of the learned model of Neural Topological SLAM.
-struct TrainConfig {
+/// What all trainings are told.
+struct TrainPlan {
+  std::optional<Trained> task;           // default: nts
   std::string out;                       // folder of all that the training writes
   std::optional<DataConfig> data;        // what SceneBatches learns from
   std::optional<DataConfig> validation;  // and is tried on; default: the houses' split "val"
-  agent::ModelConfig model;
   OptimiserSpec optimiser;
   AugmentSpec augment;
   int steps = 20000;
   int scenes = 4;            // batches a step
   int lanes = 2;             // that share them; each normalises by its own batches
   int panoramas = 16;        // in each batch
-  int pairs = 64;            // compared of each batch, half of them of one node if there are enough
   int validate_every = 500;  // steps; a checkpoint is written then, too
   int validation_batches = 32;
   std::uint64_t seed = 0;
 
+  /// Throws Error.
+  void Validate() const;
+
+ protected:
   template <class V>
-  void Visit(V& v) {
+  void VisitData(V& v) {
+    v("task", task);
     v.Required("out", out);
     v("data", data);
     v("validation", validation);
-    v("model", model);
+  }
+  template <class V>
+  void VisitSteps(V& v) {
     v("optimiser", optimiser);
     v("augment", augment);
     v("steps", steps);
     v("scenes", scenes);
     v("lanes", lanes);
     v("panoramas", panoramas);
-    v("pairs", pairs);
+  }
+  template <class V>
+  void VisitValidation(V& v) {
     v("validate_every", validate_every);
     v("validation_batches", validation_batches);
     v("seed", seed);
+  }
+};
+
+/// A training of the learned model of Neural Topological SLAM.
+struct TrainConfig : TrainPlan {
+  agent::ModelConfig model;
+  int pairs = 64;  // compared of each batch, half of them of one node if there are enough
+
+  template <class V>
+  void Visit(V& v) {
+    VisitData(v);
+    v("model", model);
+    VisitSteps(v);
+    v("pairs", pairs);
+    VisitValidation(v);
   }
   /// Throws Error.
   void Validate() const;
 };
 
+/// A training of the mapper from colour.
+struct MapperTrainConfig : TrainPlan {
+  agent::MapperConfig model;
+  double obstacle_weight = 3.0;  // of cells with an obstacle against those without
+
+  MapperTrainConfig() { task = Trained::kMapper; }
+
+  template <class V>
+  void Visit(V& v) {
+    VisitData(v);
+    v("model", model);
+    VisitSteps(v);
+    v("obstacle_weight", obstacle_weight);
+    VisitValidation(v);
+  }
+  /// Throws Error.
+  void Validate() const;
+};
+
+/// What a file trains, by its key "task". Throws FileError.
+Trained TrainedBy(const std::filesystem::path& file);
+
 /// `validation`, or its default. Throws Error if there is neither.
-DataConfig ValidationData(const TrainConfig& config);
+DataConfig ValidationData(const TrainPlan& plan);
 
 }  // namespace bulletnav::bench

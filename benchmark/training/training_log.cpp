@@ -5,8 +5,6 @@
 
 #include <fmt/core.h>
 
-#include "benchmark/training/nts_metrics.h"
-
 namespace bulletnav::bench {
 namespace {
 
@@ -21,9 +19,9 @@ std::string TimeText(double seconds) {
 
 }  // namespace
 
-TrainingLog::TrainingLog(const TrainConfig& config, std::ostream* out)
-    : steps_(config.steps),
-      panoramas_(config.scenes * config.panoramas),
+TrainingLog::TrainingLog(const TrainPlan& plan, std::ostream* out)
+    : steps_(plan.steps),
+      panoramas_(plan.scenes * plan.panoramas),
       out_(out),
       start_(Clock::now()),
       last_(start_) {}
@@ -49,13 +47,8 @@ void TrainingLog::Stepped(int step, double loss) {
   losses_ = 0;
 }
 
-void TrainingLog::Validated(int step, const NtsMetrics& m) {
-  *out_ << fmt::format(
-               "validation at step {}: loss {:.3f}; right: same node {:.1f}%, twelfth {:.1f}%, "
-               "explorable {:.1f}%, best way {:.1f}%; off by {:.2f} m, score {:.3f}\n",
-               step, m.loss, 100.0 * m.connection, 100.0 * m.direction, 100.0 * m.explorable,
-               100.0 * m.score_choice, m.distance_error_m, m.score_error)
-        << std::flush;
+void TrainingLog::Validated(int step, const Measures& /*measures*/, const std::string& text) {
+  *out_ << fmt::format("validation at step {}: {}\n", step, text) << std::flush;
 }
 
 }  // namespace bulletnav::bench

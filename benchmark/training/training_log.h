@@ -2,8 +2,10 @@
 #pragma once
 #include <chrono>
 #include <ostream>
+#include <string>
 
-#include "benchmark/training/nts_trainer.h"
+#include "benchmark/training/train_config.h"
+#include "benchmark/training/trainer.h"
 
 namespace bulletnav::bench {
 
@@ -11,11 +13,11 @@ namespace bulletnav::bench {
 /// time left, and one for each validation.
 class TrainingLog : public TrainObserver {
  public:
-  TrainingLog(const TrainConfig& config, std::ostream* out);
+  TrainingLog(const TrainPlan& plan, std::ostream* out);
 
   void Resumed(int step) override;
   void Stepped(int step, double loss) override;
-  void Validated(int step, const NtsMetrics& metrics) override;
+  void Validated(int step, const Measures& measures, const std::string& text) override;
 
  private:
   using Clock = std::chrono::steady_clock;

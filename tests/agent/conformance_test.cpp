@@ -72,6 +72,21 @@ class FixedModel final : public SemanticModel {
   bool sees_;
 };
 
+/// Sees half the cells, an obstacle in some, by the brightness of a panorama's corner.
+class FixedMapper final : public FreeSpaceModel {
+ public:
+  FreeSpace Predict(const Panorama& panorama) override {
+    FreeSpace space;
+    const int light = panorama.color.front();
+    for (int i = 0; i < FreeSpace::kSide * FreeSpace::kSide; ++i) {
+      const auto cell = static_cast<std::size_t>(i);
+      space.explored[cell] = (i / 40 + light) % 2 == 0 ? 0.9f : 0.1f;
+      space.obstacle[cell] = (i + 13 * light) % 31 == 0 ? 0.8f : 0.2f;
+    }
+    return space;
+  }
+};
+
 sim::SimulatorSpec SmallSpec() {
   sim::SimulatorSpec spec;
   spec.panorama.rows = 16;
@@ -84,6 +99,13 @@ AgentContext Context(bool sees = false) {
   context.rig.panorama = SmallSpec().panorama;
   context.goal_estimator = std::make_shared<FixedEstimator>(sees);
   context.semantic_model = std::make_shared<FixedModel>(sees);
+  return context;
+}
+
+AgentContext ColorContext() {
+  AgentContext context = Context();
+  context.rig.has_depth = false;
+  context.mapper = std::make_shared<FixedMapper>();
   return context;
 }
 
@@ -142,6 +164,17 @@ TEST_P(Conformance, TheSameSeedAndObservationsGiveTheSameLegalActions) {
     ExpectLegal(first);
     EXPECT_EQ(first, ActAll(MakeOne(GetParam(), sees).get(), seen, 7));
   }
+}
+
+TEST_P(Conformance, WorksFromColorAloneWithAMapper) {
+  auto seen = RandomWalk(1, 40);
+  for (sim::Observation& observation : seen) observation.depth.clear();
+  const auto act = [&] {
+    return ActAll(Make(GetParam(), std::array{ColorContext()}).get(), seen, 7);
+  };
+  const Actions first = act();
+  ExpectLegal(first);
+  EXPECT_EQ(first, act());
 }
 
 TEST_P(Conformance, NothingOutlivesAReset) {

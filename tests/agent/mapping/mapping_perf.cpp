@@ -89,7 +89,7 @@ BENCHMARK(WholeStep)->Unit(benchmark::kMicrosecond)->Iterations(2 * kSteps);
 void MapUpdate(benchmark::State& state) {
   MetricMap map({}, {});
   const auto& depth = Walk()[kSteps / 2].depth;
-  for (auto _ : state) map.Update(depth, {});
+  for (auto _ : state) map.Update({{}, depth}, {});
   state.SetItemsProcessed(state.iterations());
 }
 BENCHMARK(MapUpdate)->Unit(benchmark::kMicrosecond);

@@ -62,7 +62,7 @@ TEST_P(Projections, PutTheWallsOfABoxRoomIntoTheRightCells) {
     MetricMap map(rig, {});
     const sim::PlanarPose pose{0.31, -0.12, yaw};
     map.Clear(pose);
-    map.Update(scene.Depth(pose), pose);
+    map.Update({{}, scene.Depth(pose)}, pose);
     ExpectWalls(map, 0.05);
     // The whole floor has been seen into, also under the camera, and nothing outside.
     for (double x = -3.05; x < 4.0; x += 0.1) {
@@ -88,7 +88,7 @@ TEST(MetricMap, ViewsFromTwoPosesJoinUp) {
   MetricMap map({}, {});
   for (const sim::PlanarPose& pose :
        {sim::PlanarPose{0, 0, 0}, sim::PlanarPose{1.5, 1.0, 1.2}, sim::PlanarPose{-1, -1, 3}}) {
-    map.Update(scene.Depth(pose), pose);
+    map.Update({{}, scene.Depth(pose)}, pose);
   }
   ExpectWalls(map, 0.05);
 }
@@ -98,7 +98,7 @@ TEST(MetricMap, KnowsNothingBeyondItsVision) {
   spec.vision = 1.5;
   const Scene scene(tests::BoxRoom(kWidth, 2.6f, kDepth));
   MetricMap map({}, spec);
-  map.Update(scene.Depth({}), {});
+  map.Update({{}, scene.Depth({})}, {});
   EXPECT_EQ(map.states()[map.CellAt({1.4, 0.0})], CellState::kFree);
   EXPECT_EQ(map.states()[map.CellAt({1.6, 0.0})], CellState::kUnknown);
   EXPECT_FALSE(map.IsObstacle(map.CellAt({-2.0, 0.0})));
@@ -111,7 +111,7 @@ TEST(MetricMap, OnlyWhatIsInTheBodysHeightIsAnObstacle) {
   tests::AddBox({1.9f, 0.0f, -3.7f}, {2.1f, 0.40f, -3.5f}, {9, 9, 9}, &mesh);  // a stool
   tests::AddBox({2.9f, 1.7f, -3.7f}, {3.1f, 1.9f, -3.5f}, {9, 9, 9}, &mesh);   // a lamp
   MetricMap map({}, {});
-  map.Update(Scene(mesh).Depth({}), {});
+  map.Update({{}, Scene(mesh).Depth({})}, {});
   EXPECT_FALSE(map.IsObstacle(map.CellAt({1.52, 1.0})));
   EXPECT_TRUE(map.IsObstacle(map.CellAt({1.52, 0.0})));
   EXPECT_FALSE(map.IsObstacle(map.CellAt({1.52, -1.0})));
@@ -123,10 +123,10 @@ TEST(MetricMap, ObstaclesThatAreGoneFade) {
   tests::AddBox({1.9f, 0.0f, -4.2f}, {2.1f, 1.0f, -4.0f}, {9, 9, 9}, &with);
   MetricMap map({}, {});
   const Cell cell = map.CellAt({2.02, 0.02});
-  map.Update(Scene(with).Depth({}), {});
+  map.Update({{}, Scene(with).Depth({})}, {});
   EXPECT_TRUE(map.IsObstacle(cell));
   const auto without = Scene(tests::BoxRoom(kWidth, 2.6f, kDepth)).Depth({});
-  for (int i = 0; i < 12; ++i) map.Update(without, {});
+  for (int i = 0; i < 12; ++i) map.Update({{}, without}, {});
   EXPECT_FALSE(map.IsObstacle(cell));
 }
 
@@ -136,7 +136,7 @@ TEST(MetricMap, PlannersSeeObstaclesGrownByTheDilation) {
     spec.dilation_cells = dilation;
     const Scene scene(tests::BoxRoom(kWidth, 2.6f, kDepth));
     MetricMap map({}, spec);
-    map.Update(scene.Depth({}), {});
+    map.Update({{}, scene.Depth({})}, {});
     Cell cell = map.CellAt({0.0, 1.5});
     const auto state_below = [&](int rows) {
       return map.states()[Cell{cell.x, cell.y - rows}];
@@ -170,8 +170,8 @@ TEST(MetricMap, MovesAlongWithABodyThatNearsItsEdge) {
   spec.vision = 3.2;
   MetricMap map({}, spec);
   const auto depth = scene.Depth({});
-  map.Update(depth, {});
-  map.Update(depth, {4.0, 0.5, 0.0});  // as if the room had come along
+  map.Update({{}, depth}, {});
+  map.Update({{}, depth}, {4.0, 0.5, 0.0});  // as if the room had come along
   EXPECT_TRUE(map.IsObstacle(map.CellAt({7.0, 0.5}))) << "the new wall";
   EXPECT_TRUE(map.IsObstacle(map.CellAt({3.0, -1.0}))) << "the old one, where it was";
   EXPECT_TRUE(map.states().Contains(map.CellAt({10.0, 0.5})));
@@ -179,7 +179,7 @@ TEST(MetricMap, MovesAlongWithABodyThatNearsItsEdge) {
 
 TEST(MetricMap, ItsPictureShowsWhatItKnows) {
   MetricMap map({}, {});
-  map.Update(Scene(tests::BoxRoom(kWidth, 2.6f, kDepth)).Depth({}), {});
+  map.Update({{}, Scene(tests::BoxRoom(kWidth, 2.6f, kDepth)).Depth({})}, {});
   map.MarkWall({1.0, 0.0, 0.0}, 3);
   map.MarkExplored({5.0, 0.0}, 0.2);
   const MapPicture picture = map.Picture();
@@ -200,8 +200,8 @@ TEST(MetricMap, ItsPictureShowsWhatItKnows) {
 TEST(MetricMap, BlankAndBrokenDepthLeaveItEmpty) {
   MetricMap map({}, {});
   const sim::PanoramaSpec spec;
-  map.Update(std::vector<float>(spec.pixels(), 0.0f), {});
-  map.Update(std::vector<float>(spec.pixels(), std::nanf("")), {});
+  map.Update({{}, std::vector<float>(spec.pixels(), 0.0f)}, {});
+  map.Update({{}, std::vector<float>(spec.pixels(), std::nanf(""))}, {});
   EXPECT_EQ(map.states()[map.CellAt({0.5, 0.0})], CellState::kUnknown);
 }
 

@@ -26,7 +26,7 @@ MetricMap Corridor() {
     const Eigen::Vector3d eye = body.position + Eigen::Vector3d(0, rig.camera_height, 0);
     const auto seen = tests::RenderPanorama(*scene, rig.panorama,
                                             {eye.cast<float>(), static_cast<float>(body.yaw)});
-    map.Update(seen.depth, pose);
+    map.Update({{}, seen.depth}, pose);
   }
   return map;
 }

@@ -2,6 +2,7 @@
 // One core: what a panorama costs to encode, to learn from, and a pair to compare.
 #include <benchmark/benchmark.h>
 
+#include "agent/perception/mapper_net.h"
 #include "agent/perception/semantic_net.h"
 
 namespace bulletnav::agent {
@@ -75,6 +76,47 @@ void Learn(benchmark::State& state) {
   state.SetItemsProcessed(32 * state.iterations());
 }
 
+MapperConfig MapperShape(const benchmark::State& state) {
+  MapperConfig config;
+  config.width = static_cast<int>(state.range(0));
+  config.rows = static_cast<int>(state.range(1));
+  return config;
+}
+
+void MapOne(benchmark::State& state) {
+  const c10::InferenceMode inference;
+  at::set_num_threads(1);
+  const MapperConfig config = MapperShape(state);
+  MapperNet net(config, 1);
+  net.eval();
+  net.Fold();
+  const torch::Tensor color = Color(1);
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(net.forward(PrepareInput(config.seeing(), color, {})).sigmoid());
+  }
+}
+
+/// Forward and backward of 32 panoramas.
+void LearnToMap(benchmark::State& state) {
+  at::set_num_threads(1);
+  const MapperConfig config = MapperShape(state);
+  MapperNet net(config, 1);
+  const torch::Tensor input = PrepareInput(config.seeing(), Color(32), {});
+  for (auto _ : state) {
+    net.forward(input, at::detail::createCPUGenerator(1)).sum().backward();
+    benchmark::DoNotOptimize(net.parameters()[0].grad());
+    net.zero_grad();
+  }
+  state.SetItemsProcessed(32 * state.iterations());
+}
+
+void MapperCases(benchmark::internal::Benchmark* bench) {
+  bench->ArgNames({"width", "rows"})->Unit(benchmark::kMillisecond)->MinTime(0.3);
+  for (const int width : {16, 32}) {
+    for (const int rows : {64, 128}) bench->Args({width, rows});
+  }
+}
+
 // Width, rows, depth (0 none, 1 channel, 2 separate), form (0 panorama, 1 patches).
 void Cases(benchmark::internal::Benchmark* bench) {
   bench->ArgNames({"width", "rows", "depth", "form"})->Unit(benchmark::kMillisecond);
@@ -91,6 +133,8 @@ BENCHMARK(Prepare)->Unit(benchmark::kMillisecond);
 BENCHMARK(Compare)->Unit(benchmark::kMillisecond);
 BENCHMARK(Encode)->Apply(Cases)->MinTime(0.3);
 BENCHMARK(Learn)->Apply(Cases)->MinTime(0.3);
+BENCHMARK(MapOne)->Apply(MapperCases);
+BENCHMARK(LearnToMap)->Apply(MapperCases);
 
 }  // namespace
 }  // namespace bulletnav::agent

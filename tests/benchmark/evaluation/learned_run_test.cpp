@@ -6,7 +6,9 @@
 #include <fmt/core.h>
 #include <gmock/gmock.h>
 
+#include "agent/perception/learned_mapper.h"
 #include "agent/perception/learned_model.h"
+#include "agent/perception/mapper_net.h"
 #include "agent/perception/semantic_net.h"
 #include "benchmark/evaluation/result_store.h"
 #include "benchmark/evaluation/runner.h"
@@ -22,8 +24,13 @@ namespace fs = std::filesystem;
 using testing::AllOf;
 using testing::HasSubstr;
 
-std::shared_ptr<agent::SemanticModel> Load(const fs::path& weights, const agent::Rig& rig) {
-  return std::make_shared<agent::LearnedModel>(weights, rig);
+ModelLoaders Load() {
+  return {[](const fs::path& weights, const agent::Rig& rig) {
+            return std::make_shared<agent::LearnedModel>(weights, rig);
+          },
+          [](const fs::path& weights, const agent::Rig& rig) {
+            return std::make_shared<agent::LearnedMapper>(weights, rig);
+          }};
 }
 
 class LearnedRunTest : public testing::Test {
@@ -31,10 +38,21 @@ class LearnedRunTest : public testing::Test {
   LearnedRunTest() {
     tests::WriteShellHouses(folder_.path(), 1, 1);
     WriteWeights(1);
+    WriteMapper(1);
   }
   fs::path weights() const { return folder_.path() / "tiny.safetensors"; }
-  void WriteWeights(std::uint64_t seed) const {
+  fs::path mapper() const { return folder_.path() / "mapper.safetensors"; }
+  void WriteMapper(std::uint64_t seed) const {
+    agent::MapperConfig model;
+    model.width = 8;
+    model.rows = 32;
+    model.features = 16;
+    agent::SaveMapper(agent::MapperNet(model, seed), {}, agent::StoredType::kFloat32, mapper());
+  }
+  void WriteWeights(std::uint64_t seed,
+                    agent::DepthFusion depth = agent::DepthFusion::kChannel) const {
     agent::ModelConfig model;
+    model.depth = depth;
     model.width = 8;
     model.rows = 32;
     model.pair_features = 16;
@@ -45,18 +63,19 @@ class LearnedRunTest : public testing::Test {
                        "{agent: metric_map_fbe, semantic_model: learned}",
                    const std::string& more = "") const {
     return ParseRunConfig(
-        fmt::format("name: test\nmax_steps: 12\nweights: {{rgbd: {}}}\n{}\nepisodes:\n"
-                    "  file: {}/episodes.json\n  draw:\n    houses: {{index: {}/index.json}}\n"
-                    "    counts: {{easy: 3}}\nagents: [{}]\n",
-                    weights().string(), more, folder_.path().string(), folder_.path().string(),
-                    agents),
+        fmt::format(
+            "name: test\nmax_steps: 12\nweights: {{rgb: {}, rgbd: {}, mapper: {}}}\n{}\nepisodes:\n"
+            "  file: {}/episodes.json\n  draw:\n    houses: {{index: {}/index.json}}\n"
+            "    counts: {{easy: 3}}\nagents: [{}]\n",
+            weights().string(), weights().string(), mapper().string(), more,
+            folder_.path().string(), folder_.path().string(), agents),
         "test.yaml");
   }
   std::vector<std::string> Lines(const RunConfig& config, const std::string& name,
                                  int workers) const {
     RunOptions options;
     options.workers = workers;
-    options.load_model = Load;
+    options.loaders = Load();
     RunBenchmark(config, folder_.path() / name, options);
     std::istringstream file(sim::ReadTextFile(folder_.path() / name / "episodes.jsonl"));
     std::vector<std::string> lines;
@@ -96,7 +115,7 @@ TEST_F(LearnedRunTest, WithoutALoaderNothingIsPlayed) {
 
 TEST_F(LearnedRunTest, RowsSayWhatIsWrongWithWeights) {
   const auto note = [&](const RunConfig& config) {
-    const std::string loaded = FindAgents(config, Load).front().row().note;
+    const std::string loaded = FindAgents(config, Load()).front().row().note;
     EXPECT_EQ(FindAgents(config).front().row().note, loaded);
     return loaded;
   };
@@ -109,6 +128,36 @@ TEST_F(LearnedRunTest, RowsSayWhatIsWrongWithWeights) {
   EXPECT_THAT(note(Config()), HasSubstr("tiny.safetensors"));
   fs::remove(weights());
   EXPECT_THAT(note(Config()), AllOf(HasSubstr("does not exist"), HasSubstr("train")));
+}
+
+TEST_F(LearnedRunTest, WithoutDepthAgentsMapByColour) {
+  WriteWeights(1, agent::DepthFusion::kNone);
+  const RunConfig config = Config(
+      "{agent: nts, semantic_model: learned, lanes: 2}, "
+      "{agent: metric_map_fbe, semantic_model: oracle}",
+      "settings: [rgb]");
+  const auto one = Lines(config, "one", 1);
+  EXPECT_EQ(one.size(), 6u);
+  for (const std::string& line : one) EXPECT_THAT(line, Not(HasSubstr("failure\":\""))) << line;
+  EXPECT_EQ(Lines(config, "two", 2), one);
+  WriteMapper(2);
+  EXPECT_THROW(Lines(LoadRunConfig(folder_.path() / "one/config.yaml"), "again", 1), sim::Error);
+}
+
+TEST_F(LearnedRunTest, RowsSayWhatIsWrongWithTheMapper) {
+  const RunConfig config =
+      Config("{agent: metric_map_fbe, semantic_model: oracle}", "settings: [rgb]");
+  const auto note = [&] {
+    const std::string loaded = FindAgents(config, Load()).front().row().note;
+    EXPECT_EQ(FindAgents(config).front().row().note, loaded);
+    return loaded;
+  };
+  EXPECT_EQ(note(), "oracle");
+  EXPECT_THAT(Complaint(config, {}), HasSubstr("learned functions"));
+  fs::copy_file(weights(), mapper(), fs::copy_options::overwrite_existing);
+  EXPECT_THAT(note(), HasSubstr("does not hold the weights of a mapper"));
+  fs::remove(mapper());
+  EXPECT_THAT(note(), HasSubstr("needs depth"));
 }
 
 }  // namespace

@@ -7,7 +7,6 @@
 #include <gmock/gmock.h>
 
 #include "agent/perception/safetensors.h"
-#include "benchmark/training/nts_metrics.h"
 #include "benchmark/training/training_log.h"
 #include "sim/base/error.h"
 #include "sim/base/files.h"
@@ -47,14 +46,16 @@ class Watcher : public TrainObserver {
   void Stepped(int step, double) override {
     if (step == kill_at_) throw Killed();
   }
-  void Validated(int, const NtsMetrics& metrics) override { metrics_ = metrics; }
+  void Validated(int, const Measures& measures, const std::string&) override {
+    measures_ = measures;
+  }
   int resumed() const { return resumed_; }
-  const NtsMetrics& metrics() const { return metrics_; }
+  const Measures& measures() const { return measures_; }
 
  private:
   int kill_at_;
   int resumed_ = 0;
-  NtsMetrics metrics_;
+  Measures measures_;
 };
 
 class TrainNtsTest : public testing::Test {
@@ -62,7 +63,7 @@ class TrainNtsTest : public testing::Test {
   void Train(const TrainConfig& config, TrainObserver* observer) {
     BarSource train(config.panoramas, 1);
     BarSource validation(config.panoramas, 2);
-    TrainNts(config, train, validation, observer);
+    RunTraining(NtsTask(config), train, validation, observer);
   }
   std::string Complaint(const TrainConfig& config) {
     Watcher watcher;
@@ -134,14 +135,14 @@ TEST_F(TrainNtsTest, StopsAtALossThatIsNoNumberAndKeepsTheCheckpoint) {
   BarSource validation(config.panoramas, 2);
   Watcher watcher;
   try {
-    TrainNts(config, train, validation, &watcher);
+    RunTraining(NtsTask(config), train, validation, &watcher);
     FAIL();
   } catch (const sim::Error& e) {
     EXPECT_THAT(e.what(), HasSubstr("nan at step 4"));
     EXPECT_THAT(e.what(), HasSubstr("checkpoint.safetensors"));
   }
   BarSource good(config.panoramas, 1);
-  TrainNts(config, good, validation, &watcher);
+  RunTraining(NtsTask(config), good, validation, &watcher);
   EXPECT_EQ(watcher.resumed(), 2);
 }
 

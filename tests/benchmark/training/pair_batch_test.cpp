@@ -102,13 +102,5 @@ TEST(TrainConfig, RefusesWhatCannotTrain) {
   EXPECT_THROW(load("out: x\naugment: {tint: 2}\n"), sim::FileError);
 }
 
-TEST(TrainConfig, ShippedConfigsLoad) {
-  for (const std::string name : {"nts_rgbd", "nts_rgb"}) {
-    const auto config = sim::LoadYaml<TrainConfig>(std::filesystem::path(BULLETNAV_SOURCE_DIR) /
-                                                   "configs/train" / (name + ".yaml"));
-    EXPECT_EQ(config.model.uses_depth(), name == "nts_rgbd");
-  }
-}
-
 }  // namespace
 }  // namespace bulletnav::bench

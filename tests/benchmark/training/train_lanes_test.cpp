@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "benchmark/training/nts_trainer.h"
 #include "tests/benchmark/training/bar_world.h"
 
 namespace bulletnav::bench {
@@ -28,8 +29,10 @@ struct Passed {
 
 Passed PassSteps(const TrainConfig& config, int threads, int steps = 1) {
   sim::WorkerPool pool(threads);
-  agent::SemanticNet net(config.model, 7);
-  TrainLanes lanes(config, &net, &pool);
+  const TrainTask task = NtsTask(config);
+  const std::unique_ptr<Learner> learner = task.make();
+  torch::nn::Module& net = learner->net();
+  TrainLanes lanes(task, &net, &pool);
   const tests::BarSource source(config.panoramas, 3);
   Passed passed;
   for (int step = 0; step < steps; ++step) passed.loss = lanes.Pass(source, step);
@@ -58,8 +61,10 @@ TEST(TrainLanes, GradientsAreThoseOfTheMeanLoss) {
   const Passed both = PassSteps(Config(2, 2), 1);
   sim::WorkerPool pool(1);
   const TrainConfig config = Config(1, 1);
-  agent::SemanticNet net(config.model, 7);
-  TrainLanes lanes(config, &net, &pool);
+  const TrainTask task = NtsTask(config);
+  const std::unique_ptr<Learner> learner = task.make();
+  torch::nn::Module& net = learner->net();
+  TrainLanes lanes(task, &net, &pool);
   const double second = lanes.Pass(tests::BarSource(config.panoramas, 3), 1);
   EXPECT_NEAR(both.loss, 0.5 * (first.loss + second), 1e-6);
   const std::vector<torch::Tensor> parameters = net.parameters();

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/training/trainer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <thread>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "agent/perception/one_thread.h"
+#include "benchmark/evaluation/folder_lock.h"
+#include "benchmark/training/adam.h"
+#include "benchmark/training/checkpoint.h"
+#include "benchmark/training/curves.h"
+#include "benchmark/training/learner.h"
+#include "benchmark/training/train_lanes.h"
+#include "benchmark/training/train_task.h"
+#include "sim/base/error.h"
+#include "sim/base/files.h"
+
+namespace bulletnav::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::filesystem::path MadeFolder(const fs::path& folder) {
+  sim::MakeFolder(folder);
+  return folder;
+}
+
+class Trainer {
+ public:
+  Trainer(const TrainTask& task, const BatchSource* train, const BatchSource* validation,
+          TrainObserver* observer)
+      : task_(task),
+        plan_(task_.plan),
+        train_(train),
+        validation_(validation),
+        observer_(observer),
+        folder_(MadeFolder(plan_.out)),
+        lock_(folder_),
+        pool_(std::min(plan_.lanes, static_cast<int>(std::thread::hardware_concurrency()))),
+        learner_(task_.make()),
+        lanes_(task_, &learner_->net(), &pool_),
+        adam_(learner_->net()),
+        checkpoints_(plan_.out, task_.essence) {}
+
+  void Run() {
+    agent::StayInThisThread();
+    const std::optional<TrainState> found = checkpoints_.Read(&learner_->net(), &adam_);
+    if (found) state_ = *found;
+    if (state_.step > 0) observer_->Resumed(state_.step);
+    Curves curves(folder_ / "curves.csv", state_.step);
+    double loss_sum = 0.0;
+    int since = 0;
+    while (state_.step < plan_.steps) {
+      loss_sum += Step();
+      ++since;
+      if (state_.step % plan_.validate_every != 0 && state_.step < plan_.steps) continue;
+      curves.Append(Validated(loss_sum / since));
+      checkpoints_.Write(state_, learner_->net(), adam_);
+      loss_sum = 0.0;
+      since = 0;
+    }
+    Save("weights.safetensors");
+    WriteFigure(CurvesFigure(curves.points(), task_.curves, task_.curves_label),
+                folder_ / "curves");
+  }
+
+ private:
+  /// One step of the optimiser; its loss.
+  double Step() {
+    const double loss = lanes_.Pass(*train_, state_.step);
+    RequireNumber(loss, "training");
+    adam_.Step(plan_.optimiser.RateAt(state_.step, plan_.steps), plan_.optimiser.weight_decay);
+    ++state_.step;
+    observer_->Stepped(state_.step, loss);
+    return loss;
+  }
+
+  CurvePoint Validated(double train_loss) {
+    CurvePoint point;
+    point.step = state_.step;
+    point.rate = plan_.optimiser.RateAt(state_.step - 1, plan_.steps);
+    point.train_loss = train_loss;
+    learner_->net().eval();
+    point.validation = learner_->Validate(*validation_, plan_.validation_batches, &pool_);
+    const double loss = point.validation.at("loss");
+    RequireNumber(loss, "validation");
+    if (loss < state_.best_loss) {
+      state_.best_loss = loss;
+      Save("weights_best.safetensors");
+    }
+    observer_->Validated(state_.step, point.validation, task_.describe(point.validation));
+    return point;
+  }
+
+  void RequireNumber(double loss, const std::string& which) const {
+    if (std::isfinite(loss)) return;
+    const std::string kept = fs::exists(checkpoints_.newest())
+                                 ? "the last good checkpoint is " + checkpoints_.newest().string()
+                                 : "there is no checkpoint yet";
+    throw sim::Error(fmt::format("the {} loss is {} at step {}; {}; lower the learning_rate", which,
+                                 loss, state_.step + 1, kept));
+  }
+
+  void Save(const std::string& name) const {
+    learner_->Save({{"training", task_.config}, {"step", std::to_string(state_.step)}},
+                   folder_ / name);
+  }
+
+  TrainTask task_;
+  const TrainPlan& plan_;
+  const BatchSource* train_;
+  const BatchSource* validation_;
+  TrainObserver* observer_;
+  fs::path folder_;
+  FolderLock lock_;
+  sim::WorkerPool pool_;
+  std::unique_ptr<Learner> learner_;
+  TrainLanes lanes_;
+  Adam adam_;
+  Checkpoints checkpoints_;
+  TrainState state_;
+};
+
+}  // namespace
+
+void RunTraining(const TrainTask& task, const BatchSource& train, const BatchSource& validation,
+                 TrainObserver* observer) {
+  Trainer(task, &train, &validation, observer).Run();
+}
+
+}  // namespace bulletnav::bench

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/training/train_config.h"
+
+#include <gmock/gmock.h>
+
+#include "benchmark/training/train_task.h"
+#include "sim/base/error.h"
+#include "tests/support/temporary_folder.h"
+
+namespace bulletnav::bench {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+std::filesystem::path Shipped(const std::string& name) {
+  return std::filesystem::path(BULLETNAV_SOURCE_DIR) / "configs/train" / (name + ".yaml");
+}
+
+TEST(TrainConfig, ShippedConfigsLoad) {
+  for (const std::string name : {"nts_rgbd", "nts_rgb"}) {
+    EXPECT_EQ(TrainedBy(Shipped(name)), Trained::kNts);
+    const auto config = sim::LoadYaml<TrainConfig>(Shipped(name));
+    EXPECT_EQ(config.model.uses_depth(), name == "nts_rgbd");
+  }
+  EXPECT_EQ(TrainedBy(Shipped("mapper_rgb")), Trained::kMapper);
+  EXPECT_EQ(ValidationData(sim::LoadYaml<MapperTrainConfig>(Shipped("mapper_rgb"))).houses->split,
+            "val");
+}
+
+/// Checkpoints hold this text: other words in it, and trainings cannot be gone on with.
+TEST(TrainConfig, ItsEssenceStaysAsItIs) {
+  TrainConfig config;
+  config.out = "somewhere";
+  const std::string essence = TrainTask::Of(config).essence;
+  EXPECT_THAT(essence, StartsWith("out: \"\"\nmodel:\n  encoder: panorama\n"));
+  EXPECT_THAT(essence, HasSubstr("steps: 20000\nscenes: 4\nlanes: 2\npanoramas: 16\npairs: 64\n"
+                                 "validate_every: 500\nvalidation_batches: 32\nseed: 0\n"));
+}
+
+TEST(TrainConfig, TellsWhatIsTrained) {
+  const tests::TemporaryFolder folder;
+  EXPECT_EQ(TrainedBy(folder.Write("a.yaml", "out: x\n")), Trained::kNts);
+  EXPECT_EQ(TrainedBy(folder.Write("b.yaml", "task: mapper\nout: x\n")), Trained::kMapper);
+  EXPECT_THROW(TrainedBy(folder.Write("c.yaml", "task: maper\nout: x\n")), sim::FileError);
+  EXPECT_THROW(sim::LoadYaml<TrainConfig>(folder.Write("d.yaml", "task: mapper\nout: x\n")),
+               sim::FileError);
+}
+
+}  // namespace
+}  // namespace bulletnav::bench
