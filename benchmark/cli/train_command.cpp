@@ -23,9 +23,10 @@ constexpr std::uint64_t kTrainSeed = 0;  // added to the config's
 constexpr std::uint64_t kValidationSeed = 1'000'003;
 
 SceneBatches Batches(const TrainPlan& plan, const DataConfig& data, bool with_depth,
-                     std::uint64_t seed) {
+                     double near_batches, std::uint64_t seed) {
   Progress progress("labelling scenes", static_cast<int>(ScenesOf(data).size()));
-  return {data, plan.panoramas, with_depth, plan.seed + seed, [&](const LabelledScene& scene) {
+  const BatchSpec spec = {plan.panoramas, with_depth, near_batches, plan.seed + seed};
+  return {data, spec, [&](const LabelledScene& scene) {
             if (!scene.note.empty()) fmt::print(stderr, "{}\n", scene.note);
             progress.Advance();
           }};
@@ -34,8 +35,10 @@ SceneBatches Batches(const TrainPlan& plan, const DataConfig& data, bool with_de
 void Train(const std::filesystem::path& file, const TrainTask& task, bool with_depth) {
   const TrainPlan& plan = task.plan;
   if (!plan.data) throw sim::FileError(file, "", "has no block 'data'; see configs/train");
-  const SceneBatches train = Batches(plan, *plan.data, with_depth, kTrainSeed);
-  const SceneBatches validation = Batches(plan, ValidationData(plan), with_depth, kValidationSeed);
+  const SceneBatches train =
+      Batches(plan, *plan.data, with_depth, plan.near_batches.value_or(0.0), kTrainSeed);
+  const SceneBatches validation =
+      Batches(plan, ValidationData(plan), with_depth, 0.0, kValidationSeed);
   TrainingLog log(plan, &std::cerr);
   RunTraining(task, train, validation, &log);
   fmt::print("weights and curves: {}\n", plan.out);

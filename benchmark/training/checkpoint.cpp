@@ -3,6 +3,7 @@
 
 #include <bit>
 #include <charconv>
+#include <cmath>
 #include <system_error>
 #include <utility>
 
@@ -41,6 +42,7 @@ void Checkpoints::Write(const TrainState& state, const torch::nn::Module& net,
   agent::TensorFile content;
   content.metadata["config"] = essence_;
   content.metadata["step"] = std::to_string(state.step);
+  content.metadata["seconds"] = std::to_string(std::llround(state.seconds));
   content.metadata["best_loss_bits"] =
       std::to_string(std::bit_cast<std::uint64_t>(state.best_loss));
   agent::AppendWeights(net, kWeights, &content);
@@ -73,6 +75,9 @@ TrainState Checkpoints::Restore(const fs::path& file, const agent::TensorFile& c
   TrainState state;
   state.step = Number<int>(content, "step", file);
   state.best_loss = std::bit_cast<double>(Number<std::uint64_t>(content, "best_loss_bits", file));
+  if (content.metadata.contains("seconds")) {
+    state.seconds = static_cast<double>(Number<std::int64_t>(content, "seconds", file));
+  }
   agent::SetWeights(content, kWeights, file, net);
   adam->Set(content, file, state.step);
   return state;

@@ -15,6 +15,7 @@ namespace bulletnav::bench {
 /// follow from the seed and the step.
 struct TrainState {
   int step = 0;                                                // steps done
+  double seconds = 0.0;                                        // that they took
   double best_loss = std::numeric_limits<double>::infinity();  // of the validations so far
 };
 

@@ -71,7 +71,7 @@ class MapperLearner final : public Learner {
 
   void Save(std::map<std::string, std::string> notes,
             const std::filesystem::path& file) const override {
-    agent::SaveMapper(net_, std::move(notes), agent::StoredType::kFloat32, file);
+    agent::SaveMapper(net_, std::move(notes), agent::StoredType::kBfloat16, file);
   }
 
  private:
@@ -96,6 +96,7 @@ TrainTask MapperTask(const MapperTrainConfig& config) {
   task.make = [config] {
     return std::make_unique<MapperLearner>(config);
   };
+  task.title = "The mapper from colour";
   task.describe = Describe;
   task.curves_label = "validation";
   task.curves = {{"explored, IoU", "explored_iou"},

@@ -96,8 +96,10 @@ LabelledPairs Join(const std::vector<LabelledPairs>& parts) {
           join(&LabelledPairs::explorable, 0)};
 }
 
-torch::Tensor NtsLosses::Total() const {
-  return connection + direction + explorable + kScoreWeight * (distance + scores);
+torch::Tensor NtsLosses::Total(double contrast_weight) const {
+  const torch::Tensor total =
+      connection + direction + explorable + kScoreWeight * (distance + scores);
+  return contrast_weight > 0.0 ? total + contrast_weight * contrast : total;
 }
 
 NtsLosses Losses(const torch::Tensor& explorable, const agent::PairOutputs& outputs,
@@ -116,6 +118,10 @@ NtsLosses Losses(const torch::Tensor& explorable, const agent::PairOutputs& outp
   losses.explorable = CrossEntropy(explorable, labels.explorable).mean();
   losses.distance = MeanWhere(near, (outputs.distance_score - labels.distance_score).square());
   losses.scores = MeanWhere(scored, (outputs.scores - labels.scores).square());
+  const torch::Tensor error = (outputs.scores - labels.scores) * scored;
+  const torch::Tensor mean =
+      error.sum(1, true) / scored.to(torch::kFloat32).sum(1, true).clamp_min(1.0);
+  losses.contrast = MeanWhere(scored, (error - mean).square());
   return losses;
 }
 

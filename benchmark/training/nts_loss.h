@@ -36,9 +36,11 @@ struct NtsLosses {
   torch::Tensor explorable;  // cross-entropy
   torch::Tensor distance;    // square of the score's error
   torch::Tensor scores;      // likewise
+  torch::Tensor contrast;    // likewise, of the scores less their mean over the directions
 
-  /// The sum, squares counting ten times. Source: Neural Topological SLAM, appendix A.
-  torch::Tensor Total() const;
+  /// The sum, squares counting ten times. Source: Neural Topological SLAM, appendix A; the contrast
+  /// is ours.
+  torch::Tensor Total(double contrast_weight = 0.0) const;
 };
 
 /// Trains the direction and distance on pairs of one node only, the scores on others only.

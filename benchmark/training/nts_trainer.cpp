@@ -39,7 +39,7 @@ class NtsLearner final : public Learner {
         net_.Describe(at::cat(inputs), at::detail::createCPUGenerator(work.seed));
     return Losses(parts.explorable, net_.Compare(parts.Select(all.source), parts.Select(all.goal)),
                   all)
-        .Total();
+        .Total(config_.score_contrast.value_or(0.0));
   }
 
   Measures Validate(const BatchSource& batches, int count, sim::WorkerPool* pool) override {
@@ -67,7 +67,7 @@ class NtsLearner final : public Learner {
 
   void Save(std::map<std::string, std::string> notes,
             const std::filesystem::path& file) const override {
-    agent::SaveNet(net_, std::move(notes), agent::StoredType::kFloat32, file);
+    agent::SaveNet(net_, std::move(notes), agent::StoredType::kBfloat16, file);
   }
 
  private:
@@ -92,6 +92,7 @@ TrainTask NtsTask(const TrainConfig& config) {
   task.make = [config] {
     return std::make_unique<NtsLearner>(config);
   };
+  task.title = "The learned functions of Neural Topological SLAM";
   task.describe = Describe;
   task.curves_label = "share right, validation";
   task.curves = {{"same node (guessing: 0.5)", "connection"},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/training/scene_batches.h"
 
+#include <algorithm>
 #include <mutex>
 #include <numeric>
 #include <string>
@@ -24,6 +25,23 @@ std::vector<int> Draw(int count, int below, sim::Rng* rng) {
   return numbers;
 }
 
+/// `count` places from among the nearest to one of them, in a straight line.
+std::vector<int> DrawNear(int count, const SceneSamples& samples, sim::Rng* rng) {
+  constexpr int kCrowd = 4;  // times as many are near enough
+  const int middle = rng->Below(samples.count());
+  std::vector<int> places(static_cast<std::size_t>(samples.count()));
+  std::iota(places.begin(), places.end(), 0);
+  const auto distance = [&](int place) {
+    return place == middle ? 0 : samples.pair(middle, place).distance;
+  };
+  std::stable_sort(places.begin(), places.end(), [&](int a, int b) {
+    return distance(a) < distance(b);
+  });
+  std::vector<int> chosen = Draw(count, std::min(kCrowd * count, samples.count()), rng);
+  for (int& place : chosen) place = places[static_cast<std::size_t>(place)];
+  return chosen;
+}
+
 /// The labels of a pair; a place has none of the way to itself.
 void AddPair(const SceneSamples& samples, int source, int goal, PairBatch* batch) {
   const PairLabel& label = samples.pair(source, goal);
@@ -40,22 +58,18 @@ void AddPair(const SceneSamples& samples, int source, int goal, PairBatch* batch
 
 }  // namespace
 
-SceneBatches::SceneBatches(const DataConfig& config, int panoramas, bool with_depth,
-                           std::uint64_t seed,
+SceneBatches::SceneBatches(const DataConfig& config, const BatchSpec& spec,
                            const std::function<void(const LabelledScene&)>& advance)
-    : panoramas_(panoramas),
-      with_depth_(with_depth),
-      seed_(seed),
-      pixels_(config.panorama.pixels()) {
+    : spec_(spec), pixels_(config.panorama.pixels()) {
   std::mutex telling;
   std::vector<LabelledScene> labelled = LabelScenes(config, 0, [&](const LabelledScene& scene) {
     const std::lock_guard lock(telling);
     advance(scene);
   });
   for (LabelledScene& one : labelled) {
-    if (one.samples.count() < panoramas) {
+    if (one.samples.count() < spec.panoramas) {
       throw sim::Error(one.file.string() + " has " + std::to_string(one.samples.count()) +
-                       " labelled points, fewer than a batch of " + std::to_string(panoramas));
+                       " labelled points, fewer than a batch of " + std::to_string(spec.panoramas));
     }
     Scene& scene = scenes_.emplace_back();
     scene.samples = std::move(one.samples);
@@ -66,15 +80,17 @@ SceneBatches::SceneBatches(const DataConfig& config, int panoramas, bool with_de
 }
 
 PairBatch SceneBatches::Batch(std::uint64_t number) const {
-  sim::Rng rng = sim::Rng(seed_, "training batch").Fork("number", number);
+  sim::Rng rng = sim::Rng(spec_.seed, "training batch").Fork("number", number);
   const Scene& scene =
       scenes_[static_cast<std::size_t>(rng.Below(static_cast<int>(scenes_.size())))];
-  const std::vector<int> chosen = Draw(panoramas_, scene.samples.count(), &rng);
+  const bool is_near = spec_.near_batches > 0.0 && rng.Chance(spec_.near_batches);
+  const std::vector<int> chosen = is_near ? DrawNear(spec_.panoramas, scene.samples, &rng)
+                                          : Draw(spec_.panoramas, scene.samples.count(), &rng);
   PairBatch batch;
-  batch.count = panoramas_;
-  const auto n = static_cast<std::size_t>(panoramas_);
+  batch.count = spec_.panoramas;
+  const auto n = static_cast<std::size_t>(spec_.panoramas);
   batch.color.resize(3 * pixels_ * n);
-  if (with_depth_) batch.depth.resize(pixels_ * n);
+  if (spec_.with_depth) batch.depth.resize(pixels_ * n);
   {
     const std::lock_guard lock(*scene.drawing);
     scene.panoramas->Render(scene.samples.poses, chosen, batch.color, batch.depth);

@@ -12,14 +12,22 @@
 
 namespace bulletnav::bench {
 
+/// What the batches of SceneBatches are like.
+struct BatchSpec {
+  int panoramas = 16;         // in each
+  bool with_depth = false;    // or colour alone
+  double near_batches = 0.0;  // share of them with panoramas from around one point of the scene
+  std::uint64_t seed = 0;
+};
+
 /// Batches from labelled scenes: each of random points of one random scene, the panoramas drawn
 /// anew. Batch(number) is a function of config, seed and number. All scenes are kept in memory,
 /// about 50 MB each.
 class SceneBatches final : public BatchSource {
  public:
   /// Labels scenes that are not yet, loads all of them, with a call of `advance` after each.
-  /// Throws sim::Error: see LabelScene; also if a scene has fewer points than `panoramas`.
-  SceneBatches(const DataConfig& config, int panoramas, bool with_depth, std::uint64_t seed,
+  /// Throws sim::Error: see LabelScene; also if a scene has fewer points than panoramas.
+  SceneBatches(const DataConfig& config, const BatchSpec& spec,
                const std::function<void(const LabelledScene&)>& advance);
 
   PairBatch Batch(std::uint64_t number) const override;
@@ -32,9 +40,7 @@ class SceneBatches final : public BatchSource {
     std::unique_ptr<std::mutex> drawing;  // panoramas draw for one batch at a time
   };
 
-  int panoramas_;
-  bool with_depth_;
-  std::uint64_t seed_;
+  BatchSpec spec_;
   std::size_t pixels_;
   std::vector<Scene> scenes_;
 };

@@ -42,6 +42,9 @@ void TrainPlan::Validate() const {
   RequireAtLeast(1, steps, "steps");
   RequireAtLeast(1, scenes, "scenes");
   RequireAtLeast(2, panoramas, "panoramas");
+  if (!(near_batches.value_or(0.0) >= 0.0 && near_batches.value_or(0.0) <= 1.0)) {
+    throw sim::Error("near_batches must be in [0, 1]");
+  }
   RequireAtLeast(1, validate_every, "validate_every");
   RequireAtLeast(1, validation_batches, "validation_batches");
   RequireAtLeast(1, lanes, "lanes");
@@ -52,6 +55,9 @@ void TrainConfig::Validate() const {
   TrainPlan::Validate();
   RequireTask(*this, Trained::kNts);
   RequireAtLeast(2, pairs, "pairs");
+  if (!(score_contrast.value_or(0.0) >= 0.0)) {
+    throw sim::Error("score_contrast must not be negative");
+  }
 }
 
 void MapperTrainConfig::Validate() const {

@@ -66,9 +66,12 @@ struct TrainPlan {
   OptimiserSpec optimiser;
   AugmentSpec augment;
   int steps = 20000;
-  int scenes = 4;            // batches a step
-  int lanes = 2;             // that share them; each normalises by its own batches
-  int panoramas = 16;        // in each batch
+  int scenes = 4;      // batches a step
+  int lanes = 2;       // that share them; each normalises by its own batches
+  int panoramas = 16;  // in each batch
+  /// Share of the batches whose panoramas are near one another: pairs that are easily mistaken for
+  /// one node. Default: none, panoramas are from anywhere in the scene.
+  std::optional<double> near_batches;
   int validate_every = 500;  // steps; a checkpoint is written then, too
   int validation_batches = 32;
   std::uint64_t seed = 0;
@@ -92,6 +95,7 @@ struct TrainPlan {
     v("scenes", scenes);
     v("lanes", lanes);
     v("panoramas", panoramas);
+    v("near_batches", near_batches);
   }
   template <class V>
   void VisitValidation(V& v) {
@@ -105,6 +109,9 @@ struct TrainPlan {
 struct TrainConfig : TrainPlan {
   agent::ModelConfig model;
   int pairs = 64;  // compared of each batch, half of them of one node if there are enough
+  /// Weight of the scores' differences between directions, besides the scores themselves: what the
+  /// choice of a direction hangs on. Default: none, as in the paper.
+  std::optional<double> score_contrast;
 
   template <class V>
   void Visit(V& v) {
@@ -112,6 +119,7 @@ struct TrainConfig : TrainPlan {
     v("model", model);
     VisitSteps(v);
     v("pairs", pairs);
+    v("score_contrast", score_contrast);
     VisitValidation(v);
   }
   /// Throws Error.

@@ -21,6 +21,7 @@ struct CurveLine {
 
 /// A training of one kind of model, for the trainer of all.
 struct TrainTask {
+  std::string title;  // what is trained, for people
   TrainPlan plan;
   std::string config;   // all that the user said, as YAML
   std::string essence;  // the same without the folder: what the result follows from

@@ -2,6 +2,7 @@
 #include "benchmark/training/trainer.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <thread>
@@ -15,6 +16,7 @@
 #include "benchmark/training/checkpoint.h"
 #include "benchmark/training/curves.h"
 #include "benchmark/training/learner.h"
+#include "benchmark/training/model_card.h"
 #include "benchmark/training/train_lanes.h"
 #include "benchmark/training/train_task.h"
 #include "sim/base/error.h"
@@ -24,6 +26,7 @@ namespace bulletnav::bench {
 namespace {
 
 namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
 
 std::filesystem::path MadeFolder(const fs::path& folder) {
   sim::MakeFolder(folder);
@@ -53,18 +56,25 @@ class Trainer {
     if (found) state_ = *found;
     if (state_.step > 0) observer_->Resumed(state_.step);
     Curves curves(folder_ / "curves.csv", state_.step);
+    const Clock::time_point start = Clock::now();
+    const double before = state_.seconds;
     double loss_sum = 0.0;
     int since = 0;
     while (state_.step < plan_.steps) {
       loss_sum += Step();
       ++since;
       if (state_.step % plan_.validate_every != 0 && state_.step < plan_.steps) continue;
+      state_.seconds = before + std::chrono::duration<double>(Clock::now() - start).count();
       curves.Append(Validated(loss_sum / since));
       checkpoints_.Write(state_, learner_->net(), adam_);
       loss_sum = 0.0;
       since = 0;
     }
     Save("weights.safetensors");
+    learner_->net().eval();
+    const Measures measures = learner_->Validate(*validation_, plan_.validation_batches, &pool_);
+    sim::WriteFileAtomically(folder_ / "weights.md",
+                             ModelCard(task_, state_.step, state_.seconds, measures));
     WriteFigure(CurvesFigure(curves.points(), task_.curves, task_.curves_label),
                 folder_ / "curves");
   }

@@ -26,12 +26,12 @@ class TrainObserver {
 };
 
 /// Trains a model and writes to the plan's folder: weights.safetensors, the result;
-/// weights_best.safetensors, of the lowest validation loss so far; curves.csv, curves.svg and
-/// curves.png; checkpoints. A training that was killed goes on from its last checkpoint when called
-/// again, and ends with the same bits as one that was not, on any number of threads. Validation
-/// batches are number 0 on of `validation`.
-/// Throws Error if the loss is no longer a number (the last good checkpoint stays), if a checkpoint
-/// is of another config or if another process trains there; FileError if files cannot be written.
+/// weights.md, a card about it; weights_best.safetensors, of the lowest validation loss so far;
+/// curves.csv, curves.svg and curves.png; checkpoints. A training that was killed goes on from its
+/// last checkpoint when called again, and ends with the same bits as one that was not, on any
+/// number of threads. Validation batches are number 0 on of `validation`. Throws Error if the loss
+/// is no longer a number (the last good checkpoint stays), if a checkpoint is of another config or
+/// if another process trains there; FileError if files cannot be written.
 void RunTraining(const TrainTask& task, const BatchSource& train, const BatchSource& validation,
                  TrainObserver* observer);
 

@@ -59,6 +59,11 @@ TEST(Losses, AreAsWorkedOutByHand) {
               0.5 * (yes + no) + std::log(12.0) + std::log(2.0) +
                   10.0 * (0.04 + (10 * 0.0625 + 0.16) / 11.0),
               1e-4);
+  const double mean_error = (10 * 0.25 - 0.4) / 11.0;
+  const double contrast = (10 * 0.0625 + 0.16) / 11.0 - mean_error * mean_error;
+  EXPECT_NEAR(losses.contrast.item<double>(), contrast, 1e-5);
+  EXPECT_NEAR(losses.Total(20.0).item<double>() - losses.Total().item<double>(), 20.0 * contrast,
+              1e-4);
 }
 
 TEST(Losses, AreZeroAndFiniteWithoutLabels) {

@@ -17,6 +17,7 @@ namespace bulletnav::bench {
 namespace {
 
 namespace fs = std::filesystem;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using tests::BarSource;
 
@@ -94,6 +95,9 @@ TEST_F(TrainNtsTest, ResumedIsTheSameAsUninterruptedBitForBit) {
   EXPECT_EQ(agent::ReadTensorFile(folder_.path() / "parts/weights.safetensors").tensors, weights);
   EXPECT_TRUE(fs::exists(folder_.path() / "parts/weights_best.safetensors"));
   EXPECT_TRUE(fs::exists(folder_.path() / "parts/curves.png"));
+  EXPECT_THAT(sim::ReadTextFile(folder_.path() / "parts/weights.md"),
+              AllOf(HasSubstr("| 6 of 6, 8 panoramas in each, 48 in all |"),
+                    HasSubstr("| connection | "), HasSubstr("pair_features: 32")));
 }
 
 TEST_F(TrainNtsTest, DamagedCheckpointFallsBackToTheOneBefore) {

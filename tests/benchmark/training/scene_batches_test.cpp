@@ -26,8 +26,8 @@ class SceneBatchesTest : public testing::Test {
     sim::WriteFileAtomically(file, sim::EncodeGlb(mesh));
     config_.scenes.push_back(file.string());
   }
-  SceneBatches Make(int panoramas, std::uint64_t seed = 1) const {
-    return {config_, panoramas, true, seed, [](const LabelledScene&) {}};
+  SceneBatches Make(int panoramas, std::uint64_t seed = 1, double near_batches = 0.0) const {
+    return {config_, {panoramas, true, near_batches, seed}, [](const LabelledScene&) {}};
   }
 
   tests::TemporaryFolder folder_;
@@ -64,6 +64,20 @@ TEST_F(SceneBatchesTest, LabelsStandWhereTheyBelong) {
     }
   }
   EXPECT_GT(near, 0);
+}
+
+TEST_F(SceneBatchesTest, NearBatchesHoldMorePairsOfOneNode) {
+  config_.points = 40;
+  config_.scenes.resize(1);
+  const auto near_pairs = [](const SceneBatches& batches) {
+    int near = 0;
+    for (std::uint64_t number = 0; number < 8; ++number) {
+      const PairBatch batch = batches.Batch(number);
+      for (const std::uint8_t same_node : batch.same_node) near += same_node;
+    }
+    return near;
+  };
+  EXPECT_GT(near_pairs(Make(5, 1, 1.0)), 1.3 * near_pairs(Make(5)));
 }
 
 TEST_F(SceneBatchesTest, RefusesMorePanoramasThanThereArePoints) {
