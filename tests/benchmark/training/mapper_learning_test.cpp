@@ -5,8 +5,8 @@
 
 #include "agent/perception/semantic_model.h"
 #include "benchmark/training/mapper_trainer.h"
-#include "benchmark/training/training_log.h"
 #include "sim/math/rng.h"
+#include "tests/benchmark/training/watchers.h"
 #include "tests/support/panoramas.h"
 #include "tests/support/scenes.h"
 #include "tests/support/temporary_folder.h"
@@ -52,19 +52,6 @@ class RoomSource final : public BatchSource {
   std::unique_ptr<const sim::RenderScene> scene_;
 };
 
-class LastMeasures : public TrainingLog {
- public:
-  using TrainingLog::TrainingLog;
-  void Validated(int step, const Measures& measures, const std::string& text) override {
-    TrainingLog::Validated(step, measures, text);
-    measures_ = measures;
-  }
-  double at(const std::string& name) const { return measures_.at(name); }
-
- private:
-  Measures measures_;
-};
-
 TEST(TrainMapper, LearnsTheWallsOfARoom) {
   const tests::TemporaryFolder folder;
   MapperTrainConfig config;
@@ -80,7 +67,7 @@ TEST(TrainMapper, LearnsTheWallsOfARoom) {
   config.panoramas = 8;
   config.validate_every = config.steps;
   config.validation_batches = 4;
-  LastMeasures log(config, &std::cout);
+  tests::LastMeasures log(config, &std::cout);
   RunTraining(MapperTask(config), RoomSource(config.panoramas, 1), RoomSource(config.panoramas, 2),
               &log);
   EXPECT_GT(log.at("explored_iou"), 0.85);

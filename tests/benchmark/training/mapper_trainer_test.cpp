@@ -11,6 +11,7 @@
 #include "sim/base/error.h"
 #include "sim/base/files.h"
 #include "tests/benchmark/training/bar_world.h"
+#include "tests/benchmark/training/watchers.h"
 #include "tests/support/temporary_folder.h"
 
 namespace bulletnav::bench {
@@ -20,41 +21,14 @@ namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 using tests::BarSource;
+using tests::Killed;
+using tests::Watcher;
 
 MapperTrainConfig TinyConfig(const fs::path& out) {
-  MapperTrainConfig config;
-  config.out = out;
-  config.model.width = 8;
-  config.model.rows = 32;
+  auto config = tests::TinyTraining<MapperTrainConfig>(out);
   config.model.features = 16;
-  config.optimiser.warmup_steps = 2;
-  config.steps = 6;
-  config.scenes = 2;
-  config.panoramas = 4;
-  config.validate_every = 2;
-  config.validation_batches = 1;
   return config;
 }
-
-/// Ends a training like a kill would: after a step, anywhere.
-struct Killed {};
-
-class Watcher : public TrainObserver {
- public:
-  explicit Watcher(int kill_at = 0) : kill_at_(kill_at) {}
-  void Resumed(int step) override { resumed_ = step; }
-  void Stepped(int step, double) override {
-    if (step == kill_at_) throw Killed();
-  }
-  void Validated(int, const Measures&, const std::string& text) override { text_ = text; }
-  int resumed() const { return resumed_; }
-  const std::string& text() const { return text_; }
-
- private:
-  int kill_at_;
-  int resumed_ = 0;
-  std::string text_;
-};
 
 class MapperTrainerTest : public testing::Test {
  protected:

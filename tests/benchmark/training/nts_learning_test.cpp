@@ -4,25 +4,12 @@
 #include <gtest/gtest.h>
 
 #include "benchmark/training/nts_trainer.h"
-#include "benchmark/training/training_log.h"
 #include "tests/benchmark/training/bar_world.h"
+#include "tests/benchmark/training/watchers.h"
 #include "tests/support/temporary_folder.h"
 
 namespace bulletnav::bench {
 namespace {
-
-class LastMeasures : public TrainingLog {
- public:
-  using TrainingLog::TrainingLog;
-  void Validated(int step, const Measures& measures, const std::string& text) override {
-    TrainingLog::Validated(step, measures, text);
-    measures_ = measures;
-  }
-  double at(const std::string& name) const { return measures_.at(name); }
-
- private:
-  Measures measures_;
-};
 
 TEST(TrainNts, LearnsWhereThingsAreFromBars) {
   const tests::TemporaryFolder folder;
@@ -42,7 +29,7 @@ TEST(TrainNts, LearnsWhereThingsAreFromBars) {
   config.validation_batches = 10;
   tests::BarSource train(config.panoramas, 1);
   tests::BarSource validation(config.panoramas, 2);
-  LastMeasures log(config, &std::cout);
+  tests::LastMeasures log(config, &std::cout);
   RunTraining(NtsTask(config), train, validation, &log);
   EXPECT_GT(log.at("connection"), 0.75);
   EXPECT_GT(log.at("direction"), 0.3);
