@@ -34,7 +34,7 @@ struct PolicySpec {
   int sightings = 2;             // of the goal from the body that must agree
   double path_weight = 1.0;      // metres of score that a metre of way to a ghost counts
   double change_margin = 1.0;    // better by this another ghost takes over from the chosen one
-  double view_margin = 4.0;      // better by this the present view becomes a node
+  double view_margin = 2.5;      // better by this the present view becomes a node
   double near_ghost = 1.5;       // to a ghost of such a view where 3 m are not explorable
   double near_penalty = 1.0;     // added to the way by such a ghost
   double ghost_frontier = 1.5;   // ghosts with no end of known floor this near are no news; 0: all
