@@ -11,8 +11,6 @@
 namespace bulletnav::agent {
 namespace {
 
-constexpr double kAtGoal = 0.3;  // metres from where it would be quite certain
-
 /// Maps with depth, walks to the nearest frontier until the goal is seen, then to the goal.
 /// Source: Neural Topological SLAM, section 5.1 "Metric Spatial Map + FBE + Local". What the paper
 /// leaves open: where the goal was last seen is kept on the map until the body gets there; with

@@ -7,6 +7,9 @@
 
 namespace bulletnav::agent {
 
+/// Metres from a goal from where an agent would be quite certain of it, if it were there.
+inline constexpr double kAtGoal = 0.3;
+
 /// Where the goal is in the agent's plane, from sightings by F_R that each err: a mean in which
 /// near sightings weigh more, for their bearing errs by less, and old ones less.
 class GoalTrack {

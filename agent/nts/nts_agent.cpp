@@ -14,7 +14,6 @@ namespace {
 constexpr int kGoalItself = -1;       // for the watch, which tells ghosts and nodes by number
 constexpr int kFirstNode = 1 << 20;   // nodes' numbers there
 constexpr double kSlack = 0.3;        // metres that a way may be longer than straight
-constexpr double kAtGoal = 0.3;       // metres from where it would be quite certain
 constexpr double kNowhereToGo = 0.1;  // metres to a waypoint
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "agent/perception/semantic_model.h"
+#include "sim/base/check.h"
 
 namespace bulletnav::agent {
 namespace {
@@ -162,6 +163,21 @@ torch::Tensor PrepareInput(const ModelConfig& config, const torch::Tensor& color
     if (config.uses_depth()) AverageDepth(depths.data_ptr<float>() + first, factor, out + 3);
   }
   return pixels.permute({0, 3, 1, 2});
+}
+
+torch::Tensor PrepareInput(const ModelConfig& config, const Panorama& panorama) {
+  constexpr std::size_t kPixels = std::size_t{kPanoramaRows} * kPanoramaCols;
+  CHECK_EQ(panorama.color.size(), 3 * kPixels);
+  // Torch has no tensors of constants; these are only read.
+  const torch::Tensor color = torch::from_blob(const_cast<std::uint8_t*>(panorama.color.data()),
+                                               {1, kPanoramaRows, kPanoramaCols, 3}, torch::kUInt8);
+  torch::Tensor depth;
+  if (config.uses_depth()) {
+    CHECK_EQ(panorama.depth.size(), kPixels);
+    depth = torch::from_blob(const_cast<float*>(panorama.depth.data()),
+                             {1, kPanoramaRows, kPanoramaCols}, torch::kFloat32);
+  }
+  return PrepareInput(config, color, depth);
 }
 
 torch::ScalarType ComputeType(const ModelConfig& config) {

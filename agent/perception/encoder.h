@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 
+#include "agent/observation.h"
 #include "agent/perception/model_config.h"
 #include "agent/perception/trunk.h"
 
@@ -42,6 +43,8 @@ class Encoder : public torch::nn::Module {
 /// metres, not read if unused. Depth counts up to 10 m; no return (0) stays apart from that.
 torch::Tensor PrepareInput(const ModelConfig& config, const torch::Tensor& color,
                            const torch::Tensor& depth);
+/// Of one panorama, [1, channels, rows, cols].
+torch::Tensor PrepareInput(const ModelConfig& config, const Panorama& panorama);
 
 /// The trunk of a configuration, for pictures of `in` channels.
 Trunk::Shape TrunkShape(const ModelConfig& config, int in);

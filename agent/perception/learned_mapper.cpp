@@ -32,12 +32,7 @@ class LearnedMapper::Impl {
   FreeSpace Predict(const Panorama& panorama) {
     const c10::InferenceMode inference;
     StayInThisThread();
-    CHECK_EQ(panorama.color.size(), std::size_t{3} * kPanoramaRows * kPanoramaCols);
-    // Torch has no tensors of constants; these are only read.
-    const torch::Tensor color =
-        torch::from_blob(const_cast<std::uint8_t*>(panorama.color.data()),
-                         {1, kPanoramaRows, kPanoramaCols, 3}, torch::kUInt8);
-    const torch::Tensor input = PrepareInput(net_->config().seeing(), color, {});
+    const torch::Tensor input = PrepareInput(net_->config().seeing(), panorama);
     const torch::Tensor map = net_->forward(input).sigmoid();
     FreeSpace space;
     space.explored = ToGrid(map.select(1, 0));

@@ -52,7 +52,7 @@ class LearnedModel::Impl {
   PanoramaCode Encode(const Panorama& panorama) {
     const c10::InferenceMode inference;
     StayInThisThread();
-    const PanoramaParts parts = net_->Describe(Input(panorama));
+    const PanoramaParts parts = net_->Describe(PrepareInput(config(), panorama));
     PanoramaCode code;
     code.reserve(layout().size());
     Append(parts.explorable.sigmoid(), &code);
@@ -81,22 +81,6 @@ class LearnedModel::Impl {
   }
 
  private:
-  torch::Tensor Input(const Panorama& panorama) const {
-    constexpr std::size_t kPixels = std::size_t{kPanoramaRows} * kPanoramaCols;
-    CHECK_EQ(panorama.color.size(), 3 * kPixels);
-    // Torch has no tensors of constants; these are only read.
-    const torch::Tensor color =
-        torch::from_blob(const_cast<std::uint8_t*>(panorama.color.data()),
-                         {1, kPanoramaRows, kPanoramaCols, 3}, torch::kUInt8);
-    torch::Tensor depth;
-    if (config().uses_depth()) {
-      CHECK_EQ(panorama.depth.size(), kPixels);
-      depth = torch::from_blob(const_cast<float*>(panorama.depth.data()),
-                               {1, kPanoramaRows, kPanoramaCols}, torch::kFloat32);
-    }
-    return PrepareInput(config(), color, depth);
-  }
-
   PanoramaParts Parts(const PanoramaCode& code) const {
     CHECK_EQ(code.size(), layout().size());
     std::int64_t at = kDirections;

@@ -124,11 +124,8 @@ void MapperNet::Fold() {
 
 void SaveMapper(const MapperNet& net, std::map<std::string, std::string> notes, StoredType type,
                 const std::filesystem::path& file) {
-  TensorFile content;
-  content.metadata = std::move(notes);
-  content.metadata[kMapperKey] = sim::ToYaml(net.config());
-  AppendWeights(net, "", &content);
-  WriteTensorFile(file, content, type);
+  notes[kMapperKey] = sim::ToYaml(net.config());
+  SaveWeights(net, std::move(notes), type, file);
 }
 
 std::shared_ptr<MapperNet> LoadMapper(const std::filesystem::path& file) {

@@ -6,6 +6,7 @@
 #include "sim/config/yaml_writer.h"
 
 namespace bulletnav::agent {
+
 SemanticNet::SemanticNet(const ModelConfig& config, std::uint64_t seed) : config_(config) {
   sim::Rng rng(seed, "semantic_net");
   encoder_ = register_module("encoder", std::make_shared<Encoder>(config, &rng));
@@ -27,11 +28,8 @@ void SemanticNet::Fold() {
 
 void SaveNet(const SemanticNet& net, std::map<std::string, std::string> notes, StoredType type,
              const std::filesystem::path& file) {
-  TensorFile content;
-  content.metadata = std::move(notes);
-  content.metadata[kModelKey] = sim::ToYaml(net.config());
-  AppendWeights(net, "", &content);
-  WriteTensorFile(file, content, type);
+  notes[kModelKey] = sim::ToYaml(net.config());
+  SaveWeights(net, std::move(notes), type, file);
 }
 
 std::shared_ptr<SemanticNet> LoadNet(const std::filesystem::path& file) {

@@ -2,6 +2,7 @@
 #include "agent/perception/weights.h"
 
 #include <sstream>
+#include <utility>
 
 #include "sim/base/error.h"
 
@@ -63,6 +64,14 @@ void SetWeights(const TensorFile& content, const std::string& prefix,
       throw sim::FileError(file, name, "is not in the model: these are weights of another one");
     }
   }
+}
+
+void SaveWeights(const torch::nn::Module& net, std::map<std::string, std::string> notes,
+                 StoredType type, const std::filesystem::path& file) {
+  TensorFile content;
+  content.metadata = std::move(notes);
+  AppendWeights(net, "", &content);
+  WriteTensorFile(file, content, type);
 }
 
 }  // namespace bulletnav::agent

@@ -17,6 +17,10 @@ void AppendWeights(const torch::nn::Module& net, const std::string& prefix, Tens
 void SetWeights(const TensorFile& content, const std::string& prefix,
                 const std::filesystem::path& file, torch::nn::Module* net);
 
+/// Writes a net's weights with `notes` as metadata.
+void SaveWeights(const torch::nn::Module& net, std::map<std::string, std::string> notes,
+                 StoredType type, const std::filesystem::path& file);
+
 /// Between tensors of float32 and their stored form.
 TensorFile::Tensor ToStored(const torch::Tensor& tensor);
 torch::Tensor FromStored(const TensorFile::Tensor& stored);

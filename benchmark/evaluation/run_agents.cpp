@@ -95,12 +95,27 @@ bool TakesMapper(const AgentEntry& entry, Setting setting) {
   return setting == Setting::kRgb && entry.semantic_model != SemanticModelKind::kNone;
 }
 
-/// Absent if there is no such file.
+/// As FindWeights; absent if there is no such file.
 std::optional<fs::path> FindIfThere(const std::string& weights) {
-  try {
-    return FindWeights(weights);
-  } catch (const sim::FileError&) {
-    return std::nullopt;
+  if (fs::exists(weights)) return weights;
+  fs::path folder = fs::read_symlink("/proc/self/exe");
+  while (fs::path(weights).is_relative() && folder.has_relative_path()) {
+    folder = folder.parent_path();
+    if (fs::exists(folder / weights)) return folder / weights;
+  }
+  return std::nullopt;
+}
+
+/// The functions that an agent asks the ground truth for.
+void AddOracles(const AgentEntry& entry, const GroundTruth& truth, agent::AgentContext* context) {
+  const auto oracle = std::make_shared<OracleSemanticModel>(truth);
+  if (entry.semantic_model == SemanticModelKind::kOracle) {
+    context->goal_estimator = std::make_shared<OracleGoalEstimator>(truth);
+    context->semantic_model = oracle;
+  } else if (!entry.oracle_functions.empty()) {
+    context->semantic_model = std::make_shared<MixedSemanticModel>(
+        context->semantic_model, oracle,
+        std::set<SemanticFunction>(entry.oracle_functions.begin(), entry.oracle_functions.end()));
   }
 }
 
@@ -119,19 +134,9 @@ std::vector<agent::AgentContext> ContextsOf(const RunAgent& agent, const agent::
       shared.mapper = agent.loaders.mapper(*file, rig);
     }
   }
-  std::vector<agent::AgentContext> contexts;
-  for (const GroundTruth* truth : truths) {
-    agent::AgentContext& context = contexts.emplace_back(shared);
-    const auto oracle = std::make_shared<OracleSemanticModel>(*truth);
-    if (agent.is_learned() && !agent.entry.oracle_functions.empty()) {
-      const auto& functions = agent.entry.oracle_functions;
-      context.semantic_model = std::make_shared<MixedSemanticModel>(
-          shared.semantic_model, oracle,
-          std::set<SemanticFunction>(functions.begin(), functions.end()));
-    }
-    if (agent.entry.semantic_model != SemanticModelKind::kOracle) continue;
-    context.goal_estimator = std::make_shared<OracleGoalEstimator>(*truth);
-    context.semantic_model = oracle;
+  std::vector<agent::AgentContext> contexts(truths.size(), shared);
+  for (std::size_t i = 0; i < truths.size(); ++i) {
+    AddOracles(agent.entry, *truths[i], &contexts[i]);
   }
   return contexts;
 }
@@ -184,12 +189,7 @@ ModelLoaders WeightsCheck() {
 }
 
 fs::path FindWeights(const std::string& weights) {
-  if (fs::exists(weights)) return weights;
-  fs::path folder = fs::read_symlink("/proc/self/exe");
-  while (fs::path(weights).is_relative() && folder.has_relative_path()) {
-    folder = folder.parent_path();
-    if (fs::exists(folder / weights)) return folder / weights;
-  }
+  if (const auto file = FindIfThere(weights)) return *file;
   throw sim::FileError(weights, "", "does not exist; train it: bulletnav train configs/train/...");
 }
 
