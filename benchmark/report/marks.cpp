@@ -35,6 +35,17 @@ void FillAndOutline(const std::vector<Point>& polygon, const Paint& fill, const 
   canvas->Outline(polygon, outline);
 }
 
+void DrawTick(const Point& at, Canvas* canvas) {
+  const std::vector<Point> tick = {at + Point(-2.7, 0.2), at + Point(-0.8, 2.3),
+                                   at + Point(2.8, -2.2)};
+  canvas->Polyline(tick, {1.5, kWhite, {}});
+}
+
+void DrawCross(const Point& at, Canvas* canvas) {
+  canvas->Line(at + Point(-2.3, -2.3), at + Point(2.3, 2.3), 1.5, kWhite);
+  canvas->Line(at + Point(-2.3, 2.3), at + Point(2.3, -2.3), 1.5, kWhite);
+}
+
 }  // namespace
 
 void DrawStart(const Point& at, double heading, Canvas* canvas) {
@@ -61,21 +72,26 @@ void DrawGoal(const Point& at, const std::string& number, Canvas* canvas) {
   }
 }
 
-void DrawStop(const Point& at, bool success, Canvas* canvas) {
+void DrawEnd(const Point& at, EndKind kind, Canvas* canvas) {
+  const Stroke rim = {1.4, kWhite, {}};
   const auto octagon = Polygon(at, 6.2, 8, sim::kPi / 8.0);
-  FillAndOutline(octagon, success ? kGreen : kVermillion, {1.4, kWhite, {}}, canvas);
-  if (success) {
-    const std::vector<Point> tick = {at + Point(-2.7, 0.2), at + Point(-0.8, 2.3),
-                                     at + Point(2.8, -2.2)};
-    canvas->Polyline(tick, {1.5, kWhite, {}});
-    return;
+  switch (kind) {
+    case EndKind::kStopAtGoal:
+      FillAndOutline(octagon, kGreen, rim, canvas);
+      DrawTick(at, canvas);
+      return;
+    case EndKind::kStopElsewhere:
+      FillAndOutline(octagon, kVermillion, rim, canvas);
+      DrawCross(at, canvas);
+      return;
+    case EndKind::kReached:
+      FillAndOutline(Polygon(at, 5.6, 32, 0.0), kGreen, rim, canvas);
+      DrawTick(at, canvas);
+      return;
+    case EndKind::kNoStop:
+      FillAndOutline(Polygon(at, 7.0, 4, sim::kPi / 4.0), kInk, rim, canvas);
+      return;
   }
-  canvas->Line(at + Point(-2.3, -2.3), at + Point(2.3, 2.3), 1.5, kWhite);
-  canvas->Line(at + Point(-2.3, 2.3), at + Point(2.3, -2.3), 1.5, kWhite);
-}
-
-void DrawEnd(const Point& at, Canvas* canvas) {
-  FillAndOutline(Polygon(at, 7.0, 4, sim::kPi / 4.0), kInk, {1.4, kWhite, {}}, canvas);
 }
 
 void DrawCollision(const Point& at, Canvas* canvas) {

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "benchmark/report/canvas.h"
+#include "benchmark/report/goal_ends.h"
 
 namespace bulletnav::bench {
 
@@ -12,10 +13,9 @@ namespace bulletnav::bench {
 void DrawStart(const Canvas::Point& at, double heading, Canvas* canvas);
 /// A star; with a number in it for one goal of several.
 void DrawGoal(const Canvas::Point& at, const std::string& number, Canvas* canvas);
-/// An octagon where the agent said stop: green at a goal, else vermillion and crossed out.
-void DrawStop(const Canvas::Point& at, bool success, Canvas* canvas);
-/// A square where the agent was when its steps were over.
-void DrawEnd(const Canvas::Point& at, Canvas* canvas);
+/// Where the way to a goal ended. An octagon where the agent said stop: green at a goal, else
+/// vermillion and crossed out; a green disc where being near was enough; a square without stop.
+void DrawEnd(const Canvas::Point& at, EndKind kind, Canvas* canvas);
 void DrawCollision(const Canvas::Point& at, Canvas* canvas);
 /// Where the agent wanted to go.
 void DrawTarget(const Canvas::Point& at, Canvas* canvas);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "benchmark/report/goal_ends.h"
 #include "benchmark/report/marks.h"
 #include "benchmark/report/palette.h"
 
@@ -66,16 +67,6 @@ std::vector<sim::BodyPose> TruePoses(const EpisodeTrajectory& trajectory) {
   std::vector<sim::BodyPose> poses = {trajectory.start};
   for (const TrajectoryStep& step : trajectory.steps) poses.push_back(step.pose);
   return poses;
-}
-
-bool IsGoodStop(const EpisodeTrajectory& trajectory, const TrajectoryStep& step) {
-  constexpr double kReach = 1.0;  // metres, straight; a success is nearer, on the floor
-  const auto& goals = trajectory.goals;
-  for (std::size_t i = 0; i < std::min(goals.size(), trajectory.result.goals.size()); ++i) {
-    const double distance = (goals[i].position - step.pose.position).norm();
-    if (trajectory.result.goals[i].success && distance < kReach) return true;
-  }
-  return false;
 }
 
 void DrawBelief(const EpisodeTrajectory& trajectory, const MapPlace& place, Canvas* canvas) {
@@ -151,12 +142,8 @@ void DrawMarks(const EpisodeTrajectory& trajectory, const MapPlace& place, Canva
   }
   const Eigen::Vector3d ahead = trajectory.start.forward();
   DrawStart(place.At(trajectory.start.position), std::atan2(ahead.z(), ahead.x()), canvas);
-  for (const TrajectoryStep& step : steps) {
-    if (step.action != sim::Action::kStop) continue;
-    DrawStop(place.At(step.pose.position), IsGoodStop(trajectory, step), canvas);
-  }
-  if (!steps.empty() && steps.back().action != sim::Action::kStop) {
-    DrawEnd(place.At(steps.back().pose.position), canvas);
+  for (const GoalEnd& end : GoalEnds(trajectory)) {
+    DrawEnd(place.At(end.pose.position), end.kind, canvas);
   }
 }
 

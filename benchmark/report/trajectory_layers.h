@@ -11,9 +11,6 @@ namespace bulletnav::bench {
 /// Where the body stood at the start and after each step: one more than there are steps.
 std::vector<sim::BodyPose> TruePoses(const EpisodeTrajectory& trajectory);
 
-/// Whether the stop of this step ended at a goal that counts as reached.
-bool IsGoodStop(const EpisodeTrajectory& trajectory, const TrajectoryStep& step);
-
 /// The layers of a trajectory, to be drawn on a scene's map from first to last.
 
 /// What the agent believes: its metric map, as it lies seen from the start pose, its topological
@@ -24,7 +21,7 @@ void DrawShortestPath(const EpisodeTrajectory& trajectory, const MapPlace& place
 void DrawTruePath(const EpisodeTrajectory& trajectory, std::size_t until, const MapPlace& place,
                   Canvas* canvas);
 void DrawOdometry(const EpisodeTrajectory& trajectory, const MapPlace& place, Canvas* canvas);
-/// Collisions, goals, start, stops.
+/// Collisions, goals, start, ends.
 void DrawMarks(const EpisodeTrajectory& trajectory, const MapPlace& place, Canvas* canvas);
 
 /// The lines' looks, for legends.

@@ -2,11 +2,14 @@
 #include "benchmark/report/trajectory_plot.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 #include <fmt/core.h>
 
+#include "benchmark/report/goal_ends.h"
 #include "benchmark/report/marks.h"
 #include "benchmark/report/palette.h"
 #include "benchmark/report/trajectory_layers.h"
@@ -23,6 +26,12 @@ constexpr double kText = 11.0;
 constexpr double kBarHeight = 100.0;
 constexpr double kSign = 26.0;  // width of the signs in the legend
 constexpr int kBarSteps = 50;
+
+constexpr std::array<std::pair<EndKind, const char*>, 4> kEndTexts = {
+    {{EndKind::kStopAtGoal, "stop at the goal"},
+     {EndKind::kStopElsewhere, "stop elsewhere"},
+     {EndKind::kReached, "goal reached"},
+     {EndKind::kNoStop, "end without stop"}}};
 
 /// The column of text, colour bar and legend, from the top down.
 class SideColumn {
@@ -140,13 +149,6 @@ void AddBeliefEntries(const agent::Belief& belief, SideColumn* column, Canvas* c
   }
 }
 
-bool Stopped(const EpisodeTrajectory& trajectory, bool good) {
-  return std::any_of(
-      trajectory.steps.begin(), trajectory.steps.end(), [&](const TrajectoryStep& step) {
-        return step.action == sim::Action::kStop && IsGoodStop(trajectory, step) == good;
-      });
-}
-
 void AddLegend(const EpisodeTrajectory& trajectory, SideColumn* column, Canvas* canvas) {
   column->Entry("true path", [&](const Point& p) {
     DrawPathSign(p, canvas);
@@ -159,22 +161,21 @@ void AddLegend(const EpisodeTrajectory& trajectory, SideColumn* column, Canvas* 
   column->Entry(trajectory.goals.size() > 1 ? "goals" : "goal", [&](const Point& p) {
     DrawGoal(p, "", canvas);
   });
-  for (const bool good : {true, false}) {
-    if (!Stopped(trajectory, good)) continue;
-    column->Entry(good ? "stop at the goal" : "stop elsewhere", [&](const Point& p) {
-      DrawStop(p, good, canvas);
-    });
-  }
-  const auto& steps = trajectory.steps;
-  if (!steps.empty() && steps.back().action != sim::Action::kStop) {
-    column->Entry("end without stop", [&](const Point& p) {
-      DrawEnd(p, canvas);
+  const std::vector<GoalEnd> ends = GoalEnds(trajectory);
+  for (const auto& [kind, text] : kEndTexts) {
+    if (std::none_of(ends.begin(), ends.end(), [kind = kind](const GoalEnd& end) {
+          return end.kind == kind;
+        })) {
+      continue;
+    }
+    column->Entry(text, [&, kind = kind](const Point& p) {
+      DrawEnd(p, kind, canvas);
     });
   }
   const auto is_collision = [](const TrajectoryStep& step) {
     return step.collided;
   };
-  if (std::any_of(steps.begin(), steps.end(), is_collision)) {
+  if (std::any_of(trajectory.steps.begin(), trajectory.steps.end(), is_collision)) {
     column->Entry("collision", [&](const Point& p) {
       DrawCollision(p, canvas);
     });

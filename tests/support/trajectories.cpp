@@ -43,7 +43,7 @@ class Recorder {
     odometry_ = sim::Compose(odometry_, sensors.odometry);
     trajectory_.steps.push_back({action, pose, odometry_, sensors.collided});
     stopped_ = action == sim::Action::kStop;
-    watch_.Step(pose.position, sensors.collided);
+    if (!stopped_) watch_.Step(pose.position, sensors.collided);
     return stopped_ || trajectory_.steps.size() == kMostSteps;
   }
 
@@ -132,7 +132,7 @@ bench::EpisodeTrajectory MadeUpTrajectory() {
     pose = sim::Apply(pose, motion);
     odometry = sim::Compose(odometry, {0.9 * motion.x, motion.y, motion.yaw});
     trajectory.steps.push_back({action, pose, odometry, collided});
-    ++metrics.steps;
+    metrics.steps += action == sim::Action::kStop ? 0 : 1;
     metrics.collisions += collided ? 1 : 0;
   };
   for (int i = 0; i < 8; ++i) step(sim::Action::kMoveForward, {0.25, 0, 0}, i == 7);

@@ -86,14 +86,6 @@ TEST(TrajectoryLayers, MapOfTheAgentLiesAsSeenFromTheStart) {
   EXPECT_LT(Difference(At(image, 1.75, -1.75), kWhite), 0.01) << "unknown";
 }
 
-TEST(TrajectoryLayers, StopsAreGoodOnlyAtGoalsThatWereReached) {
-  EpisodeTrajectory trajectory = tests::MadeUpTrajectory();
-  EXPECT_TRUE(IsGoodStop(trajectory, trajectory.steps.back()));
-  EXPECT_FALSE(IsGoodStop(trajectory, trajectory.steps.front()));
-  trajectory.result.goals[0].success = false;
-  EXPECT_FALSE(IsGoodStop(trajectory, trajectory.steps.back()));
-}
-
 TEST(TrajectoryPlot, SvgIsSoundAndTheSameEachTime) {
   const EpisodeTrajectory trajectory = tests::MadeUpTrajectory();
   TrajectoryPlotSpec spec;
@@ -128,7 +120,7 @@ TEST(TrajectoryPlot, OutcomeSaysWhatBecameOfIt) {
   EpisodeTrajectory trajectory = tests::MadeUpTrajectory();
   EXPECT_THAT(OutcomeLines(trajectory), Contains("house, episode 12 (easy)"));
   EXPECT_THAT(OutcomeLines(trajectory), Contains("success, SPL 0.62"));
-  EXPECT_THAT(OutcomeLines(trajectory), Contains("26 steps, 1 collision"));
+  EXPECT_THAT(OutcomeLines(trajectory), Contains("25 steps, 1 collision"));
   trajectory.result.goals[0].success = false;
   EXPECT_THAT(OutcomeLines(trajectory), Contains("failed, 0.2 m from the goal"));
   trajectory.result.goals.push_back(trajectory.result.goals[0]);

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <vector>
+
+#include "benchmark/report/trajectory.h"
+
+namespace bulletnav::bench {
+
+/// How the way to a goal came to its end.
+enum class EndKind {
+  kStopAtGoal,
+  kStopElsewhere,
+  kReached,  // under the condition "no_stop", where being near is enough
+  kNoStop,   // out of steps or broken off
+};
+
+/// Where the body stood then.
+struct GoalEnd {
+  EndKind kind = EndKind::kNoStop;
+  sim::BodyPose pose;
+};
+
+/// One for each goal that the agent set out for, in order.
+std::vector<GoalEnd> GoalEnds(const EpisodeTrajectory& trajectory);
+
+}  // namespace bulletnav::bench
