@@ -10,6 +10,7 @@
 #include "benchmark/cli/progress.h"
 #include "benchmark/cli/scene_options.h"
 #include "benchmark/episodes/description.h"
+#include "benchmark/episodes/draw_record.h"
 #include "benchmark/episodes/episode_file.h"
 #include "benchmark/episodes/generator.h"
 #include "sim/config/yaml_reader.h"
@@ -41,6 +42,7 @@ void Generate(const GenerateOptions& options) {
       progress.Advance();
     });
   }
+  set.other = DrawRecord(spec, scenes);
   const fs::path out = options.out.empty() ? fs::path(spec.out) : options.out;
   WriteEpisodes(out, set);
   fmt::print("{} episodes in {}\n", set.episodes.size(), out.string());

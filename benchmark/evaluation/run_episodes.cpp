@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include "benchmark/episodes/draw_record.h"
 #include "benchmark/episodes/episode_file.h"
 #include "benchmark/episodes/ground.h"
 #include "benchmark/evaluation/run_agents.h"
@@ -17,9 +18,9 @@ namespace {
 namespace fs = std::filesystem;
 
 void GenerateHouses(const HousesSpec& houses, int workers, const StartProgress& start) {
-  if (fs::exists(fs::path(houses.folder) / "index.json")) return;
-  sim::WriteHouseSet(houses.folder, {houses.count, houses.first_seed, workers},
-                     start("generating houses", houses.count));
+  const sim::HouseSetSpec spec{houses.count, houses.first_seed, workers};
+  if (sim::HasHouseSet(houses.folder, spec)) return;
+  sim::WriteHouseSet(houses.folder, spec, start("generating houses", houses.count));
 }
 
 /// Whether episodes had to be drawn.
@@ -30,6 +31,7 @@ bool DrawEpisodes(const RunConfig& config, int workers, const StartProgress& sta
   EpisodeSet set;
   set.episodes = GenerateEpisodes(
       spec, scenes, workers, start("drawing episodes, scenes", static_cast<int>(scenes.size())));
+  set.other = DrawRecord(spec, scenes);
   WriteEpisodes(spec.out, set);
   return true;
 }
@@ -103,7 +105,9 @@ RunEpisodes PrepareEpisodes(RunConfig* config, std::optional<int> first, int wor
   if (config->houses) GenerateHouses(*config->houses, workers, start);
   const bool drawn = DrawEpisodes(*config, workers, start);
   RunEpisodes all;
-  all.episodes = ReadEpisodes(config->episodes.file).episodes;
+  EpisodeSet set = ReadEpisodes(config->episodes.file);
+  if (config->episodes.draw) RequireDrawnFrom(set, config->generator(), config->episodes.file);
+  all.episodes = std::move(set.episodes);
   const std::vector<fs::path> folders(config->episodes.scene_folders.begin(),
                                       config->episodes.scene_folders.end());
   for (const std::string& scene : ScenesIn(all.episodes)) {

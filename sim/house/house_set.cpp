@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sim/house/house_set.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/core.h>
@@ -22,6 +23,7 @@ using Json = nlohmann::ordered_json;
 constexpr int kTrain = 68;
 constexpr int kVal = 4;
 constexpr int kTest = 14;
+constexpr const char* kIndex = "index.json";
 
 Split SplitOf(int index, int count) {
   constexpr double kAll = kTrain + kVal + kTest;
@@ -46,16 +48,19 @@ HouseEntry WriteHouse(const std::filesystem::path& folder, const HouseEntry& pla
   return entry;
 }
 
-void RefuseOtherHouses(const std::filesystem::path& index, const std::vector<HouseEntry>& planned) {
-  if (!std::filesystem::exists(index)) return;
-  const std::vector<HouseEntry> old = ReadHouseIndex(index);
-  bool same = old.size() == planned.size();
-  for (std::size_t i = 0; same && i < old.size(); ++i) same = old[i].seed == planned[i].seed;
-  if (same) return;
-  throw FileError(index, "",
-                  fmt::format("lists {} other houses; name another folder with --out, or remove "
-                              "this one first",
-                              old.size()));
+/// What is to be written, its rooms and area not known yet.
+std::vector<HouseEntry> Plan(const HouseSetSpec& spec) {
+  constexpr int kMost = 9999;
+  if (spec.count < 1 || spec.count > kMost) {
+    throw Error(fmt::format("count is {}; it must be in 1..{}", spec.count, kMost));
+  }
+  std::vector<HouseEntry> entries;
+  entries.reserve(static_cast<std::size_t>(spec.count));
+  for (int i = 0; i < spec.count; ++i) {
+    entries.push_back({fmt::format("house_{:03}.glb", i), SplitOf(i, spec.count),
+                       spec.first_seed + static_cast<std::uint64_t>(i), 0, 0.0});
+  }
+  return entries;
 }
 
 std::string ToText(const std::vector<HouseEntry>& entries) {
@@ -73,20 +78,25 @@ std::string ToText(const std::vector<HouseEntry>& entries) {
 
 }  // namespace
 
+bool HasHouseSet(const std::filesystem::path& folder, const HouseSetSpec& spec) {
+  const std::filesystem::path index = folder / kIndex;
+  if (!std::filesystem::exists(index)) return false;
+  const std::vector<HouseEntry> old = ReadHouseIndex(index);
+  const std::vector<HouseEntry> planned = Plan(spec);
+  const auto same_seed = [](const HouseEntry& a, const HouseEntry& b) {
+    return a.seed == b.seed;
+  };
+  if (std::equal(old.begin(), old.end(), planned.begin(), planned.end(), same_seed)) return true;
+  throw FileError(
+      index, "",
+      fmt::format("lists {} other houses; name another folder, or remove this one first",
+                  old.size()));
+}
+
 std::vector<HouseEntry> WriteHouseSet(const std::filesystem::path& folder, const HouseSetSpec& spec,
                                       const std::function<void()>& advance) {
-  constexpr int kMost = 9999;
-  if (spec.count < 1 || spec.count > kMost) {
-    throw Error(fmt::format("count is {}; it must be in 1..{}", spec.count, kMost));
-  }
-  std::vector<HouseEntry> entries;
-  entries.reserve(static_cast<std::size_t>(spec.count));
-  for (int i = 0; i < spec.count; ++i) {
-    entries.push_back({fmt::format("house_{:03}.glb", i), SplitOf(i, spec.count),
-                       spec.first_seed + static_cast<std::uint64_t>(i), 0, 0.0});
-  }
-  const std::filesystem::path index = folder / "index.json";
-  RefuseOtherHouses(index, entries);
+  std::vector<HouseEntry> entries = Plan(spec);
+  HasHouseSet(folder, spec);
   MakeFolder(folder);
   WorkerPool pool(spec.workers);
   std::vector<TextureCache> textures(static_cast<std::size_t>(pool.workers()));
@@ -95,7 +105,7 @@ std::vector<HouseEntry> WriteHouseSet(const std::filesystem::path& folder, const
     entry = WriteHouse(folder, entry, &textures[static_cast<std::size_t>(worker)]);
     advance();
   });
-  WriteFileAtomically(index, ToText(entries));
+  WriteFileAtomically(folder / kIndex, ToText(entries));
   return entries;
 }
 

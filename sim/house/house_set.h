@@ -37,6 +37,10 @@ struct HouseSetSpec {
   int workers = 0;  // 0: one a processor
 };
 
+/// Whether the folder holds an index of these houses. Throws FileError if it is one of others,
+/// Error as WriteHouseSet.
+bool HasHouseSet(const std::filesystem::path& folder, const HouseSetSpec& spec);
+
 /// Writes house_NNN.glb, house_NNN.json (see house_json.h) and, last, index.json into `folder`.
 /// `advance` is called after each house, from any thread. The files do not depend on the number of
 /// workers.

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "sim/house/house_set.h"
+
+#include <gmock/gmock.h>
+
+#include "sim/base/error.h"
+#include "sim/base/files.h"
+#include "tests/support/temporary_folder.h"
+
+namespace bulletnav::sim {
+namespace {
+
+using testing::HasSubstr;
+
+class HouseSetTest : public testing::Test {
+ protected:
+  void WriteIndex() {
+    WriteFileAtomically(folder_.path() / "index.json",
+                        R"({"first_seed": 5, "houses": [
+             {"file": "house_000.glb", "split": "train", "seed": 5, "rooms": 7, "area_m2": 90.5},
+             {"file": "house_001.glb", "split": "test", "seed": 6, "rooms": 4, "area_m2": 50}]})");
+  }
+  std::string Complaint(const HouseSetSpec& spec) const {
+    try {
+      HasHouseSet(folder_.path(), spec);
+    } catch (const Error& e) {
+      return e.what();
+    }
+    return "none";
+  }
+
+  tests::TemporaryFolder folder_;
+};
+
+TEST_F(HouseSetTest, IsThereOnceItsIndexIs) {
+  EXPECT_FALSE(HasHouseSet(folder_.path(), {.count = 2, .first_seed = 5}));
+  WriteIndex();
+  EXPECT_TRUE(HasHouseSet(folder_.path(), {.count = 2, .first_seed = 5}));
+}
+
+TEST_F(HouseSetTest, OtherHousesAreRefused) {
+  WriteIndex();
+  for (const HouseSetSpec& spec :
+       {HouseSetSpec{.count = 2, .first_seed = 6}, HouseSetSpec{.count = 1, .first_seed = 5},
+        HouseSetSpec{.count = 3, .first_seed = 5}}) {
+    EXPECT_THAT(Complaint(spec), HasSubstr("index.json: lists 2 other houses; name another"));
+    EXPECT_THROW(WriteHouseSet(folder_.path(), spec, [] {}), FileError);
+  }
+}
+
+TEST_F(HouseSetTest, CountsOutOfRangeAreRefused) {
+  EXPECT_THAT(Complaint({.count = 0}), "none") << "no index yet";
+  EXPECT_THROW(WriteHouseSet(folder_.path(), {.count = 0}, [] {}), Error);
+  WriteIndex();
+  EXPECT_THAT(Complaint({.count = 10000}), HasSubstr("it must be in 1..9999"));
+}
+
+}  // namespace
+}  // namespace bulletnav::sim
