@@ -41,6 +41,10 @@ class NtsWithoutGraph final : public Agent {
       if (!(stop_distance > 0.0 && walk > 0.0)) {
         throw sim::Error("stop_distance and walk must be positive");
       }
+      for (const double probability : {explorable, goal_seen, stop_certainty}) {
+        if (probability > 0.0 && probability < 1.0) continue;
+        throw sim::Error("explorable, goal_seen and stop_certainty must lie between 0 and 1");
+      }
       if (patience < 1) throw sim::Error("patience must be at least 1");
     }
   };

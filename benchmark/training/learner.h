@@ -15,6 +15,7 @@ namespace bulletnav::bench {
 /// What one lane learns from in one step.
 struct LaneWork {
   const BatchSource* batches = nullptr;
+  int step = 0;             // this one, from 0
   std::uint64_t first = 0;  // number of its first batch
   int count = 0;            // of batches
   std::uint64_t seed = 0;   // of dropout

@@ -39,7 +39,7 @@ class NtsLearner final : public Learner {
         net_.Describe(at::cat(inputs), at::detail::createCPUGenerator(work.seed));
     return Losses(parts.explorable, net_.Compare(parts.Select(all.source), parts.Select(all.goal)),
                   all)
-        .Total(config_.score_contrast.value_or(0.0));
+        .Total(ContrastWeight(work.step));
   }
 
   Measures Validate(const BatchSource& batches, int count, sim::WorkerPool* pool) override {
@@ -71,6 +71,11 @@ class NtsLearner final : public Learner {
   }
 
  private:
+  double ContrastWeight(int step) const {
+    const auto& contrast = config_.score_contrast;
+    return contrast && step >= contrast->from_step ? contrast->weight : 0.0;
+  }
+
   TrainConfig config_;
   sim::Rng rng_;
   agent::SemanticNet net_;

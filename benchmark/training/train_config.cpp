@@ -51,13 +51,15 @@ void TrainPlan::Validate() const {
   if (scenes % lanes != 0) throw sim::Error("lanes must divide scenes");
 }
 
+void ScoreContrast::Validate() const {
+  if (!(weight >= 0.0)) throw sim::Error("weight must not be negative");
+  RequireAtLeast(0, from_step, "from_step");
+}
+
 void TrainConfig::Validate() const {
   TrainPlan::Validate();
   RequireTask(*this, Trained::kNts);
   RequireAtLeast(2, pairs, "pairs");
-  if (!(score_contrast.value_or(0.0) >= 0.0)) {
-    throw sim::Error("score_contrast must not be negative");
-  }
 }
 
 void MapperTrainConfig::Validate() const {

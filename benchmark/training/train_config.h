@@ -105,13 +105,26 @@ struct TrainPlan {
   }
 };
 
+/// Scores' differences between the directions of a panorama, learned besides the scores themselves:
+/// the choice of a direction hangs on them, but they are small beside what panoramas differ by.
+struct ScoreContrast {
+  double weight = 0.0;
+  int from_step = 0;
+
+  template <class V>
+  void Visit(V& v) {
+    v.Required("weight", weight);
+    v("from_step", from_step);
+  }
+  /// Throws Error.
+  void Validate() const;
+};
+
 /// A training of the learned model of Neural Topological SLAM.
 struct TrainConfig : TrainPlan {
   agent::ModelConfig model;
   int pairs = 64;  // compared of each batch, half of them of one node if there are enough
-  /// Weight of the scores' differences between directions, besides the scores themselves: what the
-  /// choice of a direction hangs on. Default: none, as in the paper.
-  std::optional<double> score_contrast;
+  std::optional<ScoreContrast> score_contrast;  // default: none, as in the paper
 
   template <class V>
   void Visit(V& v) {

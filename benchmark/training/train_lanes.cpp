@@ -34,6 +34,7 @@ double TrainLanes::PassOne(const BatchSource& batches, int step, int lane) {
   const auto at = static_cast<std::uint64_t>(step);
   LaneWork work;
   work.batches = &batches;
+  work.step = step;
   work.count = plan_.scenes / plan_.lanes;
   work.first =
       at * static_cast<std::uint64_t>(plan_.scenes) + static_cast<std::uint64_t>(lane * work.count);

@@ -38,6 +38,21 @@ TEST(TrainConfig, ItsEssenceStaysAsItIs) {
                                  "validate_every: 500\nvalidation_batches: 32\nseed: 0\n"));
 }
 
+TEST(TrainConfig, ScoreContrastIsReadAndChecked) {
+  const tests::TemporaryFolder folder;
+  const auto config = sim::LoadYaml<TrainConfig>(
+      folder.Write("a.yaml", "out: x\nscore_contrast: {weight: 50, from_step: 7}\n"));
+  ASSERT_TRUE(config.score_contrast.has_value());
+  EXPECT_EQ(config.score_contrast->weight, 50.0);
+  EXPECT_EQ(config.score_contrast->from_step, 7);
+  for (const char* bad : {"{weight: -1}", "{weight: .nan}", "{weight: 1, from_step: -1}", "{}"}) {
+    EXPECT_THROW(sim::LoadYaml<TrainConfig>(
+                     folder.Write("b.yaml", std::string("out: x\nscore_contrast: ") + bad + "\n")),
+                 sim::FileError)
+        << bad;
+  }
+}
+
 TEST(TrainConfig, TellsWhatIsTrained) {
   const tests::TemporaryFolder folder;
   EXPECT_EQ(TrainedBy(folder.Write("a.yaml", "out: x\n")), Trained::kNts);

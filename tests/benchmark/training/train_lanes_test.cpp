@@ -55,6 +55,14 @@ TEST(TrainLanes, ThreadsDoNotChangeABit) {
   }
 }
 
+TEST(TrainLanes, ScoreContrastCountsFromItsStepOn) {
+  const TrainConfig plain = Config(1, 1);
+  TrainConfig contrast = plain;
+  contrast.score_contrast = {.weight = 50.0, .from_step = 1};
+  EXPECT_EQ(PassSteps(contrast, 1, 1).loss, PassSteps(plain, 1, 1).loss);
+  EXPECT_GT(PassSteps(contrast, 1, 2).loss, PassSteps(plain, 1, 2).loss);
+}
+
 TEST(TrainLanes, GradientsAreThoseOfTheMeanLoss) {
   // Batch 0 alone, then batches 0 and 1 in a lane each: batch 1 alone follows.
   const Passed first = PassSteps(Config(1, 1), 1);
