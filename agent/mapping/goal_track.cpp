@@ -9,6 +9,8 @@ namespace {
 constexpr double kFading = 0.8;      // of older sightings' weight, a sighting
 constexpr double kSameGoal = 1.5;    // metres between sightings of one place
 constexpr int kMostAstray = 3;       // then the mean was wrong
+constexpr int kMostRefuted = 2;      // times that a place is gone to in vain
+constexpr double kBeside = 0.5;      // metres
 constexpr double kLeastRange = 0.3;  // metres; nearer sightings weigh no more
 
 }  // namespace
@@ -23,10 +25,12 @@ void GoalTrack::Refute() {
   Forget();
 }
 
-bool GoalTrack::IsRefuted(const Point& point) const {
-  return std::any_of(refuted_.begin(), refuted_.end(), [&](const Point& wrong) {
+bool GoalTrack::IsNews(const Point& point, double distance, double certainty) const {
+  const auto times = std::count_if(refuted_.begin(), refuted_.end(), [&](const Point& wrong) {
     return Distance(point, wrong) < kSameGoal;
   });
+  if (times == 0) return true;
+  return certainty >= certainty_ && (times < kMostRefuted || distance <= kBeside);
 }
 
 void GoalTrack::Forget() {
@@ -36,7 +40,7 @@ void GoalTrack::Forget() {
 }
 
 void GoalTrack::Add(const Point& point, double distance, double certainty) {
-  if (certainty < certainty_ && IsRefuted(point)) return;
+  if (!IsNews(point, distance, certainty)) return;
   const double range = kLeastRange + distance;
   const double weight = 1.0 / (range * range);
   if (agreeing_ > 0 && Distance(point, mean_) > kSameGoal && ++astray_ < kMostAstray) return;

@@ -23,7 +23,8 @@ class GoalTrack {
   /// out, unless they go on.
   void Add(const Point& point, double distance, double certainty);
 
-  /// The goal turned out not to be at point(): less certain sightings of it there are no news.
+  /// The goal turned out not to be at point(): less certain sightings of it there are no news, and
+  /// after a second time only such from beside it are.
   void Refute();
 
   /// Absent if it has not been seen often enough.
@@ -33,7 +34,7 @@ class GoalTrack {
   void Forget();
   void Restart(const Point& point, double weight);
 
-  bool IsRefuted(const Point& point) const;
+  bool IsNews(const Point& point, double distance, double certainty) const;
 
   int needed_;
   double certainty_;

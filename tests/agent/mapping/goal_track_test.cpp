@@ -74,5 +74,20 @@ TEST(GoalTrack, WhatWasRefutedTakesCertainty) {
   EXPECT_TRUE(track.point());
 }
 
+TEST(GoalTrack, WhatWasRefutedTwiceMustBeSeenFromBeside) {
+  GoalTrack track(1, 0.9);
+  for (int i = 0; i < 2; ++i) {
+    track.Add({0, 0}, 2.0, 0.95);
+    ASSERT_TRUE(track.point());
+    track.Refute();
+  }
+  track.Add({0.2, 0}, 2.0, 0.99);
+  EXPECT_FALSE(track.point());
+  track.Add({0.2, 0}, 0.4, 0.6);
+  EXPECT_FALSE(track.point());
+  track.Add({0.2, 0}, 0.4, 0.99);
+  EXPECT_TRUE(track.point());
+}
+
 }  // namespace
 }  // namespace bulletnav::agent
