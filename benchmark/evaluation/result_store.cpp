@@ -84,9 +84,10 @@ bool WriteDurably(int fd, std::string_view text) {
 
 }  // namespace
 
-ResultStore::ResultStore(const fs::path& folder, const std::string& config)
+ResultStore::ResultStore(const fs::path& folder, const std::string& config,
+                         const std::function<bool(const std::string&)>& can_go_on)
     : folder_(folder), lock_(folder) {
-  TakeConfig(config);
+  TakeConfig(config, can_go_on);
   const fs::path file = folder / kEpisodesFile;
   Lines lines;
   if (fs::exists(file)) lines = ReadLines(file);
@@ -104,7 +105,8 @@ ResultStore::~ResultStore() {
   ::close(fd_);
 }
 
-void ResultStore::TakeConfig(const std::string& config) const {
+void ResultStore::TakeConfig(const std::string& config,
+                             const std::function<bool(const std::string&)>& can_go_on) const {
   const fs::path file = folder_ / kConfigFile;
   if (!fs::exists(file)) {
     if (fs::exists(folder_ / kEpisodesFile)) {
@@ -115,6 +117,10 @@ void ResultStore::TakeConfig(const std::string& config) const {
   }
   const std::string old = sim::ReadTextFile(file);
   if (old == config) return;
+  if (can_go_on && can_go_on(old)) {
+    sim::WriteFileAtomically(file, config);
+    return;
+  }
   throw FileError(file, "",
                   "the results here are of another config: " + FirstDifference(old, config) +
                       "; choose another --out or delete the folder");

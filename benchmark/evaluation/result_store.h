@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <mutex>
 #include <string>
@@ -17,9 +18,12 @@ namespace bulletnav::bench {
 /// all others are there. Thread-safe.
 class ResultStore {
  public:
-  /// `config`: everything that results depend on, as YAML text. Throws sim::Error if another run
-  /// holds the folder, if it holds results of another config, or if lines of it are damaged.
-  ResultStore(const std::filesystem::path& folder, const std::string& config);
+  /// `config`: everything that results depend on, as YAML text. `can_go_on`, if given, is asked
+  /// whether results of another config, which then is replaced, hold for this one. Throws
+  /// sim::Error if another run holds the folder, if its results are of another config, or if lines
+  /// of it are damaged.
+  ResultStore(const std::filesystem::path& folder, const std::string& config,
+              const std::function<bool(const std::string& other)>& can_go_on = {});
   ~ResultStore();
   ResultStore(const ResultStore&) = delete;
   ResultStore& operator=(const ResultStore&) = delete;
@@ -36,7 +40,8 @@ class ResultStore {
   void Append(const EpisodeResult& result);
 
  private:
-  void TakeConfig(const std::string& config) const;
+  void TakeConfig(const std::string& config,
+                  const std::function<bool(const std::string&)>& can_go_on) const;
 
   std::filesystem::path folder_;
   FolderLock lock_;

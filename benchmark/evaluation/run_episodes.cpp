@@ -72,13 +72,16 @@ void CheckFingerprints(const RunConfig& config, const Fingerprints& found) {
     if (saved != config.fingerprints->scenes.end() && saved->second == hash) continue;
     throw sim::FileError(scene, "", "is not the scene that this saved config is of");
   }
-  for (const auto& [key, hash] : found.weights) {
-    const auto saved = config.fingerprints->weights.find(key);
-    if (saved != config.fingerprints->weights.end() && saved->second == hash) continue;
+  if (config.fingerprints->scenes != found.scenes) {
+    throw sim::Error("the saved config is of other scenes than its episodes now name");
+  }
+  // Weights that were not there then are welcome: agents that need them have not run.
+  for (const auto& [key, hash] : config.fingerprints->weights) {
+    const auto now = found.weights.find(key);
+    if (now != found.weights.end() && now->second == hash) continue;
     throw sim::Error("the weights for " + key +
                      " are not those that this saved config is of; give --out another folder");
   }
-  throw sim::Error("the saved config is of other scenes than its episodes now name");
 }
 
 void CheckEpisodes(const RunConfig& config, const RunEpisodes& all, int workers,

@@ -199,13 +199,30 @@ int Play(const Work& work, const fs::path& folder, int workers, const RunHooks& 
   return Crew(shared, static_cast<int>(crew)).Watch();
 }
 
+/// Whether a saved config is this one but for weights that were not there yet: no agent that needs
+/// them has run.
+bool LacksOnlyWeights(const std::string& saved, const RunConfig& config) {
+  try {
+    RunConfig old = ParseRunConfig(saved, "config.yaml");
+    if (!old.fingerprints || !config.fingerprints) return false;
+    auto& weights = old.fingerprints->weights;
+    weights.insert(config.fingerprints->weights.begin(), config.fingerprints->weights.end());
+    return sim::ToYaml(old) == sim::ToYaml(config);
+  } catch (const sim::Error&) {
+    return false;  // of another version of the program
+  }
+}
+
 }  // namespace
 
 RunOutcome RunBenchmark(RunConfig config, const fs::path& folder, const RunOptions& options,
                         const RunHooks& hooks) {
   const int workers = WorkerCount(options.workers);
   Work work = PlanWork(std::move(config), options, workers, hooks);
-  ResultStore store(folder, sim::ToYaml(work.plan->config));
+  const RunConfig& planned = work.plan->config;
+  ResultStore store(folder, sim::ToYaml(planned), [&](const std::string& saved) {
+    return LacksOnlyWeights(saved, planned);
+  });
   const std::vector<EpisodeResult> done = TakeDone(store, &work);
   if (!work.jobs.empty()) NoteVersion(folder);
   if (hooks.begin) hooks.begin(done.size() + work.jobs.size(), done);

@@ -109,6 +109,21 @@ TEST_F(LearnedRunTest, OtherWeightsAreNotMixedIntoResults) {
   EXPECT_THROW(Lines(LoadRunConfig(folder_.path() / "run/config.yaml"), "again", 1), sim::Error);
 }
 
+TEST_F(LearnedRunTest, GoesOnWhenWeightsComeLater) {
+  const std::string agents = "{agent: random}, {agent: nts, semantic_model: learned}";
+  const RunConfig config = Config(agents);
+  fs::rename(weights(), folder_.path() / "aside");
+  const auto before = Lines(config, "run", 1);
+  EXPECT_EQ(before.size(), 3u);
+  fs::rename(folder_.path() / "aside", weights());
+  const auto after = Lines(config, "run", 1);
+  EXPECT_EQ(after.size(), 6u);
+  EXPECT_TRUE(std::includes(after.begin(), after.end(), before.begin(), before.end()));
+  EXPECT_EQ(Lines(LoadRunConfig(folder_.path() / "run/config.yaml"), "again", 1), after);
+  fs::remove(weights());
+  EXPECT_THROW(Lines(LoadRunConfig(folder_.path() / "run/config.yaml"), "gone", 1), sim::Error);
+}
+
 TEST_F(LearnedRunTest, WithoutALoaderNothingIsPlayed) {
   EXPECT_THAT(Complaint(Config(), {}), HasSubstr("learned functions"));
 }

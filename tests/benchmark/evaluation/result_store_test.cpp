@@ -166,6 +166,21 @@ TEST_F(ResultStoreTest, RefusesResultsOfAnotherConfig) {
   EXPECT_THAT(Complaint(), HasSubstr("no config.yaml"));
 }
 
+TEST_F(ResultStoreTest, GoesOnWithAnotherConfigThatItIsToldHolds) {
+  Fill(2);
+  const auto open = [&](bool holds) {
+    const ResultStore store(folder(), "seed: 2\n", [&](const std::string& other) {
+      EXPECT_EQ(other, kConfig);
+      return holds;
+    });
+    return store.size();
+  };
+  EXPECT_THROW(open(false), sim::Error);
+  EXPECT_EQ(sim::ReadTextFile(folder() / "config.yaml"), kConfig);
+  EXPECT_EQ(open(true), 2u);
+  EXPECT_EQ(sim::ReadTextFile(folder() / "config.yaml"), "seed: 2\n");
+}
+
 /// The file may not grow beyond a limit: a write first comes short, then fails, as on a full disk.
 TEST_F(ResultStoreTest, FullDiskLosesNothing) {
   ResultStore store(folder(), kConfig);
