@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "agent/mapping/frontier.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace bulletnav::agent {
 
 // Tight cells do not count: the strips along walls that no view reaches lead nowhere.
@@ -13,32 +16,57 @@ bool IsFrontier(const Grid<CellState>& map, const Cell& cell) {
 }
 
 FrontierFinder::FrontierFinder(int map_size, int least_cells)
-    : march_(map_size), least_cells_(least_cells), looked_at_(map_size) {}
+    : march_(map_size), least_cells_(least_cells), marks_(map_size) {}
 
 std::optional<Cell> FrontierFinder::Nearest(const Grid<CellState>& map, const Cell& from) {
-  for (const Cell& cell : cluster_) looked_at_[cell] = 0;
-  cluster_.clear();
-  march_.Start(map, {from});
+  Start(map, from);
   while (const auto cell = march_.Next()) {
-    if (looked_at_[*cell] != 0 || !IsFrontier(map, *cell)) continue;
-    if (IsLarge(map, *cell)) return cell;
+    if (IsOpening(map, *cell)) return cell;
   }
   return std::nullopt;
 }
 
-bool FrontierFinder::IsLarge(const Grid<CellState>& map, const Cell& cell) {
-  const std::size_t begin = cluster_.size();
-  cluster_.push_back(cell);
-  looked_at_[cell] = 1;
-  for (std::size_t i = begin; i < cluster_.size(); ++i) {
+std::vector<Cell> FrontierFinder::Near(const Grid<CellState>& map, const Cell& from, double reach,
+                                       double apart) {
+  Start(map, from);
+  std::vector<Cell> found;
+  while (const auto cell = march_.Next()) {
+    if (march_.distance(*cell) > reach) break;
+    const bool is_covered = std::any_of(found.begin(), found.end(), [&](const Cell& other) {
+      return std::hypot(cell->x - other.x, cell->y - other.y) < apart;
+    });
+    if (!is_covered && IsOpening(map, *cell)) found.push_back(*cell);
+  }
+  return found;
+}
+
+void FrontierFinder::Start(const Grid<CellState>& map, const Cell& from) {
+  for (const Cell& cell : marked_) marks_[cell] = Mark::kNone;
+  marked_.clear();
+  march_.Start(map, {from});
+}
+
+bool FrontierFinder::IsOpening(const Grid<CellState>& map, const Cell& cell) {
+  if (!IsFrontier(map, cell)) return false;
+  if (marks_[cell] == Mark::kNone) MarkCluster(map, cell);
+  return marks_[cell] == Mark::kLarge;
+}
+
+void FrontierFinder::MarkCluster(const Grid<CellState>& map, const Cell& cell) {
+  const std::size_t begin = marked_.size();
+  const auto mark = [&](const Cell& member) {
+    marks_[member] = Mark::kSmall;
+    marked_.push_back(member);
+  };
+  mark(cell);
+  for (std::size_t i = begin; i < marked_.size(); ++i) {
     for (int k = 0; k < 9; ++k) {
-      const Cell next{cluster_[i].x + k % 3 - 1, cluster_[i].y + k / 3 - 1};
-      if (looked_at_[next] != 0 || !IsFrontier(map, next)) continue;
-      looked_at_[next] = 1;
-      cluster_.push_back(next);
+      const Cell next{marked_[i].x + k % 3 - 1, marked_[i].y + k / 3 - 1};
+      if (marks_[next] == Mark::kNone && IsFrontier(map, next)) mark(next);
     }
   }
-  return cluster_.size() - begin >= static_cast<std::size_t>(least_cells_);
+  if (marked_.size() - begin < static_cast<std::size_t>(least_cells_)) return;
+  for (std::size_t i = begin; i < marked_.size(); ++i) marks_[marked_[i]] = Mark::kLarge;
 }
 
 }  // namespace bulletnav::agent

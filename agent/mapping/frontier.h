@@ -21,14 +21,23 @@ class FrontierFinder {
   /// The frontier cell with the shortest way over free cells; absent if all is explored.
   std::optional<Cell> Nearest(const Grid<CellState>& map, const Cell& from);
 
+  /// Frontier cells to which the way is no longer than `reach` cells, the nearest first and no two
+  /// nearer to each other than `apart` cells.
+  std::vector<Cell> Near(const Grid<CellState>& map, const Cell& from, double reach, double apart);
+
  private:
-  /// Whether the frontier that `cell` is part of is large enough; marks it as looked at.
-  bool IsLarge(const Grid<CellState>& map, const Cell& cell);
+  enum class Mark : std::uint8_t { kNone, kSmall, kLarge };
+
+  void Start(const Grid<CellState>& map, const Cell& from);
+  /// Whether `cell` is part of a frontier that is large enough.
+  bool IsOpening(const Grid<CellState>& map, const Cell& cell);
+  /// Marks the frontier that `cell` is part of.
+  void MarkCluster(const Grid<CellState>& map, const Cell& cell);
 
   FastMarching march_;
   int least_cells_;
-  Grid<std::uint8_t> looked_at_;
-  std::vector<Cell> cluster_;
+  Grid<Mark> marks_;
+  std::vector<Cell> marked_;
 };
 
 }  // namespace bulletnav::agent

@@ -96,6 +96,16 @@ std::optional<Point> MapNavigator::Frontier() {
   return frontier_;
 }
 
+std::vector<Point> MapNavigator::Openings(double reach, double apart) {
+  std::vector<Point> points;
+  const double cell = spec_.map.cell;
+  for (const Cell& end :
+       frontiers_.Near(map_.states(), map_.CellAt(here()), reach / cell, apart / cell)) {
+    points.push_back(map_.Centre(end));
+  }
+  return points;
+}
+
 bool MapNavigator::MayLeadOn(const Point& point, double radius) const {
   const Cell cell = map_.CellAt(point);
   const bool is_seen = map_.states().Contains(cell) && map_.states()[cell] != CellState::kUnknown;

@@ -2,6 +2,7 @@
 #pragma once
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "agent/mapping/frontier.h"
 #include "agent/mapping/metric_map.h"
@@ -67,6 +68,10 @@ class MapNavigator {
   /// The nearest frontier of the explored floor, kept until it is explored so that the body does
   /// not waver between two; absent if there is none.
   std::optional<Point> Frontier();
+
+  /// Where known floor ends within `reach` metres of way, the nearest first, `apart` metres from
+  /// each other.
+  std::vector<Point> Openings(double reach, double apart);
 
   /// Whether known floor ends within `radius` metres of a point; also where the map does not reach.
   bool MayLeadOn(const Point& point, double radius) const;

@@ -104,7 +104,7 @@ double GlobalPolicy::WayTo(const Place& place, const GhostNode& ghost) const {
 }
 
 double GlobalPolicy::AllOf(const Place& place, const GhostNode& ghost) const {
-  return WayByGhost(spec_, WayTo(place, ghost), ghost.score.value_or(0.0), ghost.distance);
+  return WayByGhost(spec_, WayTo(place, ghost), ghost.score.value_or(0.0));
 }
 
 const GhostNode* GlobalPolicy::BestGhost(const Place& place) const {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "agent/nts/view_ghosts.h"
 #include "agent/perception/relative_pose.h"
@@ -56,6 +57,7 @@ sim::Action NtsAgent::Act(const Observation& observation) {
   navigator_.Observe(observation);
   const PanoramaCode code = model_->Encode({&observation.panorama, 1}).front();
   update_.Observe(code, navigator_.pose());
+  if (update_.localisation().is_new) AddOpenings();
   policy_.Read(&update_.graph());
   LookForGoal(code);
   target_.reset();
@@ -106,7 +108,7 @@ std::optional<sim::Action> NtsAgent::Travel(const PanoramaCode& code) {
     if (!subgoal_) return std::nullopt;
     if (IsGhostReached(*subgoal_)) {
       update_.graph().RemoveGhost(*subgoal_->ghost);
-      update_.MakeNode(code, navigator_.pose());
+      MakeNode(code);
       continue;
     }
     if (const auto action = Walk(*subgoal_)) return action;
@@ -118,14 +120,53 @@ std::optional<sim::Action> NtsAgent::Travel(const PanoramaCode& code) {
 bool NtsAgent::TakeView(const PanoramaCode& code, const std::optional<Subgoal>& known) {
   const bool is_led = known && !known->ghost;
   if (is_led || update_.localisation().is_new || choice_ == GhostChoice::kRandom) return false;
-  for (const ViewGhost& ghost : GhostsOfView(spec_, model_->Explorable(code), view_.score)) {
+  std::vector<Opening> openings;
+  for (const Point& point : NewOpenings()) openings.push_back(SeenFromBody(point));
+  for (const ViewGhost& ghost :
+       GhostsOfView(spec_, model_->Explorable(code), view_.score, openings)) {
     if (known && ghost.way >= known->all - spec_.policy.view_margin) return false;
-    if (IsKnown(navigator_.PointAt(ghost.distance, BearingOf(ghost.direction)))) continue;
-    update_.MakeNode(code, navigator_.pose());
-    update_.graph().AddGhost(update_.localisation().current, ghost.direction, ghost.distance);
+    const Point point = navigator_.PointAt(ghost.distance, ghost.bearing);
+    const bool is_opening = ghost.distance < kNodeRadius;
+    if (!is_opening && IsKnown(point)) continue;
+    MakeNode(code);
+    if (!is_opening) {
+      update_.graph().AddGhost(update_.localisation().current, DirectionOf(ghost.bearing));
+    }
     return true;
   }
   return false;
+}
+
+void NtsAgent::MakeNode(const PanoramaCode& code) {
+  update_.MakeNode(code, navigator_.pose());
+  AddOpenings();
+}
+
+void NtsAgent::AddOpenings() {
+  for (const Point& opening : NewOpenings()) {
+    update_.graph().AddGhostAt(update_.localisation().current, opening);
+  }
+}
+
+std::vector<Point> NtsAgent::NewOpenings() {
+  if (spec_.policy.opening_reach == 0.0) return {};
+  const double clearance = spec_.policy.opening_clearance;
+  std::vector<Point> openings = navigator_.Openings(spec_.policy.opening_reach, clearance);
+  const TopologicalGraph& graph = update_.graph();
+  std::erase_if(openings, [&](const Point& opening) {
+    const auto is_near = [&](const GhostNode& ghost) {
+      return Distance(opening, graph.GhostPoint(ghost)) < clearance;
+    };
+    return IsVisited(opening, spec_.policy.near_reached) || IsGivenUp(opening) ||
+           std::any_of(graph.ghosts().begin(), graph.ghosts().end(), is_near);
+  });
+  return openings;
+}
+
+Opening NtsAgent::SeenFromBody(const Point& point) const {
+  const sim::PlanarPose& pose = navigator_.pose();
+  const double heading = std::atan2(point.y - pose.y, point.x - pose.x);
+  return {sim::WrapAngle(heading - pose.yaw), Distance(point, navigator_.here())};
 }
 
 void NtsAgent::DropSeenGhosts() {
@@ -141,18 +182,28 @@ bool NtsAgent::IsSeen(const Point& ghost) const {
 }
 
 bool NtsAgent::IsKnown(const Point& point) const {
-  const auto is_near = [&](const Point& other) {
-    return Distance(point, other) < spec_.graph.ghost_clearance;
-  };
+  return IsVisited(point, spec_.graph.ghost_clearance) || IsSeen(point) || IsGivenUp(point);
+}
+
+bool NtsAgent::IsVisited(const Point& point, double radius) const {
   for (int i = 0; i < static_cast<int>(update_.graph().nodes().size()); ++i) {
-    if (is_near(update_.graph().NodePoint(i))) return true;
+    if (Distance(point, update_.graph().NodePoint(i)) < radius) return true;
   }
-  return IsSeen(point) || std::any_of(given_up_.begin(), given_up_.end(), is_near);
+  return false;
+}
+
+bool NtsAgent::IsGivenUp(const Point& point) const {
+  return std::any_of(given_up_.begin(), given_up_.end(), [&](const Point& other) {
+    return Distance(point, other) < spec_.graph.ghost_clearance;
+  });
 }
 
 bool NtsAgent::IsGhostReached(const Subgoal& subgoal) const {
-  return subgoal.ghost && subgoal.is_last() &&
-         Distance(subgoal.point, navigator_.here()) <= spec_.policy.ghost_reached;
+  if (!subgoal.ghost || !subgoal.is_last()) return false;
+  const GhostNode* ghost = update_.graph().FindGhost(*subgoal.ghost);
+  const bool is_near = ghost != nullptr && ghost->distance < kNodeRadius;
+  return Distance(subgoal.point, navigator_.here()) <=
+         (is_near ? spec_.policy.near_reached : spec_.policy.ghost_reached);
 }
 
 /// Absent if it cannot be walked to, or the goal is not there.

@@ -11,6 +11,7 @@
 #include "agent/nts/graph_update.h"
 #include "agent/nts/nts_spec.h"
 #include "agent/nts/progress_watch.h"
+#include "agent/nts/view_ghosts.h"
 
 namespace bulletnav::agent {
 
@@ -21,8 +22,9 @@ std::shared_ptr<SemanticModel> RequireModel(const AgentContext& context, std::st
 /// on a metric map. Each observation is encoded once.
 /// What the paper leaves open: a goal seen from the body itself is gone to at once and remembered
 /// until it proves wrong; a reached ghost becomes a node; a ghost, an edge or a sight of the goal
-/// that cannot be walked to for PolicySpec::patience steps is given up; with nothing left on the
-/// graph the body walks to frontiers of its metric map until there is a new node.
+/// that cannot be walked to for PolicySpec::patience steps is given up; where known floor ends near
+/// a new node it gets a ghost too; with nothing left on the graph the body walks to frontiers of
+/// its metric map until there is a new node.
 class NtsAgent : public Agent {
  public:
   using Config = NtsSpec;
@@ -39,11 +41,20 @@ class NtsAgent : public Agent {
   void LookForGoal(const PanoramaCode& code);
   /// Makes a node of the present view if it shows a better way than the graph knows.
   bool TakeView(const PanoramaCode& code, const std::optional<Subgoal>& known);
+  void MakeNode(const PanoramaCode& code);
+  /// Gives the newest node a ghost for each new opening.
+  void AddOpenings();
+  /// Where known floor ends nearby and no ghost stands for it: F_G tells only of openings that some
+  /// direction meets 3 m away, not of a door beside the body.
+  std::vector<Point> NewOpenings();
+  Opening SeenFromBody(const Point& point) const;
   /// Takes ghosts off the graph around which the local map has no end of known floor.
   void DropSeenGhosts();
   bool IsSeen(const Point& ghost) const;
   /// Whether going there would be no news: it has been visited, seen or given up.
   bool IsKnown(const Point& point) const;
+  bool IsVisited(const Point& point, double radius) const;
+  bool IsGivenUp(const Point& point) const;
   /// To where the goal was seen last; absent if that proves wrong.
   std::optional<sim::Action> Approach();
   /// Along the graph; absent if it leads nowhere.

@@ -29,10 +29,10 @@ void PolicySpec::Validate() const {
   if (!(path_weight >= 0.0 && change_margin >= 0.0)) {
     throw sim::Error("path_weight and change_margin must not be negative");
   }
-  if (!(near_ghost > 0.0 && near_ghost < kNodeRadius && near_penalty >= 0.0)) {
-    throw sim::Error("near_ghost must lie between 0 and 3, near_penalty must not be negative");
-  }
   if (!(ghost_frontier >= 0.0)) throw sim::Error("ghost_frontier must not be negative");
+  if (!(opening_reach >= 0.0 && opening_clearance > 0.0 && near_reached > 0.0)) {
+    throw sim::Error("expected opening_reach >= 0, opening_clearance and near_reached > 0");
+  }
   if (!(ghost_reached > 0.0 && node_reached > 0.0 && stop_distance > 0.0)) {
     throw sim::Error("ghost_reached, node_reached and stop_distance must be positive");
   }

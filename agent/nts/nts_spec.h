@@ -30,20 +30,21 @@ struct GraphSpec {
 
 /// How the place to go is chosen. Metres and probabilities.
 struct PolicySpec {
-  double goal_seen = 0.5;        // probability from which the goal belongs to a place
-  int sightings = 2;             // of the goal from the body that must agree
-  double path_weight = 1.0;      // metres of score that a metre of way to a ghost counts
-  double change_margin = 1.0;    // better by this another ghost takes over from the chosen one
-  double view_margin = 2.5;      // better by this the present view becomes a node
-  double near_ghost = 1.5;       // to a ghost of such a view where 3 m are not explorable
-  double near_penalty = 1.0;     // added to the way by such a ghost
-  double ghost_frontier = 1.5;   // ghosts with no end of known floor this near are no news; 0: all
-  double ghost_reached = 0.5;    // this near a ghost is visited
-  double node_reached = 0.5;     // the same for a regular node
-  double stop_distance = 0.5;    // to the goal, by F_R; episodes ask for less than 1
-  double stop_certainty = 0.95;  // probability that it is the goal, to stop there
-  int patience = 30;             // steps without coming nearer until something is given up
-  double least_progress = 0.25;  // what counts as coming nearer
+  double goal_seen = 0.5;       // probability from which the goal belongs to a place
+  int sightings = 2;            // of the goal from the body that must agree
+  double path_weight = 1.5;     // metres of score that a metre of way to a ghost counts
+  double change_margin = 1.0;   // better by this another ghost takes over from the chosen one
+  double view_margin = 2.5;     // better by this the present view becomes a node
+  double ghost_frontier = 1.5;  // ghosts with no end of known floor this near are no news; 0: all
+  double opening_reach = 3.0;   // ends of known floor this near to a new node get a ghost; 0: none
+  double opening_clearance = 1.0;  // unless a ghost this near stands for them
+  double ghost_reached = 0.5;      // this near a ghost is visited
+  double near_reached = 0.3;       // the same for a ghost less than 3 m from its node
+  double node_reached = 0.5;       // the same for a regular node
+  double stop_distance = 0.5;      // to the goal, by F_R; episodes ask for less than 1
+  double stop_certainty = 0.95;    // probability that it is the goal, to stop there
+  int patience = 30;               // steps without coming nearer until something is given up
+  double least_progress = 0.25;    // what counts as coming nearer
 
   template <class V>
   void Visit(V& v) {
@@ -52,10 +53,11 @@ struct PolicySpec {
     v("path_weight", path_weight);
     v("change_margin", change_margin);
     v("view_margin", view_margin);
-    v("near_ghost", near_ghost);
-    v("near_penalty", near_penalty);
     v("ghost_frontier", ghost_frontier);
+    v("opening_reach", opening_reach);
+    v("opening_clearance", opening_clearance);
     v("ghost_reached", ghost_reached);
+    v("near_reached", near_reached);
     v("node_reached", node_reached);
     v("stop_distance", stop_distance);
     v("stop_certainty", stop_certainty);

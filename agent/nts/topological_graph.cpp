@@ -58,6 +58,15 @@ int TopologicalGraph::AddGhost(int owner, int direction, double distance) {
   return next_ghost_++;
 }
 
+int TopologicalGraph::AddGhostAt(int owner, const Point& point) {
+  const double bearing = BearingFrom(owner, point);
+  const int direction = DirectionOf(bearing);
+  const double off = sim::WrapAngle(bearing - BearingOf(direction));
+  const double distance = Distance(NodePoint(owner), point);
+  ghosts_.push_back({next_ghost_, owner, direction, distance, std::nullopt, off});
+  return next_ghost_++;
+}
+
 void TopologicalGraph::RemoveGhost(int id) {
   std::erase_if(ghosts_, [&](const GhostNode& ghost) {
     return ghost.id == id;
@@ -84,7 +93,7 @@ Point TopologicalGraph::NodePoint(int node) const {
 
 Point TopologicalGraph::GhostPoint(const GhostNode& ghost) const {
   const sim::PlanarPose& pose = nodes_.at(static_cast<std::size_t>(ghost.owner)).pose;
-  const double heading = pose.yaw + BearingOf(ghost.direction);
+  const double heading = pose.yaw + BearingOf(ghost.direction) + ghost.off;
   return {pose.x + ghost.distance * std::cos(heading), pose.y + ghost.distance * std::sin(heading)};
 }
 

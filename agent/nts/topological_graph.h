@@ -25,6 +25,7 @@ struct GhostNode {
   int direction = 0;  // of the owner's panorama
   double distance = kNodeRadius;
   std::optional<double> score;
+  double off = 0.0;  // radians from the direction's middle
 };
 
 /// Two regular nodes next to each other.
@@ -57,6 +58,8 @@ class TopologicalGraph {
 
   /// Once for each direction of an owner. Returns the ghost's number, which is never used again.
   int AddGhost(int owner, int direction, double distance = kNodeRadius);
+  /// At a point, in whatever direction that is of the owner.
+  int AddGhostAt(int owner, const Point& point);
   void RemoveGhost(int id);
   const GhostNode* FindGhost(int id) const;
   void SetScore(int id, std::optional<double> score);

@@ -3,23 +3,28 @@
 
 #include <algorithm>
 
+#include "agent/perception/relative_pose.h"
+
 namespace bulletnav::agent {
 
-double WayByGhost(const PolicySpec& spec, double way, double score, double distance) {
-  const double penalty = distance < kNodeRadius ? spec.near_penalty : 0.0;
-  return spec.path_weight * way + kFarthestScored * (1.0 - score) + penalty;
+double WayByGhost(const PolicySpec& spec, double way, double score) {
+  return spec.path_weight * way + kFarthestScored * (1.0 - score);
 }
 
 std::vector<ViewGhost> GhostsOfView(const NtsSpec& spec,
                                     const std::array<float, kDirections>& explorable,
-                                    const std::array<float, kDirections>& score) {
+                                    const std::array<float, kDirections>& score,
+                                    std::span<const Opening> openings) {
   std::vector<ViewGhost> ghosts;
+  const auto add = [&](double bearing, double distance) {
+    const auto direction = static_cast<std::size_t>(DirectionOf(bearing));
+    ghosts.push_back({bearing, distance, WayByGhost(spec.policy, distance, score[direction])});
+  };
   for (int i = 0; i < kDirections; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    const bool is_far = explorable[k] >= spec.graph.explorable;
-    const double distance = is_far ? kNodeRadius : spec.policy.near_ghost;
-    ghosts.push_back({i, distance, WayByGhost(spec.policy, distance, score[k], distance)});
+    if (explorable[static_cast<std::size_t>(i)] < spec.graph.explorable) continue;
+    add(BearingOf(i), kNodeRadius);
   }
+  for (const Opening& opening : openings) add(opening.bearing, opening.distance);
   std::stable_sort(ghosts.begin(), ghosts.end(), [](const ViewGhost& a, const ViewGhost& b) {
     return a.way < b.way;
   });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <array>
+#include <span>
 #include <vector>
 
 #include "agent/nts/nts_spec.h"
@@ -9,20 +10,26 @@
 namespace bulletnav::agent {
 
 /// What the global policy minimises, in metres: the way to a ghost, weighed, and the way from there
-/// to the goal as F_S has it. `distance`: of the ghost from its node.
-double WayByGhost(const PolicySpec& spec, double way, double score, double distance);
+/// to the goal as F_S has it.
+double WayByGhost(const PolicySpec& spec, double way, double score);
 
 /// A ghost that the present view would have if it were a node.
 struct ViewGhost {
-  int direction = 0;
-  double distance = 0.0;  // kNodeRadius, or PolicySpec::near_ghost where that is not explorable
+  double bearing = 0.0;   // radians from straight ahead
+  double distance = 0.0;  // metres
   double way = 0.0;       // WayByGhost
 };
 
-/// One for each direction, the best first. F_G misses openings that no direction meets at 3 m; F_S
-/// may still speak for going some of the way.
+/// A place seen from the body.
+struct Opening {
+  double bearing = 0.0;
+  double distance = 0.0;
+};
+
+/// One for each explorable direction, 3 m away, and one for each opening; the best first.
 std::vector<ViewGhost> GhostsOfView(const NtsSpec& spec,
                                     const std::array<float, kDirections>& explorable,
-                                    const std::array<float, kDirections>& score);
+                                    const std::array<float, kDirections>& score,
+                                    std::span<const Opening> openings);
 
 }  // namespace bulletnav::agent

@@ -64,5 +64,29 @@ TEST(Frontier, GapsInTheViewDoNotCount) {
   EXPECT_EQ(large.Nearest(map, {22, 25})->x, 40) << "the second search sees the same";
 }
 
+TEST(FrontierNear, ListsOpeningsByTheWayAndKeepsThemApart) {
+  Grid<CellState> map = Room();
+  Fill({40, 12}, {40, 34}, CellState::kFree, &map);  // 23 cells wide, from (25, 23) 15 away
+  Fill({10, 20}, {10, 25}, CellState::kFree, &map);  // 15 away too, on the other side
+  map[Cell{20, 20}] = CellState::kUnknown;           // too small
+  FrontierFinder finder(kSize, 5);
+  const std::vector<Cell> ends = finder.Near(map, {24, 23}, 40.0, 8.0);
+  ASSERT_EQ(ends.size(), 4u);
+  EXPECT_EQ(ends[0], (Cell{10, 23}));
+  EXPECT_EQ(ends[1], (Cell{40, 23}));
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) EXPECT_GE(Distance(ends[i], ends[k]), 8.0);
+  }
+}
+
+TEST(FrontierNear, LeavesOutWhatIsFarAway) {
+  Grid<CellState> map = Room();
+  Fill({40, 20}, {40, 30}, CellState::kFree, &map);
+  FrontierFinder finder(kSize, 4);
+  EXPECT_TRUE(finder.Near(map, {20, 25}, 19.0, 5.0).empty());
+  EXPECT_FALSE(finder.Near(map, {20, 25}, 21.0, 5.0).empty());
+  EXPECT_EQ(finder.Nearest(map, {20, 25}), (Cell{40, 25})) << "searches do not disturb each other";
+}
+
 }  // namespace
 }  // namespace bulletnav::agent

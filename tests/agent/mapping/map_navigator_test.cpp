@@ -6,8 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/error.h"
-#include "tests/support/panoramas.h"
-#include "tests/support/scenes.h"
+#include "tests/support/corridor.h"
 
 namespace bulletnav::agent {
 namespace {
@@ -112,22 +111,13 @@ TEST(MapNavigator, RefusesBrokenOdometry) {
   EXPECT_THROW(body.Feel({1e9, 0.0, 0.0}), sim::Error);
 }
 
-/// The view down a corridor 8 m long and 1.5 m wide, from its closed end; x runs along it.
-std::vector<float> CorridorDepth(double x) {
-  static const auto scene =
-      sim::MakeRenderScene(tests::LCorridor(8, 7, 1.5f, 2.6f), sim::Backend::kEmbree);
-  const auto yaw = static_cast<float>(-sim::kPi / 2);
-  return tests::RenderPanorama(*scene, {}, {{1.0f + static_cast<float>(x), 1.25f, -0.75f}, yaw})
-      .depth;
-}
-
 TEST(MapNavigator, TheFrontierIsKeptUntilItIsExplored) {
   MapNavigator navigator({}, {});
   navigator.Reset();
   double x = 0.0;
   const auto look = [&](double ahead) {
     x += ahead;
-    const auto depth = CorridorDepth(x);
+    const auto depth = tests::CorridorDepth(x);
     navigator.Observe({{{}, depth}, {ahead, 0.0, 0.0}, false, 0});
   };
   look(0.0);
@@ -140,6 +130,17 @@ TEST(MapNavigator, TheFrontierIsKeptUntilItIsExplored) {
   const auto next = navigator.Frontier();
   ASSERT_TRUE(next);
   EXPECT_NEAR(next->x, 4.15, 0.1);
+}
+
+TEST(MapNavigator, OpeningsAreWhereKnownFloorEnds) {
+  MapNavigator navigator({}, {});
+  navigator.Reset();
+  const auto depth = tests::CorridorDepth(0.0);
+  navigator.Observe({{{}, depth}, {}, false, 0});
+  EXPECT_TRUE(navigator.Openings(2.5, 1.0).empty());
+  const std::vector<Point> openings = navigator.Openings(4.0, 2.0);
+  ASSERT_EQ(openings.size(), 1u);
+  EXPECT_NEAR(openings[0].x, 3.15, 0.1) << "where the vision ends";
 }
 
 TEST(MapNavigator, AFrontierThatStaysUnseenFromNearbyIsGivenUp) {

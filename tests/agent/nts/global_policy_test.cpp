@@ -71,6 +71,7 @@ TEST_F(GlobalPolicyTest, DoesNotBelieveANodeThatWasWrong) {
 }
 
 TEST_F(GlobalPolicyTest, ExploresTheGhostOverWhichTheWholeWayIsShortest) {
+  spec_.path_weight = 1.0;
   const int behind = graph_.AddGhost(0, 6);
   const int far = graph_.AddGhost(3, 0);
   GlobalPolicy policy = Policy({16.0, 0});

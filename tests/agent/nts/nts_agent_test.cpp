@@ -8,6 +8,7 @@
 
 #include "sim/base/error.h"
 #include "tests/agent/nts/scripted_model.h"
+#include "tests/support/corridor.h"
 
 namespace bulletnav::agent {
 namespace {
@@ -32,7 +33,9 @@ class NtsAgentTest : public testing::Test {
     AgentContext context;
     context.rig = SmallRig();
     context.semantic_model = model_;
-    agent_ = std::make_unique<NtsAgent>(NtsSpec{}, context, "nts", GhostChoice::kScore);
+    NtsSpec spec;
+    spec.policy.opening_reach = 0.0;  // known floor ends all around a body that sees nothing
+    agent_ = std::make_unique<NtsAgent>(spec, context, "nts", GhostChoice::kScore);
   }
 
   /// Steps until it stops, or 300.
@@ -107,6 +110,27 @@ TEST_F(NtsAgentTest, GivesUpAGoalThatIsNotWhereANodeSaidItIs) {
   agent_->Reset({}, 3);
   EXPECT_LT(Run(), 200);
   EXPECT_LE(Left(), 0.6);
+}
+
+TEST(NtsAgent, GoesWhereKnownFloorEndsIfNoDirectionIsExplorable) {
+  const auto model = std::make_shared<ScriptedModel>();
+  model->encode = [](const Panorama& panorama) {
+    return panorama.depth.empty() ? CodeAt(6, 0) : CodeAt(0, 0);
+  };
+  AgentContext context;
+  context.semantic_model = model;
+  NtsSpec spec;
+  spec.policy.opening_reach = 4.0;
+  NtsAgent agent(spec, context, "nts", GhostChoice::kScore);
+  agent.Reset({}, 3);
+  const auto depth = tests::CorridorDepth(0.0);
+  agent.Act({{{}, depth}, {}, false, 0});
+  const GraphPicture graph = *agent.belief().graph;
+  ASSERT_EQ(graph.path.size(), 2u);
+  EXPECT_EQ(graph.path[0], 0);
+  const GraphPicture::Node& ghost = graph.nodes[static_cast<std::size_t>(graph.path[1])];
+  EXPECT_TRUE(ghost.is_ghost);
+  EXPECT_NEAR(ghost.x, 3.0, 0.3) << "the end of what is seen of the corridor";
 }
 
 TEST(NtsAgent, WithoutAModelSaysThatThereAreNoWeights) {

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "agent/perception/relative_pose.h"
 #include "sim/math/rng.h"
 
 namespace bulletnav::agent {
@@ -113,6 +114,20 @@ TEST(TopologicalGraph, PicturesNodesThenGhostsWithScores) {
   EXPECT_EQ(picture.nodes[2].score, 0.5);
   const std::vector<std::pair<int, int>> edges = {{0, 1}, {1, 2}};
   EXPECT_EQ(picture.edges, edges);
+}
+
+TEST(TopologicalGraph, AGhostAtAPointStaysThere) {
+  sim::Rng rng(7, "ghosts");
+  TopologicalGraph graph;
+  graph.AddNode({{}, {1.0, -2.0, 0.7}});
+  for (int i = 0; i < 100; ++i) {
+    const Point point{rng.Uniform(-3.0, 5.0), rng.Uniform(-6.0, 2.0)};
+    const GhostNode ghost = *graph.FindGhost(graph.AddGhostAt(0, point));
+    EXPECT_LT(Distance(graph.GhostPoint(ghost), point), 1e-9);
+    EXPECT_EQ(ghost.direction, DirectionOf(graph.BearingFrom(0, point)));
+    EXPECT_LE(std::fabs(ghost.off), sim::kPi / kDirections + 1e-9);
+  }
+  EXPECT_EQ(graph.ghosts().size(), 100u) << "several in a direction";
 }
 
 }  // namespace
