@@ -96,10 +96,11 @@ LabelledPairs Join(const std::vector<LabelledPairs>& parts) {
           join(&LabelledPairs::explorable, 0)};
 }
 
-torch::Tensor NtsLosses::Total(double contrast_weight) const {
-  const torch::Tensor total =
-      connection + direction + explorable + kScoreWeight * (distance + scores);
-  return contrast_weight > 0.0 ? total + contrast_weight * contrast : total;
+torch::Tensor NtsLosses::Total(const Weights& weights) const {
+  torch::Tensor total = connection + direction + explorable + kScoreWeight * (distance + scores);
+  if (weights.contrast > 0.0) total = total + weights.contrast * contrast;
+  if (weights.rejection > 0.0) total = total + weights.rejection * rejection;
+  return total;
 }
 
 NtsLosses Losses(const torch::Tensor& explorable, const agent::PairOutputs& outputs,
@@ -117,6 +118,7 @@ NtsLosses Losses(const torch::Tensor& explorable, const agent::PairOutputs& outp
   losses.direction = MeanWhere(directed, direction);
   losses.explorable = CrossEntropy(explorable, labels.explorable).mean();
   losses.distance = MeanWhere(near, (outputs.distance_score - labels.distance_score).square());
+  losses.rejection = MeanWhere(far, outputs.distance_score.square());
   losses.scores = MeanWhere(scored, (outputs.scores - labels.scores).square());
   const torch::Tensor error = (outputs.scores - labels.scores) * scored;
   const torch::Tensor mean =

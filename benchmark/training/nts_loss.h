@@ -37,10 +37,16 @@ struct NtsLosses {
   torch::Tensor distance;    // square of the score's error
   torch::Tensor scores;      // likewise
   torch::Tensor contrast;    // likewise, of the scores less their mean over the directions
+  torch::Tensor rejection;   // square of the distance's score where the pair is of two nodes
 
-  /// The sum, squares counting ten times. Source: Neural Topological SLAM, appendix A; the contrast
-  /// is ours.
-  torch::Tensor Total(double contrast_weight = 0.0) const;
+  /// The sum, squares counting ten times. Source: Neural Topological SLAM, appendix A; the weighed
+  /// ones are ours.
+  struct Weights {
+    double contrast = 0.0;
+    double rejection = 0.0;
+  };
+  torch::Tensor Total(const Weights& weights) const;
+  torch::Tensor Total() const { return Total({}); }
 };
 
 /// Trains the direction and distance on pairs of one node only, the scores on others only.

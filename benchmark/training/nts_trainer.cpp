@@ -39,7 +39,7 @@ class NtsLearner final : public Learner {
         net_.Describe(at::cat(inputs), at::detail::createCPUGenerator(work.seed));
     return Losses(parts.explorable, net_.Compare(parts.Select(all.source), parts.Select(all.goal)),
                   all)
-        .Total(ContrastWeight(work.step));
+        .Total({ContrastWeight(work.step), config_.rejection.value_or(0.0)});
   }
 
   Measures Validate(const BatchSource& batches, int count, sim::WorkerPool* pool) override {

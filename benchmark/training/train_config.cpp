@@ -60,6 +60,7 @@ void TrainConfig::Validate() const {
   TrainPlan::Validate();
   RequireTask(*this, Trained::kNts);
   RequireAtLeast(2, pairs, "pairs");
+  if (!(rejection.value_or(0.0) >= 0.0)) throw sim::Error("rejection must not be negative");
 }
 
 void MapperTrainConfig::Validate() const {

@@ -125,6 +125,9 @@ struct TrainConfig : TrainPlan {
   agent::ModelConfig model;
   int pairs = 64;  // compared of each batch, half of them of one node if there are enough
   std::optional<ScoreContrast> score_contrast;  // default: none, as in the paper
+  /// Weight of what the distance says of pairs of two nodes, which is to be 3 m or more: a second
+  /// opinion where F_L takes one room for another. Default: none.
+  std::optional<double> rejection;
 
   template <class V>
   void Visit(V& v) {
@@ -133,6 +136,7 @@ struct TrainConfig : TrainPlan {
     VisitSteps(v);
     v("pairs", pairs);
     v("score_contrast", score_contrast);
+    v("rejection", rejection);
     VisitValidation(v);
   }
   /// Throws Error.

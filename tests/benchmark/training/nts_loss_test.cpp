@@ -62,8 +62,12 @@ TEST(Losses, AreAsWorkedOutByHand) {
   const double mean_error = (10 * 0.25 - 0.4) / 11.0;
   const double contrast = (10 * 0.0625 + 0.16) / 11.0 - mean_error * mean_error;
   EXPECT_NEAR(losses.contrast.item<double>(), contrast, 1e-5);
-  EXPECT_NEAR(losses.Total(20.0).item<double>() - losses.Total().item<double>(), 20.0 * contrast,
-              1e-4);
+  const auto total = [&](const NtsLosses::Weights& weights) {
+    return losses.Total(weights).item<double>();
+  };
+  EXPECT_NEAR(total({.contrast = 20.0}) - total({}), 20.0 * contrast, 1e-4);
+  EXPECT_NEAR(losses.rejection.item<double>(), 0.81, 1e-5);
+  EXPECT_NEAR(total({.rejection = 3.0}) - total({}), 3.0 * 0.81, 1e-4);
 }
 
 TEST(Losses, AreZeroAndFiniteWithoutLabels) {

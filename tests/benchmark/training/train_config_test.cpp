@@ -53,6 +53,18 @@ TEST(TrainConfig, ScoreContrastIsReadAndChecked) {
   }
 }
 
+TEST(TrainConfig, RejectionIsReadAndChecked) {
+  const tests::TemporaryFolder folder;
+  const auto config = sim::LoadYaml<TrainConfig>(folder.Write("a.yaml", "out: x\nrejection: 10\n"));
+  EXPECT_EQ(config.rejection, 10.0);
+  for (const char* bad : {"-1", ".nan", "much"}) {
+    EXPECT_THROW(sim::LoadYaml<TrainConfig>(
+                     folder.Write("b.yaml", std::string("out: x\nrejection: ") + bad + "\n")),
+                 sim::FileError)
+        << bad;
+  }
+}
+
 TEST(TrainConfig, TellsWhatIsTrained) {
   const tests::TemporaryFolder folder;
   EXPECT_EQ(TrainedBy(folder.Write("a.yaml", "out: x\n")), Trained::kNts);
