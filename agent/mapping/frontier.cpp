@@ -2,7 +2,6 @@
 #include "agent/mapping/frontier.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace bulletnav::agent {
 
@@ -33,7 +32,7 @@ std::vector<Cell> FrontierFinder::Near(const Grid<CellState>& map, const Cell& f
   while (const auto cell = march_.Next()) {
     if (march_.distance(*cell) > reach) break;
     const bool is_covered = std::any_of(found.begin(), found.end(), [&](const Cell& other) {
-      return std::hypot(cell->x - other.x, cell->y - other.y) < apart;
+      return Distance(*cell, other) < apart;
     });
     if (!is_covered && IsOpening(map, *cell)) found.push_back(*cell);
   }
