@@ -79,6 +79,7 @@ TEST(RunConfig, ErrorsNameThePlace) {
 TEST(RunAgents, SayWhatIsMissing) {
   RunConfig config = ParseRunConfig(kGood, "c.yaml");
   config.settings = {Setting::kRgb, Setting::kRgbd};
+  config.weights = {"none.safetensors", "none.safetensors", "none.safetensors"};
   config.agents[1].settings.clear();
   const auto agents = FindAgents(config);
   EXPECT_EQ(agents[0].row().note, "");
