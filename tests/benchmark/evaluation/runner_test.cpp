@@ -349,7 +349,9 @@ TEST_F(RunnerTest, GoldenRun) {
   const fs::path golden = fs::path(BULLETNAV_GOLDEN) / "run.txt";
   std::string text;
   for (const EpisodeResult& result :
-       Play(Config("{agent: shortest_path}, {agent: random}, {agent: behaves}",
+       Play(Config("{agent: shortest_path}, {agent: random}, {agent: behaves}, "
+                   "{agent: metric_map_fbe, semantic_model: oracle}, "
+                   "{agent: nts, semantic_model: oracle}",
                    "conditions: [noise, no_stop]"),
             "golden")) {
     const GoalMetrics& goal = result.goals[0];
