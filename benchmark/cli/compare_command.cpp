@@ -20,13 +20,20 @@ struct CompareOptions {
   std::filesystem::path first;
   std::filesystem::path second;
   std::vector<std::string> agents;
+  std::vector<std::string> settings;
+  std::vector<std::string> conditions;
 };
 
+Pairing::Names NamesOf(const std::vector<std::string>& two) {
+  if (two.empty()) return std::nullopt;
+  return std::pair{two[0], two[1]};
+}
+
 void Compare(const CompareOptions& options) {
-  std::optional<std::pair<std::string, std::string>> agents;
-  if (!options.agents.empty()) agents = {options.agents[0], options.agents[1]};
+  const Pairing pairing = {NamesOf(options.agents), NamesOf(options.settings),
+                           NamesOf(options.conditions)};
   fmt::print("{}",
-             ToText(CompareRuns(ReadResults(options.first), ReadResults(options.second), agents)));
+             ToText(CompareRuns(ReadResults(options.first), ReadResults(options.second), pairing)));
 }
 
 }  // namespace
@@ -40,6 +47,14 @@ void AddCompareCommand(CLI::App* program) {
   command
       ->add_option("--agents", options->agents,
                    "An agent of the first and one of the second (default: those of one name)")
+      ->expected(2);
+  command
+      ->add_option("--settings", options->settings,
+                   "A setting of the first and one of the second, as rgb rgbd")
+      ->expected(2);
+  command
+      ->add_option("--conditions", options->conditions,
+                   "A condition of the first and one of the second, as noise no_noise")
       ->expected(2);
   command->callback([options] {
     Compare(*options);

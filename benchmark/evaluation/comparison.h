@@ -10,12 +10,21 @@
 
 namespace bulletnav::bench {
 
-/// Two agents, or one agent of two runs, on the same episodes with the same seed.
+/// What is paired with what: names of the first run and of the second. What is not given is paired
+/// with its namesake.
+struct Pairing {
+  using Names = std::optional<std::pair<std::string, std::string>>;
+  Names agents;
+  Names settings;
+  Names conditions;
+};
+
+/// Two sets of results on the same episodes with the same seed.
 struct ComparisonRow {
   std::string agent_a;
   std::string agent_b;
-  std::string setting;
-  std::string condition;
+  std::string setting;     // or "rgb -> rgbd"
+  std::string condition;   // likewise
   std::string difficulty;  // "easy", "medium", "hard", "overall"
   double success_a = 0.0;
   double success_b = 0.0;
@@ -31,12 +40,12 @@ struct Comparison {
   int only_b = 0;
 };
 
-/// Pairs results by setting, condition, seed, scene and episode. Without `agents` each agent is
-/// compared with its namesake; with it, the first, of run a, with the second, of run b. An episode
-/// of several goals counts with their mean. Throws sim::Error, listing the agents, if there is
-/// nothing to pair.
+/// Pairs results by agent, setting, condition, seed, scene and episode. An episode of several goals
+/// counts with their mean. Throws sim::Error if there is nothing to pair, listing what there is,
+/// and if episodes of one name start at different distances from their goals: they are not the
+/// same.
 Comparison CompareRuns(const std::vector<EpisodeResult>& a, const std::vector<EpisodeResult>& b,
-                       const std::optional<std::pair<std::string, std::string>>& agents);
+                       const Pairing& pairing);
 
 /// A table for the terminal: both runs' figures, the differences, their 95% intervals and p.
 std::string ToText(const Comparison& comparison);

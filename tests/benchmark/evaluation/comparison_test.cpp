@@ -29,7 +29,7 @@ std::vector<EpisodeResult> MakeRun(const std::string& agent, int successes, int 
 }
 
 TEST(CompareRuns, PairsEpisodesOfOneAgent) {
-  const Comparison comparison = CompareRuns(MakeRun("x", 4), MakeRun("x", 14), std::nullopt);
+  const Comparison comparison = CompareRuns(MakeRun("x", 4), MakeRun("x", 14), {});
   ASSERT_EQ(comparison.rows.size(), 3u);
   EXPECT_EQ(comparison.rows[0].difficulty, "easy");
   const ComparisonRow& all = comparison.rows[2];
@@ -47,22 +47,24 @@ TEST(CompareRuns, PairsEpisodesOfOneAgent) {
 TEST(CompareRuns, OrderOfResultsDoesNotMatter) {
   auto a = MakeRun("x", 4);
   const auto b = MakeRun("x", 14);
-  const std::string text = ToText(CompareRuns(a, b, std::nullopt));
+  const std::string text = ToText(CompareRuns(a, b, {}));
   std::reverse(a.begin(), a.end());
-  EXPECT_EQ(ToText(CompareRuns(a, b, std::nullopt)), text);
+  EXPECT_EQ(ToText(CompareRuns(a, b, {})), text);
 }
 
 TEST(CompareRuns, PairsTwoAgentsByName) {
   auto run = MakeRun("x", 4);
   const auto other = MakeRun("y", 14);
   run.insert(run.end(), other.begin(), other.end());
-  const Comparison comparison = CompareRuns(run, run, std::pair{"y", "x"});
+  Pairing pairing;
+  pairing.agents = {"y", "x"};
+  const Comparison comparison = CompareRuns(run, run, pairing);
   EXPECT_DOUBLE_EQ(comparison.rows[2].success.mean, -0.5);
   EXPECT_THAT(ToText(comparison), HasSubstr("y -> x, rgbd, noise"));
 }
 
 TEST(CompareRuns, LeavesOutWhatHasNoPartnerAndSaysSo) {
-  const Comparison comparison = CompareRuns(MakeRun("x", 4), MakeRun("x", 4, 12), std::nullopt);
+  const Comparison comparison = CompareRuns(MakeRun("x", 4), MakeRun("x", 4, 12), {});
   EXPECT_EQ(comparison.rows[2].success.pairs, 12);
   EXPECT_EQ(comparison.only_a, 8);
   EXPECT_EQ(comparison.only_b, 0);
@@ -71,12 +73,41 @@ TEST(CompareRuns, LeavesOutWhatHasNoPartnerAndSaysSo) {
 
 TEST(CompareRuns, ListsTheAgentsIfNoneAreShared) {
   try {
-    CompareRuns(MakeRun("x", 4), MakeRun("y", 4), std::nullopt);
+    CompareRuns(MakeRun("x", 4), MakeRun("y", 4), {});
+    ADD_FAILURE();
+  } catch (const sim::Error& e) {
+    EXPECT_THAT(e.what(), AllOf(HasSubstr("one has x (rgbd, noise);"), HasSubstr("the other y ("),
+                                HasSubstr("--agents")));
+  }
+}
+
+TEST(CompareRuns, PairsTwoConditions) {
+  const auto noise = MakeRun("x", 4);
+  auto exact = MakeRun("x", 14);
+  for (EpisodeResult& result : exact) result.key.condition = "no_noise";
+  EXPECT_THROW(CompareRuns(noise, exact, {}), sim::Error);
+  Pairing pairing;
+  pairing.conditions = {"noise", "no_noise"};
+  const Comparison comparison = CompareRuns(noise, exact, pairing);
+  EXPECT_DOUBLE_EQ(comparison.rows[2].success.mean, 0.5);
+  EXPECT_THAT(ToText(comparison), HasSubstr("x, rgbd, noise -> no_noise\n"));
+}
+
+TEST(CompareRuns, RefusesOtherEpisodesOfTheSameName) {
+  auto other = MakeRun("x", 14);
+  other[3].goals[0].start_distance = 1.5;
+  try {
+    CompareRuns(MakeRun("x", 4), other, {});
     ADD_FAILURE();
   } catch (const sim::Error& e) {
     EXPECT_THAT(e.what(),
-                AllOf(HasSubstr("one has x"), HasSubstr("the other y"), HasSubstr("--agents")));
+                AllOf(HasSubstr("different episodes: '3' in house.glb"), HasSubstr("1.500 m")));
   }
+}
+
+TEST(CompareRuns, SmallPValuesAreNotNone) {
+  const std::string text = ToText(CompareRuns(MakeRun("x", 0), MakeRun("x", 20), {}));
+  EXPECT_THAT(text, HasSubstr("p < 0.001"));
 }
 
 }  // namespace
