@@ -52,7 +52,11 @@ class MetricMapFbeAgent final : public Agent {
     if (!estimator_ && context.semantic_model) {
       estimator_ = std::make_shared<ModelGoalEstimator>(context.semantic_model, config.goal_seen);
     }
-    if (!estimator_) throw sim::Error("metric_map_fbe needs something that recognises the goal");
+    if (!estimator_) {
+      throw sim::Error(
+          "metric_map_fbe needs something that recognises the goal; semantic_model: "
+          "learned (or oracle) in a run's config says what");
+    }
   }
 
   void Reset(const Panorama& goal, std::uint64_t seed) override {

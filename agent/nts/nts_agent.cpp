@@ -21,8 +21,9 @@ constexpr double kNowhereToGo = 0.1;  // metres to a waypoint
 
 std::shared_ptr<SemanticModel> RequireModel(const AgentContext& context, std::string_view agent) {
   if (context.semantic_model) return context.semantic_model;
-  throw sim::Error("no weights are available for the learned functions that " + std::string(agent) +
-                   " needs");
+  throw sim::Error(std::string(agent) +
+                   " needs somebody to answer its four functions; semantic_model: learned (or "
+                   "oracle) in a run's config says who");
 }
 
 NtsAgent::NtsAgent(const Config& config, const AgentContext& context, std::string_view name,

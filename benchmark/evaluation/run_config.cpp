@@ -83,7 +83,9 @@ void RunConfig::Validate() const {
   RequireDistinct(settings, "settings", false);
   RequireDistinct(conditions, "conditions", false);
   RequireDistinct(seeds, "seeds", false);
-  if (name.find('/') != std::string::npos) throw Error("'name' must be a word, not a path");
+  if (name.find('/') != std::string::npos || name == "." || name == "..") {
+    throw Error("'name' must be a word, not a path");
+  }
   if (agents.empty()) throw Error("'agents' is empty; name at least one");
   if (!(success_distance > 0.0)) throw Error("success_distance must be positive");
   if (max_steps < 1 || max_steps > 1'000'000) {

@@ -72,6 +72,7 @@ TEST(RunConfig, ErrorsNameThePlace) {
               AllOf(StartsWith("c.yaml:7:5: "), HasSubstr("two agents are called 'random'")));
   EXPECT_THAT(ErrorOf(With("name: ceiling", "weight: 3")), StartsWith("c.yaml:6:28: unknown key"));
   EXPECT_THAT(ErrorOf(With("[noise, no_stop]", "[noise, noise]")), HasSubstr("a value twice"));
+  EXPECT_THAT(ErrorOf("name: ..\n" + std::string(kGood)), HasSubstr("must be a word"));
   EXPECT_THAT(ErrorOf("episodes: {file: e}\nagents: []\n"), HasSubstr("'agents' is empty"));
   EXPECT_THAT(ErrorOf("agents: [{agent: nts}]\n"), HasSubstr("key 'episodes' is missing"));
 }
@@ -87,7 +88,7 @@ TEST(RunAgents, SayWhatIsMissing) {
   EXPECT_THAT(agents[1].row().note, StartsWith("oracle; not in rgb: "));
   EXPECT_EQ(agents[2].row().note, "privileged");
   EXPECT_TRUE(agents[3].settings.empty());
-  EXPECT_THAT(agents[3].row().note, HasSubstr("no weights are available"));
+  EXPECT_THAT(agents[3].row().note, HasSubstr("semantic_model: learned"));
   try {
     RequireAll(agents);
     FAIL();
