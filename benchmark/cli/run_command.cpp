@@ -52,6 +52,13 @@ void PlayConfig(const RunCommandOptions& options) {
   progress.End();
   fmt::print("{}\nresults: {}\nto draw them: bulletnav plot {}\n", outcome.table, folder.string(),
              folder.string());
+  if (outcome.versions > 1) {
+    fmt::print(
+        stderr,
+        "note: {} versions of the program played these results ({}); for results of one, give "
+        "--out another folder\n",
+        outcome.versions, (folder / "versions.txt").string());
+  }
   if (outcome.hung == 0) return;
   fmt::print(stderr, "{} agents never came back and end with the program\n", outcome.hung);
   std::fflush(nullptr);

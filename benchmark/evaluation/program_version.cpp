@@ -1,25 +1,42 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/evaluation/program_version.h"
 
+#include <set>
+#include <sstream>
 #include <system_error>
 
 #include "benchmark/evaluation/git_commit.h"
 #include "sim/base/files.h"
 
 namespace bulletnav::bench {
+namespace {
+
+constexpr const char* kVersionsFile = "versions.txt";
+
+std::string ReadVersions(const std::filesystem::path& folder) {
+  std::error_code unreadable;
+  if (!std::filesystem::exists(folder / kVersionsFile, unreadable)) return "";
+  return sim::ReadTextFile(folder / kVersionsFile);
+}
+
+}  // namespace
 
 std::string ProgramVersion() {
   return BULLETNAV_VERSION " (" BULLETNAV_COMMIT ")";
 }
 
 void NoteVersion(const std::filesystem::path& folder) {
-  const std::filesystem::path file = folder / "versions.txt";
-  std::error_code unreadable;
-  std::string text;
-  if (std::filesystem::exists(file, unreadable)) text = sim::ReadTextFile(file);
+  std::string text = ReadVersions(folder);
   const std::string line = ProgramVersion() + "\n";
   if (text.ends_with(line)) return;
-  sim::WriteFileAtomically(file, text.append(line));
+  sim::WriteFileAtomically(folder / kVersionsFile, text.append(line));
+}
+
+int CountVersions(const std::filesystem::path& folder) {
+  std::istringstream lines(ReadVersions(folder));
+  std::set<std::string> versions;
+  for (std::string line; std::getline(lines, line);) versions.insert(line);
+  return static_cast<int>(versions.size());
 }
 
 }  // namespace bulletnav::bench

@@ -13,4 +13,7 @@ std::string ProgramVersion();
 /// that did, in order. Throws sim::FileError.
 void NoteVersion(const std::filesystem::path& folder);
 
+/// How many versions have played there; 0 if none was noted.
+int CountVersions(const std::filesystem::path& folder);
+
 }  // namespace bulletnav::bench

@@ -228,6 +228,7 @@ RunOutcome RunBenchmark(RunConfig config, const fs::path& folder, const RunOptio
   if (hooks.begin) hooks.begin(done.size() + work.jobs.size(), done);
   RunOutcome outcome;
   outcome.hung = Play(work, folder, workers, hooks, &store);
+  outcome.versions = CountVersions(folder);
   outcome.table = WriteTables(folder, store.results(), AgentRows(work.plan->agents));
   return outcome;
 }

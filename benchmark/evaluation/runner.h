@@ -34,6 +34,7 @@ struct RunOutcome {
   /// Threads of agents that never came back. They can only be ended with the process, which must
   /// then leave by _Exit.
   int hung = 0;
+  int versions = 0;  // of the program, that have played in the folder
 };
 
 /// Plays every episode of a config that `folder` has no result of yet, and writes there config.yaml

@@ -22,6 +22,8 @@ TEST(ProgramVersion, IsNotedOncePerVersionThatPlayed) {
   sim::WriteFileAtomically(file, "0.0.9 (abc)\n");
   NoteVersion(folder.path());
   EXPECT_EQ(sim::ReadTextFile(file), "0.0.9 (abc)\n" + ProgramVersion() + "\n");
+  EXPECT_EQ(CountVersions(folder.path()), 2);
+  EXPECT_EQ(CountVersions(folder.path() / "none"), 0);
 }
 
 }  // namespace
