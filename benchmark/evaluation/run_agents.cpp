@@ -3,13 +3,18 @@
 
 #include <algorithm>
 #include <array>
+#include <exception>
 #include <optional>
+
+#include <fmt/core.h>
+#include <yaml-cpp/yaml.h>
 
 #include "agent/perception/model_file.h"
 #include "benchmark/evaluation/privileged/mixed_semantic_model.h"
 #include "benchmark/evaluation/privileged/oracle_goal_estimator.h"
 #include "benchmark/evaluation/privileged/oracle_semantic_model.h"
 #include "sim/base/check.h"
+#include "sim/base/files.h"
 #include "sim/config/yaml_writer.h"
 
 namespace bulletnav::bench {
@@ -141,6 +146,37 @@ std::vector<agent::AgentContext> ContextsOf(const RunAgent& agent, const agent::
   return contexts;
 }
 
+/// How many panoramas the functions of these weights were trained on, counted as often as they were
+/// shown, by what the trainer noted in the file; absent if it did not.
+std::optional<std::int64_t> FramesTrained(const fs::path& weights) {
+  const agent::TensorFile file = agent::ReadTensorFile(weights);
+  const auto step = file.metadata.find("step");
+  const auto training = file.metadata.find("training");
+  if (step == file.metadata.end() || training == file.metadata.end()) return std::nullopt;
+  try {
+    const YAML::Node plan = YAML::Load(training->second);
+    return std::stoll(step->second) * plan["scenes"].as<std::int64_t>() *
+           plan["panoramas"].as<std::int64_t>();
+  } catch (const std::exception&) {
+    return std::nullopt;  // of another program
+  }
+}
+
+/// Whether results that were saved with this config are of the weights that are there now.
+bool IsOfTheseWeights(const RunConfig& config, Setting setting, const fs::path& weights) {
+  if (!config.fingerprints) return true;
+  const auto saved = config.fingerprints->weights.find(std::string(sim::NameOf(setting)));
+  return saved == config.fingerprints->weights.end() ||
+         saved->second == fmt::format("{:016x}", sim::Hash64(sim::ReadFile(weights)));
+}
+
+void NoteFrames(const RunConfig& config, Setting setting, RunAgent* agent) {
+  const fs::path weights = FindWeights(agent->weights.of(setting));
+  const auto frames = FramesTrained(weights);
+  if (!frames || !IsOfTheseWeights(config, setting, weights)) return;
+  agent->frames_trained[std::string(sim::NameOf(setting))] = *frames;
+}
+
 RunAgent FindAgent(const RunConfig& config, const AgentEntry& entry, const ModelLoaders& loaders) {
   RunAgent agent;
   agent.entry = entry;
@@ -162,6 +198,7 @@ RunAgent FindAgent(const RunConfig& config, const AgentEntry& entry, const Model
     const std::string why = WhyNot(agent, RigOf(config, setting));
     if (why.empty()) {
       agent.settings.push_back(setting);
+      if (agent.is_learned()) NoteFrames(config, setting, &agent);
     } else {
       agent.missing += (agent.missing.empty() ? "not in " : "; not in ") +
                        std::string(sim::NameOf(setting)) + ": " + why;
@@ -218,6 +255,7 @@ AgentRow RunAgent::row() const {
   AgentRow row;
   row.agent = entry.name;
   row.title = entry.title;
+  row.frames_trained = frames_trained;
   if (!settings.empty() && is_privileged) row.note = "privileged";
   if (!settings.empty() && entry.semantic_model == SemanticModelKind::kOracle) row.note = "oracle";
   for (const SemanticFunction function : entry.oracle_functions) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -50,6 +51,7 @@ struct RunAgent {
   std::string parameters;   // YAML text: nodes are not to be shared between threads
   agent::AgentMaker maker;  // of those that are not privileged
   WeightsSpec weights;
+  std::map<std::string, std::int64_t> frames_trained;  // see AgentRow
   ModelLoaders loaders;
 
   bool is_learned() const { return entry.semantic_model == SemanticModelKind::kLearned; }

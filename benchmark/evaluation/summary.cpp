@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <tuple>
 
@@ -22,6 +23,7 @@ struct Sample {
   double success_euclidean = 0.0;
   double spl = 0.0;
   double soft_spl = 0.0;
+  double distance_to_goal = 0.0;
   double steps = 0.0;
   double collisions = 0.0;
   bool failed = false;
@@ -34,12 +36,18 @@ Sample SampleOf(const EpisodeResult& result, std::size_t count) {
   const auto n = static_cast<double>(count);
   for (std::size_t i = 0; i < count; ++i) {
     const GoalMetrics& goal = result.goals[i];
-    sample.success += (goal.success ? 1.0 : 0.0) / n;
-    sample.success_euclidean += (goal.success_euclidean ? 1.0 : 0.0) / n;
-    sample.spl += goal.spl / n;
-    sample.soft_spl += goal.soft_spl / n;
+    sample.success += goal.success ? 1.0 : 0.0;
+    sample.success_euclidean += goal.success_euclidean ? 1.0 : 0.0;
+    sample.spl += goal.spl;
+    sample.soft_spl += goal.soft_spl;
+    sample.distance_to_goal +=
+        std::isfinite(goal.distance_to_goal) ? goal.distance_to_goal : goal.euclidean_distance;
     sample.steps += goal.steps;
     sample.collisions += goal.collisions;
+  }
+  for (double* sum : {&sample.success, &sample.success_euclidean, &sample.spl, &sample.soft_spl,
+                      &sample.distance_to_goal}) {
+    *sum /= n;  // after summing: ten goals of ten are 1
   }
   sample.failed = !result.failure.empty();
   sample.single = count == 1;
@@ -82,11 +90,13 @@ std::vector<double> Column(const std::vector<Sample>& samples, double Sample::*m
   return values;
 }
 
+bool IsSingle(const Sample& sample) {
+  return sample.single;
+}
+
 Interval SuccessInterval(const std::vector<Sample>& samples) {
   const std::vector<double> success = Column(samples, &Sample::success);
-  const bool single = std::all_of(samples.begin(), samples.end(), [](const Sample& sample) {
-    return sample.single;
-  });
+  const bool single = std::all_of(samples.begin(), samples.end(), IsSingle);
   if (!single) return BootstrapInterval(success, kBootstrapSeed);
   const auto successes = std::count(success.begin(), success.end(), 1.0);
   return WilsonInterval(static_cast<int>(successes), static_cast<int>(success.size()));
@@ -110,8 +120,10 @@ SummaryRow MakeRow(const RowKey& key, const std::vector<Sample>& samples) {
   row.spl = Mean(spl);
   row.spl_ci = BootstrapInterval(spl, kBootstrapSeed);
   row.soft_spl = Mean(Column(samples, &Sample::soft_spl));
+  row.distance_to_goal_mean = Mean(Column(samples, &Sample::distance_to_goal));
   row.steps_mean = Mean(Column(samples, &Sample::steps));
   row.collisions_mean = Mean(Column(samples, &Sample::collisions));
+  if (!std::all_of(samples.begin(), samples.end(), IsSingle)) return row;
   const PublishedFigure paper =
       FindPublished(row.agent, row.setting, row.condition, row.difficulty);
   row.paper_success = paper.success;
@@ -167,7 +179,9 @@ Json ToJson(const SummaryRow& row) {
           {"collisions_mean", row.collisions_mean},
           {"frames_trained", OrNull(row.frames_trained)},
           {"paper_success", OrNull(row.paper_success)},
-          {"paper_spl", OrNull(row.paper_spl)}};
+          {"paper_spl", OrNull(row.paper_spl)},
+          {"distance_to_goal_mean", row.distance_to_goal_mean},
+          {"note", row.note}};
 }
 
 /// A text as one CSV field.
@@ -194,7 +208,11 @@ std::vector<SummaryRow> Summarize(std::vector<EpisodeResult> results,
   std::vector<SummaryRow> rows;
   for (const auto& [key, samples] : Group(results, agents)) {
     rows.push_back(MakeRow(key, samples));
-    if (key.agent < agents.size()) rows.back().frames_trained = agents[key.agent].frames_trained;
+    if (key.agent >= agents.size()) continue;
+    const AgentRow& agent = agents[key.agent];
+    rows.back().note = agent.note;
+    const auto frames = agent.frames_trained.find(key.setting);
+    if (frames != agent.frames_trained.end()) rows.back().frames_trained = frames->second;
   }
   return rows;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -15,7 +16,8 @@ namespace bulletnav::bench {
 struct AgentRow {
   std::string agent;  // as in ResultKey
   std::string title;  // for people; empty: the paper's title, or the agent's name
-  std::optional<std::int64_t> frames_trained;
+  /// By setting: panoramas that its functions were trained on, counted as often as they were shown.
+  std::map<std::string, std::int64_t> frames_trained;
   std::string note;  // "oracle", "privileged", or why there are no results; may be empty
 };
 
@@ -35,11 +37,13 @@ struct SummaryRow {
   double spl = 0.0;
   Interval spl_ci;  // bootstrapped over episodes
   double soft_spl = 0.0;
+  double distance_to_goal_mean = 0.0;  // metres at the end; straight where no way leads there
   double steps_mean = 0.0;
   double collisions_mean = 0.0;
   std::optional<std::int64_t> frames_trained;
-  std::optional<double> paper_success;  // on Gibson
+  std::optional<double> paper_success;  // on Gibson, of single goals
   std::optional<double> paper_spl;
+  std::string note;  // the agent's
 };
 
 /// One row for each agent, setting, condition and difficulty that there are results of. Agents come

@@ -11,7 +11,28 @@ namespace {
 std::string EscapeLatex(const std::string& text) {
   std::string escaped;
   for (const char c : text) {
-    if (std::string_view("&%$#_{}").find(c) != std::string_view::npos) escaped += '\\';
+    switch (c) {
+      case '\\':
+        escaped += "\\textbackslash{}";
+        break;
+      case '~':
+        escaped += "\\textasciitilde{}";
+        break;
+      case '^':
+        escaped += "\\textasciicircum{}";
+        break;
+      default:
+        if (std::string_view("&%$#_{}").find(c) != std::string_view::npos) escaped += '\\';
+        escaped += c;
+    }
+  }
+  return escaped;
+}
+
+std::string EscapeMarkdown(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) {
+    if (std::string_view("\\|*").find(c) != std::string_view::npos) escaped += '\\';
     escaped += c;
   }
   return escaped;
@@ -39,11 +60,12 @@ std::string ToMarkdown(const ResultsTable& table) {
   std::string text = table.caption + "\n\n" + MarkdownLine(heads) + MarkdownLine(rule);
   for (const ResultsTable::Row& row : table.rows) {
     const std::string mark = row.is_paper ? "*" : "";
-    std::vector<std::string> cells = {row.setting, fmt::format("{0}{1}{0}", mark, row.title)};
+    std::vector<std::string> cells = {row.setting,
+                                      fmt::format("{0}{1}{0}", mark, EscapeMarkdown(row.title))};
     for (const std::string& cell : row.cells) {
       cells.push_back(cell.empty() ? "" : fmt::format("{0}{1}{0}", mark, cell));
     }
-    cells.push_back(row.remark);
+    cells.push_back(EscapeMarkdown(row.remark));
     text += MarkdownLine(cells);
   }
   return text + "\n";

@@ -17,7 +17,7 @@ struct ResultsTable {
     std::string title;
     bool is_paper = false;
     std::vector<std::string> cells;  // one a column; empty where there is no figure
-    std::string remark;              // in the last column: episodes, frames, notes
+    std::string remark;              // in the last column: episodes, intervals, frames, notes
   };
   std::string caption;
   std::vector<Group> groups;

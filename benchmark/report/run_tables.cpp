@@ -18,11 +18,13 @@ constexpr const char* kOurs =
     "in Neural Topological SLAM, in other scenes; to look at side by side, not to compare number "
     "by number.";
 
+enum class Measure { kSuccess, kSpl, kEuclidean };
+
 /// One column: a figure of the rows of one condition and difficulty.
 struct Column {
   std::string condition;
   std::string difficulty;
-  bool is_spl = false;
+  Measure measure = Measure::kSuccess;
 };
 
 struct Layout {
@@ -32,42 +34,77 @@ struct Layout {
 };
 
 struct Head {
-  const char* difficulty;
-  const char* title;
+  std::string difficulty;
+  std::string title;
 };
-constexpr std::array kHeads = {Head{"easy", "Easy"}, Head{"medium", "Medium"}, Head{"hard", "Hard"},
-                               Head{"overall", "Overall"}};
 
-/// Success and SPL for each of some difficulties.
-Layout SuccessAndSpl(std::string caption, std::span<const Head> heads) {
+std::vector<Head> Difficulties() {
+  return {{"easy", "Easy"}, {"medium", "Medium"}, {"hard", "Hard"}, {"overall", "Overall"}};
+}
+
+struct ConditionTitle {
+  const char* condition;
+  const char* title;
+  const char* in_caption;
+};
+constexpr std::array kOthers = {ConditionTitle{"no_stop", "No stop", "without stop action"},
+                                ConditionTitle{"no_noise", "No noise", "without motion noise"}};
+
+bool HasCondition(std::span<const SummaryRow> rows, const std::string& condition) {
+  return std::any_of(rows.begin(), rows.end(), [&](const SummaryRow& row) {
+    return row.condition == condition;
+  });
+}
+
+/// Success and SPL for each of some heads under one condition.
+Layout SuccessAndSpl(std::string caption, const std::string& condition,
+                     std::span<const Head> heads) {
   Layout layout;
   layout.caption = std::move(caption);
   for (const Head& head : heads) {
     layout.groups.push_back({head.title, {"Succ", "SPL"}});
-    layout.columns.push_back({"noise", head.difficulty, false});
-    layout.columns.push_back({"noise", head.difficulty, true});
+    layout.columns.push_back({condition, head.difficulty, Measure::kSuccess});
+    layout.columns.push_back({condition, head.difficulty, Measure::kSpl});
   }
   return layout;
 }
 
+/// Table 1; stops behind a wall show in its last column.
+Layout ByDifficulty() {
+  Layout layout = SuccessAndSpl("Success and SPL by difficulty.", "noise", Difficulties());
+  layout.groups.push_back({"Euclidean", {"Succ"}});
+  layout.columns.push_back({"noise", "overall", Measure::kEuclidean});
+  return layout;
+}
+
+/// Table 2, as far as the run has its conditions.
 Layout SuccessWithoutStopOrNoise(std::span<const SummaryRow> rows) {
   Layout layout;
-  layout.caption = "Success without stop action and without motion noise.";
-  const auto add = [&](const char* condition, const char* title) {
-    if (std::none_of(rows.begin(), rows.end(), [&](const SummaryRow& row) {
-          return row.condition == condition;
-        })) {
-      return;
+  for (const ConditionTitle& other : kOthers) {
+    if (!HasCondition(rows, other.condition)) continue;
+    layout.caption +=
+        (layout.caption.empty() ? "Success " : " and ") + std::string(other.in_caption);
+    layout.groups.push_back({other.title, {}});
+    for (const Head& head : Difficulties()) {
+      layout.groups.back().columns.push_back(head.title);
+      layout.columns.push_back({other.condition, head.difficulty, Measure::kSuccess});
     }
-    layout.groups.push_back({title, {}});
-    for (const Head& head : kHeads) {
-      layout.groups.back().columns.emplace_back(head.title);
-      layout.columns.push_back({condition, head.difficulty, false});
-    }
-  };
-  add("no_stop", "No stop");
-  add("no_noise", "No noise");
+  }
+  layout.caption += ".";
   return layout;
+}
+
+/// A table for each condition of a run of sequences.
+std::vector<Layout> ByNumberOfGoals(std::span<const SummaryRow> rows, std::span<const Head> heads) {
+  const std::string caption = "Share of goals reached and SPL by number of sequential goals";
+  std::vector<Layout> layouts;
+  if (HasCondition(rows, "noise")) layouts.push_back(SuccessAndSpl(caption + ".", "noise", heads));
+  for (const ConditionTitle& other : kOthers) {
+    if (!HasCondition(rows, other.condition)) continue;
+    layouts.push_back(
+        SuccessAndSpl(caption + ", " + other.in_caption + ".", other.condition, heads));
+  }
+  return layouts;
 }
 
 const SummaryRow* Find(std::span<const SummaryRow> rows, const SummaryRow& like,
@@ -83,12 +120,26 @@ std::string Figure(const std::optional<double>& value) {
   return value ? fmt::format("{:.2f}", *value) : "";
 }
 
+std::string Figure(const SummaryRow& row, Measure measure) {
+  if (measure == Measure::kSpl) return Figure(row.spl);
+  return Figure(measure == Measure::kSuccess ? row.success : row.success_euclidean);
+}
+
+std::string Figure(const PublishedFigure& known, Measure measure) {
+  if (measure == Measure::kEuclidean) return "";  // the paper has none
+  return Figure(measure == Measure::kSpl ? known.spl : known.success);
+}
+
+std::string PaperTitle(const std::string& agent) {
+  const std::string_view published = PublishedTitle(agent);
+  return published.empty() ? agent : std::string(published);
+}
+
 std::string TitleOf(const std::string& agent, std::span<const AgentRow> agents) {
   for (const AgentRow& row : agents) {
     if (row.agent == agent && !row.title.empty()) return row.title;
   }
-  const std::string_view published = PublishedTitle(agent);
-  return published.empty() ? agent : std::string(published);
+  return PaperTitle(agent);
 }
 
 std::string SettingTitle(std::string setting) {
@@ -98,44 +149,62 @@ std::string SettingTitle(std::string setting) {
   return setting;
 }
 
-/// "300 episodes, 25.0M frames, oracle".
-std::string Remark(int episodes, int failures, const std::string& agent,
-                   std::span<const AgentRow> agents) {
-  std::string text = fmt::format("{} episodes", episodes);
-  if (failures > 0) text += fmt::format(", {} of them failed", failures);
-  for (const AgentRow& row : agents) {
-    if (row.agent != agent) continue;
-    if (row.frames_trained) {
-      text += fmt::format(", {:.1f}M frames", static_cast<double>(*row.frames_trained) / 1e6);
-    }
-    if (!row.note.empty()) text += ", " + row.note;
+std::string Percent95(const Interval& interval) {
+  return fmt::format("{:.2f}-{:.2f}", interval.low, interval.high);
+}
+
+/// "300 episodes, 95%: 0.78-0.87 / 0.55-0.66, 25.0M frames, oracle": the intervals are of the
+/// last column of success and, if there is one, of SPL.
+std::string Remark(const Layout& layout, std::span<const SummaryRow> rows, const SummaryRow& like) {
+  int episodes = 0;
+  int failures = 0;
+  std::string success;
+  std::string spl;
+  for (const Column& column : layout.columns) {
+    const SummaryRow* row = Find(rows, like, column);
+    if (row == nullptr) continue;
+    episodes = std::max(episodes, row->episodes);
+    failures = std::max(failures, row->failures);
+    if (column.measure == Measure::kSuccess) success = Percent95(row->success_ci);
+    if (column.measure == Measure::kSpl) spl = " / " + Percent95(row->spl_ci);
   }
-  return text;
+  std::string text = fmt::format("{} episode{}", episodes, episodes == 1 ? "" : "s");
+  if (failures > 0) text += fmt::format(", {} of them failed", failures);
+  text.append(", 95%: ").append(success).append(spl);
+  if (like.frames_trained) {
+    text += fmt::format(", {:.1f}M frames", static_cast<double>(*like.frames_trained) / 1e6);
+  }
+  return like.note.empty() ? text : text + ", " + like.note;
+}
+
+/// The paper's row for an agent and setting, if it has one.
+void AddPaperRow(const Layout& layout, const std::string& agent, const std::string& setting,
+                 ResultsTable* table) {
+  ResultsTable::Row paper = {
+      SettingTitle(setting), PaperTitle(agent) + ", paper, Gibson", true, {}, ""};
+  bool any = false;
+  for (const Column& column : layout.columns) {
+    paper.cells.push_back(
+        Figure(FindPublished(agent, setting, column.condition, column.difficulty), column.measure));
+    any = any || !paper.cells.back().empty();
+  }
+  if (any) table->rows.push_back(std::move(paper));
 }
 
 /// Our row and the paper's, for the agent and setting of `like`.
 void AddRows(const Layout& layout, std::span<const SummaryRow> rows, const SummaryRow& like,
              std::span<const AgentRow> agents, ResultsTable* table) {
   ResultsTable::Row ours = {SettingTitle(like.setting), TitleOf(like.agent, agents), false, {}, ""};
-  ResultsTable::Row paper = {ours.setting, ours.title + ", paper, Gibson", true, {}, ""};
-  int episodes = 0;
-  int failures = 0;
-  bool any_paper = false;
+  bool any = false;
   for (const Column& column : layout.columns) {
     const SummaryRow* row = Find(rows, like, column);
-    ours.cells.push_back(row == nullptr ? "" : Figure(column.is_spl ? row->spl : row->success));
-    const PublishedFigure known =
-        FindPublished(like.agent, like.setting, column.condition, column.difficulty);
-    paper.cells.push_back(Figure(column.is_spl ? known.spl : known.success));
-    any_paper = any_paper || !paper.cells.back().empty();
-    if (row == nullptr) continue;
-    episodes = std::max(episodes, row->episodes);
-    failures = std::max(failures, row->failures);
+    ours.cells.push_back(row == nullptr ? "" : Figure(*row, column.measure));
+    any = any || row != nullptr;
   }
-  if (episodes == 0) return;
-  ours.remark = Remark(episodes, failures, like.agent, agents);
+  if (!any) return;
+  ours.remark = Remark(layout, rows, like);
   table->rows.push_back(std::move(ours));
-  if (any_paper) table->rows.push_back(std::move(paper));
+  AddPaperRow(layout, like.agent, like.setting, table);
 }
 
 /// The rows of `settings` that the layout has figures for, by setting and then agent.
@@ -159,11 +228,9 @@ ResultsTable Fill(const Layout& layout, std::span<const SummaryRow> rows,
   return table;
 }
 
-/// Rows for the agents that have no results at all.
-void AddMissing(std::span<const SummaryRow> rows, std::span<const AgentRow> agents,
-                ResultsTable* table) {
-  std::size_t columns = 0;
-  for (const ResultsTable::Group& group : table->groups) columns += group.columns.size();
+/// Rows for the agents that have no results at all, and the paper's of them.
+void AddMissing(const Layout& layout, std::span<const SummaryRow> rows,
+                std::span<const AgentRow> agents, ResultsTable* table) {
   for (const AgentRow& agent : agents) {
     if (std::any_of(rows.begin(), rows.end(), [&](const SummaryRow& row) {
           return row.agent == agent.agent;
@@ -171,22 +238,23 @@ void AddMissing(std::span<const SummaryRow> rows, std::span<const AgentRow> agen
       continue;
     }
     table->rows.push_back({"", TitleOf(agent.agent, agents), false,
-                           std::vector<std::string>(columns),
+                           std::vector<std::string>(layout.columns.size()),
                            agent.note.empty() ? "no results" : agent.note});
+    for (const char* setting : {"rgb", "rgbd"}) AddPaperRow(layout, agent.agent, setting, table);
   }
 }
 
-/// The numbers of goals that sequences were summed over, as heads: goals_1, ...
-std::vector<std::string> GoalCounts(std::span<const SummaryRow> rows) {
-  std::vector<std::string> names;
+/// The numbers of goals that sequences were summed over; none for single goals.
+std::vector<Head> GoalCounts(std::span<const SummaryRow> rows) {
+  std::vector<Head> heads;
   for (int count = 1;; ++count) {
     const std::string name = fmt::format("goals_{}", count);
     if (std::none_of(rows.begin(), rows.end(), [&](const SummaryRow& row) {
           return row.difficulty == name;
         })) {
-      return names;
+      return heads;
     }
-    names.push_back(name);
+    heads.push_back({name, std::to_string(count)});
   }
 }
 
@@ -194,26 +262,21 @@ std::vector<std::string> GoalCounts(std::span<const SummaryRow> rows) {
 
 std::vector<ResultsTable> MakeTables(std::span<const SummaryRow> rows,
                                      std::span<const AgentRow> agents) {
+  const std::vector<Head> goals = GoalCounts(rows);
+  const std::vector<Layout> layouts =
+      goals.empty() ? std::vector{ByDifficulty(), SuccessWithoutStopOrNoise(rows)}
+                    : ByNumberOfGoals(rows, goals);
   std::vector<ResultsTable> tables;
-  const auto add = [&](const Layout& layout) {
+  for (const Layout& layout : layouts) {
     ResultsTable table = Fill(layout, rows, agents);
-    if (!table.rows.empty()) tables.push_back(std::move(table));
-  };
-  const std::vector<std::string> counts = GoalCounts(rows);
-  if (counts.empty()) {
-    add(SuccessAndSpl("Success and SPL by difficulty.", kHeads));
-  } else {
-    std::vector<std::string> titles;
-    std::vector<Head> heads;
-    for (std::size_t i = 0; i < counts.size(); ++i) titles.push_back(std::to_string(i + 1));
-    for (std::size_t i = 0; i < counts.size(); ++i) {
-      heads.push_back({counts[i].c_str(), titles[i].c_str()});
-    }
-    add(SuccessAndSpl("Share of goals reached and SPL by number of sequential goals.", heads));
+    if (table.rows.empty()) continue;
+    if (tables.empty()) AddMissing(layout, rows, agents, &table);
+    tables.push_back(std::move(table));
   }
-  add(SuccessWithoutStopOrNoise(rows));
-  if (tables.empty()) tables.push_back({"No results yet.", {}, {}});
-  AddMissing(rows, agents, &tables.front());
+  if (tables.empty()) {
+    tables.push_back({"No results yet.", {}, {}});
+    AddMissing({}, rows, agents, &tables.front());
+  }
   return tables;
 }
 

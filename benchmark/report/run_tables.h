@@ -11,9 +11,9 @@
 namespace bulletnav::bench {
 
 /// The tables that a run's rows make, laid out like the paper's: success and SPL by difficulty
-/// (table 1) for the condition "noise", or by number of goals for sequences; success by difficulty
-/// (table 2) for "no_stop" and "no_noise". Under each row of ours comes the paper's, labelled,
-/// where it has one. Agents without results get a row that gives their note.
+/// (table 1) for the condition "noise", success by difficulty (table 2) for "no_stop" and
+/// "no_noise"; for sequences, by number of goals, a table a condition. Under each row of ours comes
+/// the paper's, labelled, where it has one. Agents without results get a row that gives their note.
 std::vector<ResultsTable> MakeTables(std::span<const SummaryRow> rows,
                                      std::span<const AgentRow> agents);
 

@@ -2,6 +2,7 @@
 #include "benchmark/evaluation/summary.h"
 
 #include <algorithm>
+#include <limits>
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -24,6 +25,8 @@ EpisodeResult Result(const std::string& agent, Difficulty difficulty, int episod
   metrics.success_euclidean = success;
   metrics.spl = spl;
   metrics.soft_spl = spl / 2;
+  metrics.distance_to_goal = success ? 0.25 : std::numeric_limits<double>::infinity();
+  metrics.euclidean_distance = success ? 0.125 : 4.0;
   metrics.steps = 10 * (episode + 1);
   metrics.collisions = episode;
   result.goals = {metrics};
@@ -51,7 +54,7 @@ const SummaryRow& Find(const std::vector<SummaryRow>& rows, const std::string& a
 }
 
 TEST(Summarize, MeansByHand) {
-  const std::vector<AgentRow> agents = {{"nts", "", 25'000'000, ""}};
+  const std::vector<AgentRow> agents = {{"nts", "", {{"rgbd", 25'000'000}, {"rgb", 3}}, "oracle"}};
   const auto rows = Summarize(SomeResults(), agents);
   ASSERT_EQ(rows.size(), 6u);
   const SummaryRow& easy = Find(rows, "nts", "easy");
@@ -63,6 +66,8 @@ TEST(Summarize, MeansByHand) {
   EXPECT_DOUBLE_EQ(easy.steps_mean, 25.0);
   EXPECT_DOUBLE_EQ(easy.collisions_mean, 1.5);
   EXPECT_EQ(easy.frames_trained, 25'000'000);
+  EXPECT_EQ(easy.note, "oracle");
+  EXPECT_DOUBLE_EQ(easy.distance_to_goal_mean, (4.0 + 3 * 0.25) / 4);
   EXPECT_EQ(easy.paper_success, 0.87);
   EXPECT_EQ(easy.paper_spl, 0.65);
   const SummaryRow& overall = Find(rows, "nts", "overall");
@@ -105,6 +110,19 @@ TEST(Summarize, SequencesByNumberOfGoals) {
   EXPECT_DOUBLE_EQ(Find(rows, "nts", "goals_2").spl, 0.625);
   EXPECT_DOUBLE_EQ(Find(rows, "nts", "goals_2").steps_mean, 30.0);
   EXPECT_DOUBLE_EQ(Find(rows, "nts", "overall").success, 0.75);
+  EXPECT_EQ(Find(rows, "nts", "overall").paper_success, std::nullopt);  // of single goals
+}
+
+TEST(Summarize, AllGoalsOfASequenceAreExactlyOne) {
+  EpisodeResult result = Result("nts", Difficulty::kEasy, 0, true, 1.0);
+  result.goals.resize(10, result.goals[0]);
+  const auto rows = Summarize({result, result}, {});
+  for (const SummaryRow& row : rows) {
+    EXPECT_EQ(row.success, 1.0) << row.difficulty;
+    EXPECT_EQ(row.success_ci.high, 1.0) << row.difficulty;
+    EXPECT_LE(row.success_ci.low, 1.0) << row.difficulty;
+    EXPECT_EQ(row.spl_ci, (Interval{1.0, 1.0})) << row.difficulty;
+  }
 }
 
 TEST(Summarize, JsonHasExactlyThePromisedKeys) {
@@ -112,10 +130,11 @@ TEST(Summarize, JsonHasExactlyThePromisedKeys) {
   ASSERT_EQ(json["rows"].size(), 6u);
   std::vector<std::string> keys;
   for (const auto& [key, value] : json["rows"][0].items()) keys.push_back(key);
-  EXPECT_THAT(keys, testing::ElementsAre("agent", "setting", "condition", "difficulty", "episodes",
-                                         "success", "success_ci", "success_euclidean", "spl",
-                                         "spl_ci", "soft_spl", "steps_mean", "collisions_mean",
-                                         "frames_trained", "paper_success", "paper_spl"));
+  EXPECT_THAT(keys,
+              testing::ElementsAre("agent", "setting", "condition", "difficulty", "episodes",
+                                   "success", "success_ci", "success_euclidean", "spl", "spl_ci",
+                                   "soft_spl", "steps_mean", "collisions_mean", "frames_trained",
+                                   "paper_success", "paper_spl", "distance_to_goal_mean", "note"));
   EXPECT_EQ(json["rows"][0]["success_ci"].size(), 2u);
   EXPECT_TRUE(json["rows"][0]["frames_trained"].is_null());
 }
@@ -129,7 +148,7 @@ TEST(Summarize, CsvHasAColumnForEveryValue) {
   EXPECT_THAT(csv, testing::HasSubstr("\n\"a, \"\"b\"\"\",rgbd,noise,easy,1,0.0,"));
   const std::string plain = SummaryToCsv(Summarize(SomeResults(), {}));
   EXPECT_EQ(std::count(plain.begin(), plain.end(), '\n'), 7);
-  EXPECT_EQ(std::count(plain.begin(), plain.end(), ','), 7 * 17);
+  EXPECT_EQ(std::count(plain.begin(), plain.end(), ','), 7 * 19);
 }
 
 TEST(Published, FiguresOfThePaper) {

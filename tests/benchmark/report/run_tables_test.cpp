@@ -19,6 +19,7 @@ EpisodeResult Result(const std::string& agent, const std::string& condition, int
   result.difficulty = kDifficulties[static_cast<std::size_t>(i) % 3];
   GoalMetrics metrics;
   metrics.success = i % 2 == 0;
+  metrics.success_euclidean = i % 4 != 1;
   metrics.spl = metrics.success ? 0.5 : 0.0;
   result.goals = {metrics};
   return result;
@@ -37,7 +38,7 @@ std::vector<EpisodeResult> Results(const std::vector<std::string>& conditions) {
 const std::vector<AgentRow>& Agents() {
   static const std::vector<AgentRow> agents = {
       {"random", "Random", {}, ""},
-      {"nts", "", 1'500'000, "oracle"},
+      {"nts", "", {{"rgbd", 1'500'000}}, "oracle"},
       {"active_neural_slam", "", {}, "weights missing: assets/weights/ans"}};
   return agents;
 }
@@ -52,26 +53,37 @@ std::string Markdown(const std::vector<EpisodeResult>& results) {
 
 TEST(RunTables, FirstTableIsLaidOutLikeThePapers) {
   const std::string text = Markdown(Results({"noise"}));
-  EXPECT_THAT(text, HasSubstr("|  | Model | Easy Succ | Easy SPL | Medium Succ | Medium SPL | Hard "
-                              "Succ | Hard SPL | Overall Succ | Overall SPL | This run |\n"));
+  EXPECT_THAT(
+      text,
+      HasSubstr("|  | Model | Easy Succ | Easy SPL | Medium Succ | Medium SPL | Hard "
+                "Succ | Hard SPL | Overall Succ | Overall SPL | Euclidean Succ | This run |\n"));
   EXPECT_THAT(text, HasSubstr("| RGBD | Random | 0.50 | 0.25 | 0.50 | 0.25 | 0.50 | 0.25 | 0.50 | "
-                              "0.25 | 12 episodes |\n"));
+                              "0.25 | 0.75 | 12 episodes, 95%: 0.25-0.75 / 0."));
   EXPECT_THAT(text, HasSubstr("Neural Topological SLAM (NTS) | 0.50"));
-  EXPECT_THAT(text, HasSubstr("12 episodes, 1.5M frames, oracle |\n"));
+  EXPECT_THAT(text, HasSubstr(", 1.5M frames, oracle |\n"));
 }
 
 TEST(RunTables, PapersFiguresStandBesideOursAndAreLabelled) {
   EXPECT_THAT(
       Markdown(Results({"noise"})),
       HasSubstr("| RGBD | *Neural Topological SLAM (NTS), paper, Gibson* | *0.87* | *0.65* | "
-                "*0.58* | *0.38* | *0.43* | *0.26* | *0.63* | *0.43* |  |\n"));
+                "*0.58* | *0.38* | *0.43* | *0.26* | *0.63* | *0.43* |  |  |\n"));
   EXPECT_THAT(Markdown(Results({"noise"})), Not(HasSubstr("Random, paper")));
 }
 
-TEST(RunTables, AgentWithoutResultsSaysWhy) {
+TEST(RunTables, ATitleOfOnesOwnLeavesThePapersAlone) {
+  const std::vector<AgentRow> agents = {{"nts", "Ours | new", {}, ""}};
+  const std::string text = ToMarkdown(MakeTables(Summarize(Results({"noise"}), agents), agents)[0]);
+  EXPECT_THAT(text, AllOf(HasSubstr("| RGBD | Ours \\| new | 0.50"),
+                          HasSubstr("*Neural Topological SLAM (NTS), paper, Gibson*")));
+}
+
+TEST(RunTables, AgentWithoutResultsSaysWhyAndShowsThePapers) {
   EXPECT_THAT(Markdown(Results({"noise"})),
-              HasSubstr("| Active Neural SLAM (ANS) |  |  |  |  |  |  |  |  | weights missing: "
-                        "assets/weights/ans |"));
+              AllOf(HasSubstr("| Active Neural SLAM (ANS) |  |  |  |  |  |  |  |  |  | weights "
+                              "missing: assets/weights/ans |"),
+                    HasSubstr("| RGB | *Active Neural SLAM (ANS), paper, Gibson* | *0.63* |"),
+                    HasSubstr("| RGBD | *Active Neural SLAM (ANS), paper, Gibson* | *0.76* |")));
 }
 
 TEST(RunTables, SecondTableHasTheConditionsOfTheRun) {
@@ -82,17 +94,31 @@ TEST(RunTables, SecondTableHasTheConditionsOfTheRun) {
   EXPECT_THAT(both, HasSubstr("*0.94* | *0.70* | *0.60* | *0.75* | *0.87* | *0.60* | *0.46* | "
                               "*0.64* |"));
   EXPECT_THAT(both, Not(HasSubstr("SPL |")));
-  EXPECT_THAT(Markdown(Results({"no_stop"})), Not(HasSubstr("No noise")));
+  EXPECT_THAT(both, HasSubstr("Success without stop action and without motion noise.\n"));
+  EXPECT_THAT(Markdown(Results({"no_stop"})),
+              AllOf(HasSubstr("Success without stop action.\n"), Not(HasSubstr("oise"))));
 }
 
-TEST(RunTables, SequencesGetAColumnForEachNumberOfGoals) {
-  std::vector<EpisodeResult> results = Results({"noise"});
+std::vector<EpisodeResult> Sequences(const std::vector<std::string>& conditions) {
+  std::vector<EpisodeResult> results = Results(conditions);
   for (EpisodeResult& result : results) {
     result.difficulty.reset();
     result.goals.resize(3, result.goals[0]);
   }
-  EXPECT_THAT(Markdown(results), AllOf(HasSubstr("| 1 Succ | 1 SPL | 2 Succ | 2 SPL | 3 Succ |"),
-                                       Not(HasSubstr("Easy")), Not(HasSubstr("Gibson"))));
+  return results;
+}
+
+TEST(RunTables, SequencesGetAColumnForEachNumberOfGoals) {
+  EXPECT_THAT(Markdown(Sequences({"noise"})),
+              AllOf(HasSubstr("| 1 Succ | 1 SPL | 2 Succ | 2 SPL | 3 Succ |"),
+                    Not(HasSubstr("Easy")), Not(HasSubstr("Gibson"))));
+}
+
+TEST(RunTables, SequencesGetATableForEachCondition) {
+  const std::string text = Markdown(Sequences({"noise", "no_stop"}));
+  EXPECT_THAT(text, AllOf(HasSubstr("sequential goals.\n"),
+                          HasSubstr("sequential goals, without stop action.\n"),
+                          Not(HasSubstr("Easy")), Not(HasSubstr("Gibson"))));
 }
 
 TEST(RunTables, FailedEpisodesAreCountedAndSaid) {
@@ -102,11 +128,13 @@ TEST(RunTables, FailedEpisodesAreCountedAndSaid) {
 }
 
 TEST(RunTables, LatexIsEscapedAndComplete) {
-  std::vector<AgentRow> agents = {{"random", "50% of A_B & C", {}, ""}};
+  std::vector<AgentRow> agents = {{"random", "50% of A_B & C ~^\\", {}, ""}};
   const auto rows = Summarize(Results({"noise"}), agents);
   const std::string text = ToLatex(MakeTables(rows, agents)[0]);
-  EXPECT_THAT(text, AllOf(HasSubstr("\\begin{tabular}{llrrrrrrrrl}"),
-                          HasSubstr("\\multicolumn{2}{c}{Easy}"), HasSubstr("50\\% of A\\_B \\& C"),
+  EXPECT_THAT(text, AllOf(HasSubstr("\\begin{tabular}{llrrrrrrrrrl}"),
+                          HasSubstr("\\multicolumn{2}{c}{Easy}"),
+                          HasSubstr("50\\% of A\\_B \\& C \\textasciitilde{}\\textasciicircum{}"
+                                    "\\textbackslash{} &"),
                           HasSubstr("\\emph{0.87}"), HasSubstr("\\end{tabular}")));
   // Each line of the body has as many cells.
   EXPECT_THAT(text, HasSubstr(" & Model & Succ & SPL & Succ & SPL & Succ & SPL & Succ & SPL & "));
