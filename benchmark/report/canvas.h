@@ -19,7 +19,7 @@ struct Paint {
   double blue = 0.0;
   double alpha = 1.0;
 
-  Paint WithAlpha(double opacity) const { return {red, green, blue, opacity}; }
+  constexpr Paint WithAlpha(double opacity) const { return {red, green, blue, opacity}; }
 };
 
 inline constexpr Paint kWhite = {1.0, 1.0, 1.0};

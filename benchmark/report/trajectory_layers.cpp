@@ -2,7 +2,6 @@
 #include "benchmark/report/trajectory_layers.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "benchmark/report/goal_ends.h"
@@ -17,75 +16,12 @@ using Point = Canvas::Point;
 constexpr double kPathWidth = 2.6;
 constexpr double kRimWidth = 4.6;
 
-// Of what the agent's map says a place is, in the order of MapPicture::Kind.
-constexpr std::array<Paint, 4> kMapPaints = {Paint{0, 0, 0, 0}, kSkyBlue, kPurple, kOrange};
-constexpr std::array<double, 4> kMapOpacities = {0.0, 0.22, 0.6, 0.95};
-
-sim::Image ToPicture(const agent::MapPicture& map) {
-  sim::Image image(map.size, map.size, 4);
-  for (std::size_t i = 0; i < map.kinds.size(); ++i) {
-    const auto kind = static_cast<std::size_t>(map.kinds[i]);
-    const Paint& paint = kMapPaints[kind];
-    const std::array channels = {paint.red, paint.green, paint.blue, kMapOpacities[kind]};
-    std::transform(channels.begin(), channels.end(), &image.pixels[4 * i], [](double value) {
-      return static_cast<std::uint8_t>(std::lround(255.0 * value));
-    });
-  }
-  return image;
-}
-
-/// From the agent's plane to the canvas.
-Eigen::Affine2d PlanePlace(const sim::BodyPose& start, const MapPlace& place) {
-  const Point origin = place.At(start.position);
-  Eigen::Affine2d affine;
-  affine.translation() = origin;
-  affine.linear().col(0) = place.At(start.position + start.forward()) - origin;
-  affine.linear().col(1) = place.At(start.position + start.left()) - origin;
-  return affine;
-}
-
-void DrawGraph(const agent::GraphPicture& graph, const Eigen::Affine2d& plane, Canvas* canvas) {
-  const auto at = [&](const agent::GraphPicture::Node& node) -> Point {
-    return plane * Point(node.x, node.y);
-  };
-  for (const auto& [from, to] : graph.edges) {
-    canvas->Line(at(graph.nodes[static_cast<std::size_t>(from)]),
-                 at(graph.nodes[static_cast<std::size_t>(to)]), 1.4, kPurple);
-  }
-  std::vector<Point> path;
-  for (const int i : graph.path) path.push_back(at(graph.nodes[static_cast<std::size_t>(i)]));
-  canvas->Polyline(path, GraphPathStroke());
-  for (const auto& node : graph.nodes) {
-    DrawNode(at(node), node.is_ghost, canvas);
-    if (node.score) DrawScore(at(node), *node.score, canvas);
-  }
-}
-
 }  // namespace
 
 std::vector<sim::BodyPose> TruePoses(const EpisodeTrajectory& trajectory) {
   std::vector<sim::BodyPose> poses = {trajectory.start};
   for (const TrajectoryStep& step : trajectory.steps) poses.push_back(step.pose);
   return poses;
-}
-
-void DrawBelief(const EpisodeTrajectory& trajectory, const MapPlace& place, Canvas* canvas) {
-  const agent::Belief& belief = trajectory.belief;
-  const Eigen::Affine2d plane = PlanePlace(trajectory.start, place);
-  canvas->Clip(place.box());
-  if (belief.map) {
-    const agent::MapPicture& map = *belief.map;
-    const Eigen::Affine2d cells =
-        plane * Eigen::Translation2d(map.low_x, map.low_y) * Eigen::Scaling(map.cell);
-    canvas->Picture(ToPicture(map), cells, false);
-  }
-  if (belief.graph) DrawGraph(*belief.graph, plane, canvas);
-  if (belief.target) DrawTarget(plane * Point(belief.target->x, belief.target->y), canvas);
-  canvas->Unclip();
-}
-
-Stroke GraphPathStroke() {
-  return {3.2, kOrange, {}};
 }
 
 Stroke OdometryStroke() {

@@ -13,9 +13,6 @@ std::vector<sim::BodyPose> TruePoses(const EpisodeTrajectory& trajectory);
 
 /// The layers of a trajectory, to be drawn on a scene's map from first to last.
 
-/// What the agent believes: its metric map, as it lies seen from the start pose, its topological
-/// graph and where it is heading.
-void DrawBelief(const EpisodeTrajectory& trajectory, const MapPlace& place, Canvas* canvas);
 void DrawShortestPath(const EpisodeTrajectory& trajectory, const MapPlace& place, Canvas* canvas);
 /// The true way until a step, coloured by the share of all steps that is over.
 void DrawTruePath(const EpisodeTrajectory& trajectory, std::size_t until, const MapPlace& place,
@@ -25,7 +22,6 @@ void DrawOdometry(const EpisodeTrajectory& trajectory, const MapPlace& place, Ca
 void DrawMarks(const EpisodeTrajectory& trajectory, const MapPlace& place, Canvas* canvas);
 
 /// The lines' looks, for legends.
-Stroke GraphPathStroke();
 Stroke OdometryStroke();
 Stroke ShortestPathStroke();
 

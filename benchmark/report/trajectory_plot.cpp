@@ -2,17 +2,15 @@
 #include "benchmark/report/trajectory_plot.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <memory>
 #include <utility>
 
 #include <fmt/core.h>
 
-#include "benchmark/report/goal_ends.h"
-#include "benchmark/report/marks.h"
-#include "benchmark/report/palette.h"
+#include "benchmark/report/belief_layer.h"
 #include "benchmark/report/trajectory_layers.h"
+#include "benchmark/report/trajectory_legend.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -20,178 +18,16 @@ namespace {
 using Point = Canvas::Point;
 
 constexpr double kMargin = 10.0;
-constexpr double kColumn = 205.0;  // width of what stands beside the map
-constexpr double kLine = 15.0;     // from line to line of text
-constexpr double kText = 11.0;
-constexpr double kBarHeight = 100.0;
-constexpr double kSign = 26.0;  // width of the signs in the legend
-constexpr int kBarSteps = 50;
-
-constexpr std::array<std::pair<EndKind, const char*>, 4> kEndTexts = {
-    {{EndKind::kStopAtGoal, "stop at the goal"},
-     {EndKind::kStopElsewhere, "stop elsewhere"},
-     {EndKind::kReached, "goal reached"},
-     {EndKind::kNoStop, "end without stop"}}};
-
-/// The column of text, colour bar and legend, from the top down.
-class SideColumn {
- public:
-  SideColumn(const Point& corner, Canvas* canvas) : at_(corner), canvas_(canvas) {}
-
-  void Title(const std::string& text) {
-    canvas_->Text(at_ + Point(0.0, 7.0), text,
-                  {.size = FittingSize(text, 13.0, true),
-                   .paint = kInk,
-                   .bold = true,
-                   .align = Align::kLeft});
-    at_.y() += kLine + 3.0;
-  }
-
-  void Line(const std::string& text) { TextAt(at_.x(), text); }
-
-  void Gap() { at_.y() += 8.0; }
-
-  /// Colours against steps.
-  void TimeBar(int steps) {
-    const double height = kBarHeight / kBarSteps;
-    at_.y() += 5.0;
-    for (int i = 0; i < kBarSteps; ++i) {
-      // Each a little into the next: no seam shows between them.
-      const double low = at_.y() + i * height;
-      const double high = std::min(low + height + 0.5, at_.y() + kBarHeight);
-      const std::vector<Point> box = {
-          {at_.x(), low}, {at_.x() + 12.0, low}, {at_.x() + 12.0, high}, {at_.x(), high}};
-      canvas_->Fill(box, TimeColor((i + 0.5) / kBarSteps));
-    }
-    for (int i = 0; i <= 4; ++i) {
-      const double y = at_.y() + kBarHeight * i / 4.0;
-      canvas_->Line({at_.x() + 12.0, y}, {at_.x() + 15.0, y}, 1.0, kInk);
-      canvas_->Text({at_.x() + 19.0, y}, std::to_string((steps * i + 2) / 4),
-                    {.size = kText, .paint = kInk, .align = Align::kLeft});
-    }
-    canvas_->Text({at_.x() + 52.0, at_.y() + 0.5 * kBarHeight}, "step",
-                  {.size = kText, .paint = kInk, .upwards = true});
-    at_.y() += kBarHeight + 12.0;
-  }
-
-  /// A line of the legend: `draw` gets the middle of the sign's place.
-  template <class Draw>
-  void Entry(const std::string& text, const Draw& draw) {
-    draw(at_ + Point(0.5 * kSign, 0.5 * kLine));
-    at_.y() += 2.0;
-    TextAt(at_.x() + kSign + 8.0, text);
-    at_.y() += 2.0;
-  }
-
-  void LineEntry(const std::string& text, const Stroke& stroke) {
-    Entry(text, [&](const Point& p) {
-      const Point half(0.5 * kSign, 0.0);
-      canvas_->Polyline(std::vector<Point>{p - half, p + half}, stroke);
-    });
-  }
-
-  double bottom() const { return at_.y(); }
-
- private:
-  /// Long names and failures are printed smaller.
-  double FittingSize(const std::string& text, double size, bool bold) const {
-    const double width = canvas_->TextSize(text, size, bold).x();
-    return size * std::min(1.0, (kColumn - kMargin) / std::max(1.0, width));
-  }
-
-  void TextAt(double x, const std::string& text) {
-    canvas_->Text({x, at_.y() + 0.4 * kLine}, text,
-                  {.size = FittingSize(text, kText, false), .paint = kInk, .align = Align::kLeft});
-    at_.y() += kLine;
-  }
-
-  Point at_;
-  Canvas* canvas_;
-};
-
-void DrawPathSign(const Point& p, Canvas* canvas) {
-  constexpr int kPieces = 13;
-  for (int i = 0; i < kPieces; ++i) {
-    const double x = p.x() - 0.5 * kSign + kSign * i / kPieces;
-    canvas->Line({x, p.y()}, {x + kSign / kPieces, p.y()}, 2.6, TimeColor((i + 0.5) / kPieces));
-  }
-}
-
-void DrawBox(const Point& p, const Paint& paint, Canvas* canvas) {
-  const Point half(7.0, 4.5);
-  const std::vector<Point> box = {p - half, p + Point(half.x(), -half.y()), p + half,
-                                  p + Point(-half.x(), half.y())};
-  canvas->Fill(box, paint);
-}
-
-void AddBeliefEntries(const agent::Belief& belief, SideColumn* column, Canvas* canvas) {
-  const auto box = [&](const char* text, const Paint& paint) {
-    column->Entry(text, [&](const Point& p) {
-      DrawBox(p, paint, canvas);
-    });
-  };
-  if (belief.map) {
-    box("its map: free", kSkyBlue.WithAlpha(0.35));
-    box("its map: obstacle", kPurple.WithAlpha(0.6));
-    box("its map: felt wall", kOrange);
-  }
-  if (belief.graph) {
-    column->Entry("its graph, ghosts, scores", [&](const Point& p) {
-      DrawNode(p - Point(7.0, 0.0), false, canvas);
-      DrawNode(p + Point(7.0, 0.0), true, canvas);
-    });
-    if (belief.graph->path.size() > 1) column->LineEntry("chosen path", GraphPathStroke());
-  }
-  if (belief.target) {
-    column->Entry("its last target", [&](const Point& p) {
-      DrawTarget(p, canvas);
-    });
-  }
-}
-
-void AddLegend(const EpisodeTrajectory& trajectory, SideColumn* column, Canvas* canvas) {
-  column->Entry("true path", [&](const Point& p) {
-    DrawPathSign(p, canvas);
-  });
-  column->LineEntry("path by odometry", OdometryStroke());
-  column->LineEntry("shortest path", ShortestPathStroke());
-  column->Entry("start", [&](const Point& p) {
-    DrawStart(p - Point(3.0, 0.0), 0.0, canvas);
-  });
-  column->Entry(trajectory.goals.size() > 1 ? "goals" : "goal", [&](const Point& p) {
-    DrawGoal(p, "", canvas);
-  });
-  const std::vector<GoalEnd> ends = GoalEnds(trajectory);
-  for (const auto& [kind, text] : kEndTexts) {
-    if (std::none_of(ends.begin(), ends.end(), [kind = kind](const GoalEnd& end) {
-          return end.kind == kind;
-        })) {
-      continue;
-    }
-    column->Entry(text, [&, kind = kind](const Point& p) {
-      DrawEnd(p, kind, canvas);
-    });
-  }
-  const auto is_collision = [](const TrajectoryStep& step) {
-    return step.collided;
-  };
-  if (std::any_of(trajectory.steps.begin(), trajectory.steps.end(), is_collision)) {
-    column->Entry("collision", [&](const Point& p) {
-      DrawCollision(p, canvas);
-    });
-  }
-}
 
 /// Draws the column and returns where it ends.
-double DrawColumn(const EpisodeTrajectory& trajectory, bool belief, const Point& corner,
-                  Canvas* canvas) {
+double DrawColumn(const EpisodeTrajectory& trajectory, const MapPlace& place, bool belief,
+                  const Point& corner, Canvas* canvas) {
   SideColumn column(corner, canvas);
   column.Title(trajectory.result.key.agent);
   for (const std::string& line : OutcomeLines(trajectory)) column.Line(line);
   column.Gap();
   column.TimeBar(static_cast<int>(trajectory.steps.size()));
-  AddLegend(trajectory, &column, canvas);
-  if (belief) AddBeliefEntries(trajectory.belief, &column, canvas);
+  for (const LegendEntry& entry : LegendOf(trajectory, place, belief)) column.Entry(entry);
   return column.bottom();
 }
 
@@ -249,11 +85,12 @@ Figure TrajectoryPlot(const SceneMap& map, const EpisodeTrajectory& trajectory,
   const Point size = FittingSize(map, {spec.map_width, spec.map_height});
   const Point corner(2.0 * kMargin + size.x(), kMargin);
   Canvas measure(1, 1, kWhite);
-  const double column = DrawColumn(trajectory, spec.belief, corner, &measure) + kMargin;
+  const MapPlace any_place(map, {Point::Zero(), size});
+  const double column = DrawColumn(trajectory, any_place, spec.belief, corner, &measure) + kMargin;
   const auto shared =
       std::make_shared<const std::pair<SceneMap, EpisodeTrajectory>>(map, trajectory);
   Figure figure;
-  figure.width = static_cast<int>(std::ceil(corner.x() + kColumn));
+  figure.width = static_cast<int>(std::ceil(corner.x() + kSideColumnWidth));
   figure.height = static_cast<int>(std::ceil(std::max(size.y() + 2.0 * kMargin, column)));
   const Eigen::AlignedBox2d box(Point(kMargin, kMargin),
                                 Point(kMargin + size.x(), figure.height - kMargin));
@@ -266,7 +103,7 @@ Figure TrajectoryPlot(const SceneMap& map, const EpisodeTrajectory& trajectory,
     DrawTruePath(episode, episode.steps.size(), place, canvas);
     DrawOdometry(episode, place, canvas);
     DrawMarks(episode, place, canvas);
-    DrawColumn(episode, belief, corner, canvas);
+    DrawColumn(episode, place, belief, corner, canvas);
   };
   return figure;
 }

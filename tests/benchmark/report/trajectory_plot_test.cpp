@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include "benchmark/report/belief_layer.h"
 #include "benchmark/report/palette.h"
 #include "benchmark/report/trajectory_layers.h"
 #include "sim/base/files.h"

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/report/belief_layer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "benchmark/report/marks.h"
+#include "benchmark/report/palette.h"
+
+namespace bulletnav::bench {
+namespace {
+
+using agent::GraphPicture;
+using agent::MapPicture;
+using Point = Canvas::Point;
+
+// In the order of MapPicture::Kind.
+constexpr std::array<Paint, 4> kMapPaints = {Paint{0, 0, 0, 0}, kSkyBlue.WithAlpha(0.22),
+                                             kPurple.WithAlpha(0.6), kOrange.WithAlpha(0.95)};
+
+sim::Image ToPicture(const MapPicture& map) {
+  sim::Image image(map.size, map.size, 4);
+  for (std::size_t i = 0; i < map.kinds.size(); ++i) {
+    const Paint paint = MapPaint(map.kinds[i]);
+    const std::array channels = {paint.red, paint.green, paint.blue, paint.alpha};
+    std::transform(channels.begin(), channels.end(), &image.pixels[4 * i], [](double value) {
+      return static_cast<std::uint8_t>(std::lround(255.0 * value));
+    });
+  }
+  return image;
+}
+
+/// From the agent's plane to the canvas.
+Eigen::Affine2d PlanePlace(const sim::BodyPose& start, const MapPlace& place) {
+  const Point origin = place.At(start.position);
+  Eigen::Affine2d affine;
+  affine.translation() = origin;
+  affine.linear().col(0) = place.At(start.position + start.forward()) - origin;
+  affine.linear().col(1) = place.At(start.position + start.left()) - origin;
+  return affine;
+}
+
+/// From the map's cells to the canvas.
+Eigen::Affine2d CellPlace(const MapPicture& map, const Eigen::Affine2d& plane) {
+  return plane * Eigen::Translation2d(map.low_x, map.low_y) * Eigen::Scaling(map.cell);
+}
+
+const GraphPicture::Node& NodeOf(const GraphPicture& graph, int i) {
+  return graph.nodes[static_cast<std::size_t>(i)];
+}
+
+void DrawGraph(const GraphPicture& graph, const Eigen::Affine2d& plane, Canvas* canvas) {
+  const auto at = [&](const GraphPicture::Node& node) -> Point {
+    return plane * Point(node.x, node.y);
+  };
+  for (const auto& [from, to] : graph.edges) {
+    canvas->Line(at(NodeOf(graph, from)), at(NodeOf(graph, to)), 1.4, kPurple);
+  }
+  std::vector<Point> path;
+  for (const int i : graph.path) path.push_back(at(NodeOf(graph, i)));
+  canvas->Polyline(path, GraphPathStroke());
+  for (const auto& node : graph.nodes) {
+    DrawNode(at(node), node.is_ghost, canvas);
+    if (node.score) DrawScore(at(node), *node.score, canvas);
+  }
+}
+
+/// Which kinds of places a map shows within a box.
+std::array<bool, 4> ShownKinds(const MapPicture& map, const Eigen::Affine2d& cells,
+                               const Eigen::AlignedBox2d& box) {
+  std::array<bool, 4> shown = {};
+  const auto size = static_cast<std::size_t>(map.size);
+  for (std::size_t i = 0; i < map.kinds.size(); ++i) {
+    const auto kind = static_cast<std::size_t>(map.kinds[i]);
+    if (shown[kind] || map.kinds[i] == MapPicture::Kind::kUnknown) continue;
+    const Point middle(static_cast<double>(i % size) + 0.5, static_cast<double>(i / size) + 0.5);
+    shown[kind] = box.contains(Point(cells * middle));
+  }
+  return shown;
+}
+
+}  // namespace
+
+void DrawBelief(const EpisodeTrajectory& trajectory, const MapPlace& place, Canvas* canvas) {
+  const agent::Belief& belief = trajectory.belief;
+  const Eigen::Affine2d plane = PlanePlace(trajectory.start, place);
+  canvas->Clip(place.box());
+  if (belief.map) canvas->Picture(ToPicture(*belief.map), CellPlace(*belief.map, plane), false);
+  if (belief.graph) DrawGraph(*belief.graph, plane, canvas);
+  if (belief.target) DrawTarget(plane * Point(belief.target->x, belief.target->y), canvas);
+  canvas->Unclip();
+}
+
+ShownBelief ShownOf(const EpisodeTrajectory& trajectory, const MapPlace& place) {
+  const agent::Belief& belief = trajectory.belief;
+  const Eigen::Affine2d plane = PlanePlace(trajectory.start, place);
+  const auto is_shown = [&](double x, double y) {
+    return place.box().contains(Point(plane * Point(x, y)));
+  };
+  ShownBelief shown;
+  if (belief.map) shown.map = ShownKinds(*belief.map, CellPlace(*belief.map, plane), place.box());
+  if (belief.target) shown.target = is_shown(belief.target->x, belief.target->y);
+  if (!belief.graph) return shown;
+  for (const GraphPicture::Node& node : belief.graph->nodes) {
+    if (!is_shown(node.x, node.y)) continue;
+    (node.is_ghost ? shown.ghosts : shown.nodes) = true;
+    shown.scores = shown.scores || node.score;
+  }
+  const std::vector<int>& path = belief.graph->path;
+  shown.path = path.size() > 1 && std::any_of(path.begin(), path.end(), [&](int i) {
+                 return is_shown(NodeOf(*belief.graph, i).x, NodeOf(*belief.graph, i).y);
+               });
+  return shown;
+}
+
+Paint MapPaint(MapPicture::Kind kind) {
+  return kMapPaints[static_cast<std::size_t>(kind)];
+}
+
+Stroke GraphPathStroke() {
+  return {3.2, kOrange, {}};
+}
+
+}  // namespace bulletnav::bench
