@@ -31,11 +31,11 @@ struct GraphPicture {
   };
   std::vector<Node> nodes;
   std::vector<std::pair<int, int>> edges;  // indices of nodes
-  std::vector<int> path;  // chosen, from where the agent is to where it wants to go
+  std::vector<int> path;  // the agent is on, to where it wants to go; empty if it is on none
 };
 
-/// What an agent believes, for drawing; poses are relative to its start, x ahead and y left. Any
-/// part may be missing.
+/// What an agent believes after its last action, for drawing; poses are relative to its start, x
+/// ahead and y left. Any part may be missing.
 struct Belief {
   std::optional<sim::PlanarPose> pose;
   std::optional<sim::PlanarPose> target;  // where it is heading

@@ -107,6 +107,7 @@ class MetricMapFbeAgent final : public Agent {
     if (const auto action = GoToFrontier()) return *action;
     navigator_.ForgetFeltWalls();
     if (const auto action = GoToFrontier()) return *action;
+    target_.reset();
     navigator_.ForgetMap();
     return rng_.Chance(0.5) ? sim::Action::kMoveForward : sim::Action::kTurnLeft;
   }

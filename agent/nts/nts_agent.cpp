@@ -62,6 +62,7 @@ sim::Action NtsAgent::Act(const Observation& observation) {
   policy_.Read(&update_.graph());
   LookForGoal(code);
   target_.reset();
+  subgoal_.reset();
   std::optional<sim::Action> action = Approach();
   if (!action) action = Travel(code);
   if (!action) action = Wander();
@@ -238,10 +239,12 @@ void NtsAgent::GiveUp(const Subgoal& subgoal) {
 }
 
 sim::Action NtsAgent::Wander() {
+  subgoal_.reset();
   target_ = navigator_.Frontier();
   if (target_) {
     if (const auto plan = navigator_.Plan(*target_, false)) return navigator_.Steer(plan->point);
   }
+  target_.reset();
   navigator_.ForgetFeltWalls();
   return rng_.Chance(0.5) ? sim::Action::kMoveForward : sim::Action::kTurnLeft;
 }

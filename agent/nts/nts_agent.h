@@ -75,9 +75,9 @@ class NtsAgent : public Agent {
   PairPrediction view_;     // of the goal, in this step
   bool sees_goal_ = false;  // in this step
   GoalTrack goal_;
-  std::vector<Point> given_up_;  // where ghosts were that could not be walked to
-  std::optional<Point> target_;
-  std::optional<Subgoal> subgoal_;  // the last one chosen; stays while the goal is approached
+  std::vector<Point> given_up_;     // where ghosts were that could not be walked to
+  std::optional<Point> target_;     // in this step
+  std::optional<Subgoal> subgoal_;  // walked to in this step; absent off the graph
 };
 
 }  // namespace bulletnav::agent

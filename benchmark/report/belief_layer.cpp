@@ -46,19 +46,34 @@ Eigen::Affine2d CellPlace(const MapPicture& map, const Eigen::Affine2d& plane) {
   return plane * Eigen::Translation2d(map.low_x, map.low_y) * Eigen::Scaling(map.cell);
 }
 
-const GraphPicture::Node& NodeOf(const GraphPicture& graph, int i) {
-  return graph.nodes[static_cast<std::size_t>(i)];
+/// The path that the agent is on. Older recordings hold one also where it had left it for another
+/// target.
+std::vector<GraphPicture::Node> PathOf(const agent::Belief& belief) {
+  constexpr double kSame = 0.01;  // metres
+  std::vector<GraphPicture::Node> path;
+  for (const int i : belief.graph->path) {
+    path.push_back(belief.graph->nodes[static_cast<std::size_t>(i)]);
+  }
+  const auto is_target = [&](const GraphPicture::Node& node) {
+    return std::hypot(node.x - belief.target->x, node.y - belief.target->y) < kSame;
+  };
+  if (path.size() < 2 || (belief.target && std::none_of(path.begin(), path.end(), is_target))) {
+    return {};
+  }
+  return path;
 }
 
-void DrawGraph(const GraphPicture& graph, const Eigen::Affine2d& plane, Canvas* canvas) {
+void DrawGraph(const agent::Belief& belief, const Eigen::Affine2d& plane, Canvas* canvas) {
+  const GraphPicture& graph = *belief.graph;
   const auto at = [&](const GraphPicture::Node& node) -> Point {
     return plane * Point(node.x, node.y);
   };
   for (const auto& [from, to] : graph.edges) {
-    canvas->Line(at(NodeOf(graph, from)), at(NodeOf(graph, to)), 1.4, kPurple);
+    canvas->Line(at(graph.nodes[static_cast<std::size_t>(from)]),
+                 at(graph.nodes[static_cast<std::size_t>(to)]), 1.4, kPurple);
   }
   std::vector<Point> path;
-  for (const int i : graph.path) path.push_back(at(NodeOf(graph, i)));
+  for (const GraphPicture::Node& node : PathOf(belief)) path.push_back(at(node));
   canvas->Polyline(path, GraphPathStroke());
   for (const auto& node : graph.nodes) {
     DrawNode(at(node), node.is_ghost, canvas);
@@ -87,7 +102,7 @@ void DrawBelief(const EpisodeTrajectory& trajectory, const MapPlace& place, Canv
   const Eigen::Affine2d plane = PlanePlace(trajectory.start, place);
   canvas->Clip(place.box());
   if (belief.map) canvas->Picture(ToPicture(*belief.map), CellPlace(*belief.map, plane), false);
-  if (belief.graph) DrawGraph(*belief.graph, plane, canvas);
+  if (belief.graph) DrawGraph(belief, plane, canvas);
   if (belief.target) DrawTarget(plane * Point(belief.target->x, belief.target->y), canvas);
   canvas->Unclip();
 }
@@ -107,10 +122,10 @@ ShownBelief ShownOf(const EpisodeTrajectory& trajectory, const MapPlace& place) 
     (node.is_ghost ? shown.ghosts : shown.nodes) = true;
     shown.scores = shown.scores || node.score;
   }
-  const std::vector<int>& path = belief.graph->path;
-  shown.path = path.size() > 1 && std::any_of(path.begin(), path.end(), [&](int i) {
-                 return is_shown(NodeOf(*belief.graph, i).x, NodeOf(*belief.graph, i).y);
-               });
+  const auto path = PathOf(belief);
+  shown.path = std::any_of(path.begin(), path.end(), [&](const GraphPicture::Node& node) {
+    return is_shown(node.x, node.y);
+  });
   return shown;
 }
 

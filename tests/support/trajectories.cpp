@@ -146,7 +146,7 @@ bench::EpisodeTrajectory MadeUpTrajectory() {
   map.kinds[5] = Kind::kObstacle;
   map.kinds[8] = Kind::kFeltWall;
   trajectory.belief = {
-      odometry, sim::PlanarPose{2.0, -2.0, 0.0}, map,
+      odometry, sim::PlanarPose{2.0, 1.0, 0.0}, map,
       agent::GraphPicture{
           {{0, 0, false}, {2, 0, false}, {2, 1, true, 0.75}}, {{0, 1}, {1, 2}}, {0, 1, 2}}};
   return trajectory;

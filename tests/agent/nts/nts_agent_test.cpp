@@ -101,6 +101,16 @@ TEST_F(NtsAgentTest, ShowsItsGraphAndTheChosenPath) {
   EXPECT_TRUE(belief.graph->nodes[static_cast<std::size_t>(belief.graph->path[1])].is_ghost);
 }
 
+TEST_F(NtsAgentTest, ShowsNoPathOnceItWalksToTheGoalItself) {
+  goal_ = {7, 5};
+  agent_->Reset({}, 3);
+  Run();
+  const Belief belief = agent_->belief();
+  ASSERT_TRUE(belief.graph && belief.target);
+  EXPECT_TRUE(belief.graph->path.empty()) << "the one it was on before";
+  EXPECT_NEAR(belief.target->x, 7.0, 0.6);
+}
+
 TEST_F(NtsAgentTest, GivesUpAGoalThatIsNotWhereANodeSaidItIs) {
   goal_ = {0, 20};
   model_->sees = [](const Point& a, const Point& b) {

@@ -66,6 +66,13 @@ TEST(TrajectoryLegend, LeavesOutWhatTheGraphLacks) {
   EXPECT_THAT(Texts(trajectory, true), Not(Contains(HasSubstr("graph"))));
 }
 
+TEST(TrajectoryLegend, LeavesOutAChosenPathThatTheAgentHadLeft) {
+  EpisodeTrajectory trajectory = tests::MadeUpTrajectory();
+  trajectory.belief.target->y += 0.5;
+  EXPECT_THAT(Texts(trajectory, true),
+              AllOf(Contains("its last target"), Not(Contains("chosen path"))));
+}
+
 TEST(TrajectoryLegend, LeavesOutPathsThatWereNotWalked) {
   EpisodeTrajectory trajectory = tests::MadeUpTrajectory();
   trajectory.steps.clear();
