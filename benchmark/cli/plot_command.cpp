@@ -15,6 +15,7 @@
 #include "benchmark/cli/progress.h"
 #include "benchmark/evaluation/result_store.h"
 #include "benchmark/evaluation/runner.h"
+#include "benchmark/report/agent_title.h"
 #include "benchmark/report/filmstrip.h"
 #include "benchmark/report/result_charts.h"
 #include "benchmark/report/trajectory_plot.h"
@@ -113,6 +114,7 @@ void DrawScene(const PlotOptions& options, const RunConfig& config, const fs::pa
   const auto world =
       std::make_shared<const sim::World>(scene.filename().string(), imported, as_run);
   const auto plan = PlanOf(scene, config.import.scale);
+  const std::vector<AgentRow> agents = AgentRowsOf(config);
   std::map<long, SceneMap> storeys;  // by height of the start in half metres
   for (const Chosen* one : chosen) {
     const EpisodeTrajectory& trajectory = one->trajectory;
@@ -125,9 +127,13 @@ void DrawScene(const PlotOptions& options, const RunConfig& config, const fs::pa
     const fs::path stem = options.out / one->name;
     TrajectoryPlotSpec plot;
     plot.belief = options.belief;
+    plot.title = AgentTitle(trajectory.result.key.agent, agents);
     WriteFigure(TrajectoryPlot(map, trajectory, plot), stem);
     if (options.film) {
-      sim::WritePng(fs::path(stem) += "_film.png", ToImage(Filmstrip(world, map, trajectory)));
+      FilmstripSpec film;
+      film.title = plot.title;
+      sim::WritePng(fs::path(stem) += "_film.png",
+                    ToImage(Filmstrip(world, map, trajectory, film)));
     }
     progress->Advance();
   }

@@ -26,6 +26,7 @@ constexpr double kLeastMapHeight = 320.0;
 /// What a filmstrip is drawn from.
 struct Film {
   SceneMap map;
+  std::string title;
   EpisodeTrajectory trajectory;
   std::vector<int> steps;
   std::vector<sim::Image> frames;  // the goal's first, then one for each of `steps`
@@ -112,8 +113,7 @@ void DrawMap(const Film& film, Canvas* canvas) {
 
 void DrawOutcome(const Film& film, Canvas* canvas) {
   Point at(film.map_box.min().x(), film.map_box.max().y() + kLine);
-  canvas->Text(at, film.trajectory.result.key.agent,
-               {.size = 13.0, .paint = kInk, .bold = true, .align = Align::kLeft});
+  canvas->Text(at, film.title, {.size = 13.0, .paint = kInk, .bold = true, .align = Align::kLeft});
   for (const std::string& line : OutcomeLines(film.trajectory)) {
     at.y() += kLine;
     canvas->Text(at, line, {.size = kTextSize, .paint = kInk, .align = Align::kLeft});
@@ -138,6 +138,7 @@ Figure Filmstrip(const std::shared_ptr<const sim::World>& world, const SceneMap&
   auto film = std::make_shared<Film>();
   film->map = map;
   film->trajectory = trajectory;
+  film->title = spec.title.empty() ? trajectory.result.key.agent : spec.title;
   film->steps = FilmSteps(trajectory.steps.size(), spec.frames);
   film->frames = ReplayPanoramas(world, trajectory, spec.panorama, film->steps);
   film->frames.insert(film->frames.begin(),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <memory>
+#include <string>
 
 #include "benchmark/report/figure.h"
 #include "benchmark/report/scene_map.h"
@@ -15,6 +16,7 @@ struct FilmstripSpec {
   int columns = 2;             // of panoramas
   double frame_width = 384.0;  // units of the canvas
   double map_width = 600.0;    // at most
+  std::string title = {};      // of the agent, for people; empty: its name
 };
 
 /// The numbers of steps whose panoramas are shown: evenly spread from 0 to the last.

@@ -9,7 +9,7 @@
 
 #include <fmt/core.h>
 
-#include "benchmark/evaluation/published.h"
+#include "benchmark/report/agent_title.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -36,15 +36,12 @@ LineKey KeyOf(const Row& row, std::span<const AgentRow> agents) {
 }
 
 std::string NameOf(const LineKey& key, std::span<const AgentRow> agents) {
-  std::string title(PublishedTitle(key.agent));
-  if (title.empty()) title = key.agent;
   std::string note;
-  if (key.place < agents.size()) {
-    const AgentRow& row = agents[key.place];
-    if (!row.title.empty()) title = row.title;
-    if (!row.note.empty()) note = ", " + row.note;
+  if (key.place < agents.size() && !agents[key.place].note.empty()) {
+    note = ", " + agents[key.place].note;
   }
-  return fmt::format("{} ({}, {}{})", title, key.setting, key.condition, note);
+  return fmt::format("{} ({}, {}{})", AgentTitle(key.agent, agents), key.setting, key.condition,
+                     note);
 }
 
 /// Success and SPL with nothing in them yet.

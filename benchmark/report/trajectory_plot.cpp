@@ -20,14 +20,14 @@ using Point = Canvas::Point;
 constexpr double kMargin = 10.0;
 
 /// Draws the column and returns where it ends.
-double DrawColumn(const EpisodeTrajectory& trajectory, const MapPlace& place, bool belief,
-                  const Point& corner, Canvas* canvas) {
+double DrawColumn(const EpisodeTrajectory& trajectory, const MapPlace& place,
+                  const TrajectoryPlotSpec& spec, const Point& corner, Canvas* canvas) {
   SideColumn column(corner, canvas);
-  column.Title(trajectory.result.key.agent);
+  column.Title(spec.title.empty() ? trajectory.result.key.agent : spec.title);
   for (const std::string& line : OutcomeLines(trajectory)) column.Line(line);
   column.Gap();
   column.TimeBar(static_cast<int>(trajectory.steps.size()));
-  for (const LegendEntry& entry : LegendOf(trajectory, place, belief)) column.Entry(entry);
+  for (const LegendEntry& entry : LegendOf(trajectory, place, spec.belief)) column.Entry(entry);
   return column.bottom();
 }
 
@@ -86,7 +86,7 @@ Figure TrajectoryPlot(const SceneMap& map, const EpisodeTrajectory& trajectory,
   const Point corner(2.0 * kMargin + size.x(), kMargin);
   Canvas measure(1, 1, kWhite);
   const MapPlace any_place(map, {Point::Zero(), size});
-  const double column = DrawColumn(trajectory, any_place, spec.belief, corner, &measure) + kMargin;
+  const double column = DrawColumn(trajectory, any_place, spec, corner, &measure) + kMargin;
   const auto shared =
       std::make_shared<const std::pair<SceneMap, EpisodeTrajectory>>(map, trajectory);
   Figure figure;
@@ -94,16 +94,16 @@ Figure TrajectoryPlot(const SceneMap& map, const EpisodeTrajectory& trajectory,
   figure.height = static_cast<int>(std::ceil(std::max(size.y() + 2.0 * kMargin, column)));
   const Eigen::AlignedBox2d box(Point(kMargin, kMargin),
                                 Point(kMargin + size.x(), figure.height - kMargin));
-  figure.draw = [shared, box, corner, belief = spec.belief](Canvas* canvas) {
+  figure.draw = [shared, box, corner, spec](Canvas* canvas) {
     const auto& [scene, episode] = *shared;
     const MapPlace place(scene, box);
     DrawSceneMap(scene, place, canvas);
-    if (belief) DrawBelief(episode, place, canvas);
+    if (spec.belief) DrawBelief(episode, place, canvas);
     DrawShortestPath(episode, place, canvas);
     DrawTruePath(episode, episode.steps.size(), place, canvas);
     DrawOdometry(episode, place, canvas);
     DrawMarks(episode, place, canvas);
-    DrawColumn(episode, place, belief, corner, canvas);
+    DrawColumn(episode, place, spec, corner, canvas);
   };
   return figure;
 }

@@ -13,6 +13,7 @@ struct TrajectoryPlotSpec {
   double map_width = 820.0;   // at most, units of the canvas
   double map_height = 620.0;  // at most
   bool belief = false;        // draw what the agent believes, where it says so
+  std::string title = {};     // of the agent, for people; empty: its name
 };
 
 /// An episode on the map of its scene: the true path coloured by time with a bar that tells the
