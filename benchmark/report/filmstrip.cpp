@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "benchmark/report/goal_ends.h"
 #include "benchmark/report/palette.h"
 #include "benchmark/report/replay.h"
 #include "benchmark/report/trajectory_layers.h"
@@ -45,8 +46,9 @@ struct Film {
 };
 
 Paint FrameColor(const Film& film, std::size_t i) {
-  return TimeColor(film.steps[i] /
-                   std::max(1.0, static_cast<double>(film.trajectory.steps.size())));
+  const std::vector<int> numbers = StepNumbers(film.trajectory);
+  return TimeColor(numbers[static_cast<std::size_t>(film.steps[i])] /
+                   std::max(1.0, static_cast<double>(numbers.back())));
 }
 
 /// A number in a disc.
@@ -65,7 +67,11 @@ std::string CaptionOf(const Film& film, std::size_t i) {
   const sim::Action action = film.trajectory.steps[static_cast<std::size_t>(step) - 1].action;
   std::string name(sim::ActionName(action));
   std::replace(name.begin(), name.end(), '_', ' ');
-  return fmt::format("step {}: {}", step, name);
+  const std::vector<int> numbers = StepNumbers(film.trajectory);
+  const int number = numbers[static_cast<std::size_t>(step)];
+  const bool is_step = number > numbers[static_cast<std::size_t>(step) - 1];
+  return is_step ? fmt::format("step {}: {}", number, name)
+                 : fmt::format("{} after step {}", name, number);
 }
 
 /// Names of directions over the first picture.

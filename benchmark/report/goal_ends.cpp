@@ -4,10 +4,26 @@
 #include <algorithm>
 
 namespace bulletnav::bench {
+namespace {
+
+/// Under the condition "no_stop" a stop is a step that does nothing.
+bool StopsCount(const EpisodeTrajectory& trajectory) {
+  return trajectory.result.key.condition != "no_stop";
+}
+
+}  // namespace
+
+std::vector<int> StepNumbers(const EpisodeTrajectory& trajectory) {
+  std::vector<int> numbers = {0};
+  for (const TrajectoryStep& step : trajectory.steps) {
+    const bool is_end = StopsCount(trajectory) && step.action == sim::Action::kStop;
+    numbers.push_back(numbers.back() + (is_end ? 0 : 1));
+  }
+  return numbers;
+}
 
 std::vector<GoalEnd> GoalEnds(const EpisodeTrajectory& trajectory) {
   const auto& steps = trajectory.steps;
-  const bool stops_count = trajectory.result.key.condition != "no_stop";
   std::vector<GoalEnd> ends;
   std::size_t at = 0;  // steps taken
   for (const GoalMetrics& goal : trajectory.result.goals) {
@@ -15,7 +31,7 @@ std::vector<GoalEnd> GoalEnds(const EpisodeTrajectory& trajectory) {
     at = std::min(at + static_cast<std::size_t>(goal.steps), steps.size());
     EndKind kind = goal.success ? EndKind::kReached : EndKind::kNoStop;
     // A stop is no step of its goal.
-    if (stops_count && at < steps.size() && steps[at].action == sim::Action::kStop) {
+    if (StopsCount(trajectory) && at < steps.size() && steps[at].action == sim::Action::kStop) {
       kind = goal.success ? EndKind::kStopAtGoal : EndKind::kStopElsewhere;
       ++at;
     }

@@ -6,6 +6,10 @@
 
 namespace bulletnav::bench {
 
+/// Steps taken at the start and after each action, as results count them: a stop that ends the way
+/// to a goal is none.
+std::vector<int> StepNumbers(const EpisodeTrajectory& trajectory);
+
 /// How the way to a goal came to its end.
 enum class EndKind {
   kStopAtGoal,

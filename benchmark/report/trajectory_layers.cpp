@@ -45,11 +45,13 @@ void DrawTruePath(const EpisodeTrajectory& trajectory, std::size_t until, const 
   std::vector<Point> points;
   std::vector<Paint> paints;
   const std::vector<sim::BodyPose> poses = TruePoses(trajectory);
+  const std::vector<int> numbers = StepNumbers(trajectory);
+  const double last = std::max(1, numbers.back());
   for (std::size_t i = 0; i < poses.size() && i <= until; ++i) {
     const Point p = place.At(poses[i].position);
     if (!points.empty() && (p - points.back()).norm() < kStill) continue;
     points.push_back(p);
-    paints.push_back(TimeColor(static_cast<double>(i) / static_cast<double>(poses.size())));
+    paints.push_back(TimeColor(numbers[i] / last));
   }
   canvas->Polyline(points, {kRimWidth, kWhite.WithAlpha(0.85), {}});
   for (std::size_t i = 1; i < points.size(); ++i) {

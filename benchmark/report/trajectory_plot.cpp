@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include "benchmark/report/belief_layer.h"
+#include "benchmark/report/goal_ends.h"
 #include "benchmark/report/trajectory_layers.h"
 #include "benchmark/report/trajectory_legend.h"
 
@@ -26,7 +27,7 @@ double DrawColumn(const EpisodeTrajectory& trajectory, const MapPlace& place,
   column.Title(spec.title.empty() ? trajectory.result.key.agent : spec.title);
   for (const std::string& line : OutcomeLines(trajectory)) column.Line(line);
   column.Gap();
-  column.TimeBar(static_cast<int>(trajectory.steps.size()));
+  column.TimeBar(StepNumbers(trajectory).back());
   for (const LegendEntry& entry : LegendOf(trajectory, place, spec.belief)) column.Entry(entry);
   return column.bottom();
 }

@@ -56,6 +56,13 @@ TEST(GoalEnds, EachOfSeveralGoalsHasItsOwn) {
                           EndsAfter(7, EndKind::kStopAtGoal)));
 }
 
+TEST(StepNumbers, AStopThatEndsAGoalIsNoStep) {
+  EXPECT_THAT(StepNumbers(Trajectory("noise", "FSFFS", {Goal(true, 1), Goal(false, 2)})),
+              ElementsAre(0, 1, 1, 2, 3, 3));
+  EXPECT_THAT(StepNumbers(Trajectory("no_stop", "FSF", {Goal(true, 3)})), ElementsAre(0, 1, 2, 3));
+  EXPECT_THAT(StepNumbers(Trajectory("noise", "", {Goal(false, 0)})), ElementsAre(0));
+}
+
 TEST(GoalEnds, StepsRunOut) {
   EXPECT_THAT(GoalEnds(Trajectory("noise", "FFFS", {Goal(false, 2), Goal(true, 1)})),
               ElementsAre(EndsAfter(2, EndKind::kNoStop), EndsAfter(4, EndKind::kStopAtGoal)));

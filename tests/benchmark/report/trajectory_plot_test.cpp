@@ -55,10 +55,10 @@ TEST(TrajectoryLayers, TruePathHasTheColourOfItsTime) {
   const sim::Image image = Layer([&](Canvas* canvas) {
     DrawTruePath(trajectory, trajectory.steps.size(), Place(), canvas);
   });
-  const auto poses = static_cast<double>(trajectory.steps.size() + 1);
+  const auto steps = static_cast<double>(trajectory.steps.size() - 1);  // without the stop
   // In the middle of the fourth step's move, and of the second of those after eight and nine turns.
-  EXPECT_LT(Difference(At(image, 1.0, -1.875), TimeColor(4 / poses)), 0.03);
-  EXPECT_LT(Difference(At(image, 1.375, -3.0), TimeColor(19 / poses)), 0.03);
+  EXPECT_LT(Difference(At(image, 1.0, -1.875), TimeColor(4 / steps)), 0.03);
+  EXPECT_LT(Difference(At(image, 1.375, -3.0), TimeColor(19 / steps)), 0.03);
   EXPECT_LT(Difference(At(image, 2.0, -2.0), kWhite), 0.01);
 }
 
