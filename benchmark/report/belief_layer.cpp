@@ -15,9 +15,11 @@ using agent::GraphPicture;
 using agent::MapPicture;
 using Point = Canvas::Point;
 
+// A stronger obstacle, told from the orange of paths and from the colours of time.
+constexpr Paint kFeltWall = {0.72, 0.0, 0.36};
 // In the order of MapPicture::Kind.
 constexpr std::array<Paint, 4> kMapPaints = {Paint{0, 0, 0, 0}, kSkyBlue.WithAlpha(0.22),
-                                             kPurple.WithAlpha(0.6), kOrange.WithAlpha(0.95)};
+                                             kPurple.WithAlpha(0.6), kFeltWall.WithAlpha(0.95)};
 
 sim::Image ToPicture(const MapPicture& map) {
   sim::Image image(map.size, map.size, 4);

@@ -83,7 +83,10 @@ TEST(TrajectoryLayers, MapOfTheAgentLiesAsSeenFromTheStart) {
   // 0.75 m to the left; the start looks along -z.
   const Paint obstacle = At(image, 0.75, -1.75);
   EXPECT_GT(Difference(obstacle, kWhite), 0.1);
-  EXPECT_LT(Difference(At(image, 0.25, -1.75), kOrange), 0.1) << "felt wall";
+  const Paint felt_wall = At(image, 0.25, -1.75);
+  EXPECT_LT(Difference(felt_wall, MapPaint(agent::MapPicture::Kind::kFeltWall)), 0.1);
+  EXPECT_GT(Difference(felt_wall, GraphPathStroke().paint), 0.3) << "not taken for the path";
+  EXPECT_GT(Difference(felt_wall, obstacle), 0.3);
   EXPECT_LT(Difference(At(image, 1.75, -1.75), kWhite), 0.01) << "unknown";
 }
 
