@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 #include "benchmark/report/belief_layer.h"
 #include "benchmark/report/goal_ends.h"
@@ -17,11 +16,23 @@ namespace {
 using Kind = agent::MapPicture::Kind;
 using Point = Canvas::Point;
 
-constexpr std::array<std::pair<EndKind, const char*>, 4> kEndTexts = {
-    {{EndKind::kStopAtGoal, "stop at the goal"},
-     {EndKind::kStopElsewhere, "stop elsewhere"},
-     {EndKind::kReached, "goal reached"},
-     {EndKind::kNoStop, "end without stop"}}};
+constexpr std::array kEndKinds = {EndKind::kStopAtGoal, EndKind::kStopElsewhere, EndKind::kReached,
+                                  EndKind::kNoStop};
+
+const char* EndText(EndKind kind, const EpisodeResult& result) {
+  switch (kind) {
+    case EndKind::kStopAtGoal:
+      return "stop at the goal";
+    case EndKind::kStopElsewhere:
+      return "stop elsewhere";
+    case EndKind::kReached:
+      return "goal reached";
+    case EndKind::kNoStop:
+      if (result.key.condition != "no_stop") return "end without stop";
+      return result.failure.empty() ? "goal not reached in time" : "goal not reached";
+  }
+  return "";
+}
 
 LegendEntry LineEntry(const char* text, const Stroke& stroke) {
   return {text, [stroke](const Point& p, Canvas* canvas) {
@@ -104,13 +115,13 @@ void AddMarks(const EpisodeTrajectory& trajectory, std::vector<LegendEntry>* ent
          DrawGoal(p, "", canvas);
        }});
   const std::vector<GoalEnd> ends = GoalEnds(trajectory);
-  for (const auto& [kind, text] : kEndTexts) {
-    if (std::none_of(ends.begin(), ends.end(), [kind = kind](const GoalEnd& end) {
+  for (const EndKind kind : kEndKinds) {
+    if (std::none_of(ends.begin(), ends.end(), [&](const GoalEnd& end) {
           return end.kind == kind;
         })) {
       continue;
     }
-    entries->push_back({text, [kind = kind](const Point& p, Canvas* canvas) {
+    entries->push_back({EndText(kind, trajectory.result), [kind](const Point& p, Canvas* canvas) {
                           DrawEnd(p, kind, canvas);
                         }});
   }

@@ -66,6 +66,20 @@ TEST(TrajectoryLegend, LeavesOutWhatTheGraphLacks) {
   EXPECT_THAT(Texts(trajectory, true), Not(Contains(HasSubstr("graph"))));
 }
 
+TEST(TrajectoryLegend, SpeaksOfStopsOnlyWhereTheyCount) {
+  EpisodeTrajectory trajectory = tests::MadeUpTrajectory();
+  trajectory.steps.pop_back();
+  trajectory.result.goals[0].success = false;
+  EXPECT_THAT(Texts(trajectory, false), Contains("end without stop"));
+  trajectory.result.key.condition = "no_stop";
+  EXPECT_THAT(Texts(trajectory, false), Contains("goal not reached in time"));
+  trajectory.result.failure = "threw: no map";
+  EXPECT_THAT(Texts(trajectory, false), Contains("goal not reached"));
+  trajectory.result = tests::MadeUpTrajectory().result;
+  trajectory.result.key.condition = "no_stop";
+  EXPECT_THAT(Texts(trajectory, false), Contains("goal reached"));
+}
+
 TEST(TrajectoryLegend, LeavesOutAChosenPathThatTheAgentHadLeft) {
   EpisodeTrajectory trajectory = tests::MadeUpTrajectory();
   trajectory.belief.target->y += 0.5;
