@@ -18,6 +18,7 @@
 #include "benchmark/report/agent_title.h"
 #include "benchmark/report/filmstrip.h"
 #include "benchmark/report/result_charts.h"
+#include "benchmark/report/run_scene.h"
 #include "benchmark/report/trajectory_plot.h"
 #include "sim/base/error.h"
 #include "sim/house/house_json.h"
@@ -154,6 +155,12 @@ void Plot(PlotOptions options) {
   const std::vector<Chosen> chosen = Choose(options);
   std::map<fs::path, std::vector<const Chosen*>> by_scene;
   for (const Chosen& one : chosen) by_scene[one.trajectory.scene_file].push_back(&one);
+  if (config.fingerprints) {
+    for (const auto& [scene, ones] : by_scene) {
+      RequireSceneOfRun(scene, ones.front()->trajectory.result.key.scene,
+                        config.fingerprints->scenes);
+    }
+  }
   {
     Progress progress("plots", static_cast<int>(chosen.size()));
     for (const auto& [scene, ones] : by_scene) DrawScene(options, config, scene, ones, &progress);
