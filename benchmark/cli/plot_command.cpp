@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <memory>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include <CLI/Config.hpp>
@@ -17,6 +17,7 @@
 #include "benchmark/evaluation/runner.h"
 #include "benchmark/report/agent_title.h"
 #include "benchmark/report/filmstrip.h"
+#include "benchmark/report/plot_choice.h"
 #include "benchmark/report/result_charts.h"
 #include "benchmark/report/run_scene.h"
 #include "benchmark/report/trajectory_plot.h"
@@ -29,70 +30,31 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kFirstPlots = 8;  // without --episode, --worst or --all
-
 struct PlotOptions {
   fs::path run;
   fs::path out;
-  std::string episode;
-  std::string agent;
-  int worst = 0;
-  bool all = false;
+  PlotChoice choice;
   bool belief = false;
   bool film = false;
+
+  /// Whether pictures of episodes are asked for by name, number or kind.
+  bool wants_episodes() const { return !choice.is_default() || belief || film; }
 };
 
-/// A trajectory and the name of its pictures, without extension, below the folder of plots.
-struct Chosen {
-  fs::path name;
-  EpisodeTrajectory trajectory;
-};
-
-double MeanSoftSpl(const EpisodeTrajectory& trajectory) {
-  double sum = 0.0;
-  for (const GoalMetrics& goal : trajectory.result.goals) sum += goal.soft_spl;
-  return sum / static_cast<double>(trajectory.result.goals.size());
-}
-
-/// All trajectories of a run, in the order of their files' names.
-std::vector<Chosen> ReadAll(const fs::path& run) {
-  const fs::path folder = run / "trajectories";
-  std::error_code unreadable;
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::recursive_directory_iterator(folder, unreadable)) {
-    if (entry.path().extension() == ".json") files.push_back(entry.path());
+/// Empty if the run has kept no trajectories and none are asked for.
+std::vector<ChosenTrajectory> ChooseFrom(const PlotOptions& options) {
+  const fs::path folder = options.run / "trajectories";
+  std::vector<ChosenTrajectory> all = ReadTrajectories(options.run);
+  if (all.empty()) {
+    if (!options.wants_episodes()) return all;
+    throw sim::FileError(folder, "",
+                         "holds no trajectories, so there are no episodes to draw; run with "
+                         "'trajectories: true', or leave out the options for episodes to have "
+                         "the charts alone");
   }
-  if (files.empty()) throw sim::FileError(folder, "", "holds no trajectories to plot");
-  std::sort(files.begin(), files.end());
-  std::vector<Chosen> chosen;
-  chosen.reserve(files.size());
-  for (const fs::path& file : files) {
-    chosen.push_back({fs::relative(file, folder).replace_extension(), ReadTrajectory(file)});
-  }
-  return chosen;
-}
-
-std::vector<Chosen> Choose(const PlotOptions& options) {
-  std::vector<Chosen> chosen = ReadAll(options.run);
-  std::erase_if(chosen, [&](const Chosen& one) {
-    const ResultKey& key = one.trajectory.result.key;
-    return (!options.episode.empty() && key.episode != options.episode) ||
-           (!options.agent.empty() && key.agent != options.agent);
-  });
-  if (chosen.empty()) {
-    throw sim::Error(fmt::format("{}: has no trajectory of that episode and agent",
-                                 (options.run / "trajectories").string()));
-  }
-  if (options.worst > 0) {
-    std::stable_sort(chosen.begin(), chosen.end(), [](const Chosen& a, const Chosen& b) {
-      return MeanSoftSpl(a.trajectory) < MeanSoftSpl(b.trajectory);
-    });
-  }
-  const bool is_limited = !options.all && options.episode.empty();
-  const std::size_t most =
-      static_cast<std::size_t>(options.worst > 0 ? options.worst : kFirstPlots);
-  if (is_limited && chosen.size() > most) chosen.resize(most);
-  return chosen;
+  std::vector<ChosenTrajectory> chosen = Choose(std::move(all), options.choice);
+  if (!chosen.empty()) return chosen;
+  throw sim::Error(folder.string() + ": has no trajectory of that episode and agent");
 }
 
 std::optional<sim::FloorPlan> PlanOf(const fs::path& scene, double scale) {
@@ -109,7 +71,7 @@ std::optional<sim::FloorPlan> PlanOf(const fs::path& scene, double scale) {
 
 /// Draws the trajectories of one scene.
 void DrawScene(const PlotOptions& options, const RunConfig& config, const fs::path& scene,
-               const std::vector<const Chosen*>& chosen, Progress* progress) {
+               const std::vector<const ChosenTrajectory*>& chosen, Progress* progress) {
   const sim::WorldOptions as_run = config.world_options();
   const sim::ImportedScene imported = sim::ImportScene(scene, as_run.import);
   const auto world =
@@ -117,7 +79,7 @@ void DrawScene(const PlotOptions& options, const RunConfig& config, const fs::pa
   const auto plan = PlanOf(scene, config.import.scale);
   const std::vector<AgentRow> agents = AgentRowsOf(config);
   std::map<long, SceneMap> storeys;  // by height of the start in half metres
-  for (const Chosen* one : chosen) {
+  for (const ChosenTrajectory* one : chosen) {
     const EpisodeTrajectory& trajectory = one->trajectory;
     const double floor = trajectory.start.position.y();
     TopDownSpec spec;
@@ -140,34 +102,49 @@ void DrawScene(const PlotOptions& options, const RunConfig& config, const fs::pa
   }
 }
 
-void WriteCharts(const fs::path& run, const RunConfig& config, const fs::path& out) {
+/// Returns how many there are.
+int WriteCharts(const fs::path& run, const RunConfig& config, const fs::path& out) {
   const std::vector<EpisodeResult> results = ReadResults(run);
   const std::vector<AgentRow> agents = AgentRowsOf(config);
   const auto goals = GoalCountCharts(Summarize(results, agents), agents);
   const auto distances = DistanceCharts(results, agents);
   if (!goals.empty()) WriteFigure(ChartFigure(goals), out / "by_goals");
   if (!distances.empty()) WriteFigure(ChartFigure(distances), out / "by_distance");
+  return (goals.empty() ? 0 : 1) + (distances.empty() ? 0 : 1);
 }
 
-void Plot(PlotOptions options) {
-  if (options.out.empty()) options.out = options.run / "plots";
-  const RunConfig config = LoadRunConfig(options.run / "config.yaml");
-  const std::vector<Chosen> chosen = Choose(options);
-  std::map<fs::path, std::vector<const Chosen*>> by_scene;
-  for (const Chosen& one : chosen) by_scene[one.trajectory.scene_file].push_back(&one);
+void DrawEpisodes(const PlotOptions& options, const RunConfig& config,
+                  const std::vector<ChosenTrajectory>& chosen) {
+  std::map<fs::path, std::vector<const ChosenTrajectory*>> by_scene;
+  for (const ChosenTrajectory& one : chosen) by_scene[one.trajectory.scene_file].push_back(&one);
   if (config.fingerprints) {
     for (const auto& [scene, ones] : by_scene) {
       RequireSceneOfRun(scene, ones.front()->trajectory.result.key.scene,
                         config.fingerprints->scenes);
     }
   }
-  {
-    Progress progress("plots", static_cast<int>(chosen.size()));
-    for (const auto& [scene, ones] : by_scene) DrawScene(options, config, scene, ones, &progress);
+  Progress progress("plots", static_cast<int>(chosen.size()));
+  for (const auto& [scene, ones] : by_scene) DrawScene(options, config, scene, ones, &progress);
+}
+
+/// "1 chart", "2 charts".
+std::string Count(std::size_t number, const char* what) {
+  return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
+}
+
+void Plot(PlotOptions options) {
+  if (options.out.empty()) options.out = options.run / "plots";
+  const RunConfig config = LoadRunConfig(options.run / "config.yaml");
+  const std::vector<ChosenTrajectory> chosen = ChooseFrom(options);
+  if (chosen.empty()) {
+    fmt::print(stderr, "bulletnav: {} holds no trajectories: no episodes are drawn, charts alone\n",
+               options.run.string());
+  } else {
+    DrawEpisodes(options, config, chosen);
   }
-  WriteCharts(options.run, config, options.out);
-  fmt::print("{} episode{} drawn in {}\n", chosen.size(), chosen.size() == 1 ? "" : "s",
-             options.out.string());
+  const int charts = WriteCharts(options.run, config, options.out);
+  fmt::print("{} and {} drawn in {}\n", Count(chosen.size(), "episode"),
+             Count(static_cast<std::size_t>(charts), "chart"), options.out.string());
 }
 
 }  // namespace
@@ -177,15 +154,18 @@ void AddPlotCommand(CLI::App* program) {
   CLI::App* command = program->add_subcommand(
       "plot", "Draw what agents did in a run: maps with paths, charts, filmstrips");
   command->add_option("run", options->run, "Folder of results")->required();
-  CLI::Option* episode = command->add_option("--episode", options->episode, "Only this episode");
+  CLI::Option* episode =
+      command->add_option("--episode", options->choice.episode, "Only this episode");
   CLI::Option* worst =
-      command->add_option("--worst", options->worst, "Only so many, those of least SoftSPL")
+      command->add_option("--worst", options->choice.worst, "Only so many, those of least SoftSPL")
           ->check(CLI::PositiveNumber)
           ->excludes(episode);
-  command->add_flag("--all", options->all, "All episodes (default: the first 8)")
+  command
+      ->add_flag("--all", options->choice.all,
+                 fmt::format("All episodes (default: the first {})", kFirstPlots))
       ->excludes(episode)
       ->excludes(worst);
-  command->add_option("--agent", options->agent, "Only this agent");
+  command->add_option("--agent", options->choice.agent, "Only this agent");
   command->add_flag("--belief", options->belief, "Add the agent's own map or graph");
   command->add_flag("--film", options->film, "Add filmstrips of panoramas beside the map");
   command->add_option("--out", options->out, "Folder for the pictures (default: RUN/plots)");
