@@ -157,8 +157,12 @@ void AddPlotCommand(CLI::App* program) {
   CLI::Option* episode =
       command->add_option("--episode", options->choice.episode, "Only this episode");
   CLI::Option* worst =
-      command->add_option("--worst", options->choice.worst, "Only so many, those of least SoftSPL")
-          ->check(CLI::PositiveNumber)
+      command
+          ->add_option(
+              "--worst", options->choice.worst,
+              "Only so many, those of least SoftSPL; of equal ones each agent has one in turn, "
+              "over the scenes in turn")
+          ->check(CLI::Range(1, 1'000'000))
           ->excludes(episode);
   command
       ->add_flag("--all", options->choice.all,

@@ -30,7 +30,9 @@ struct ChosenTrajectory {
 /// for damaged ones.
 std::vector<ChosenTrajectory> ReadTrajectories(const std::filesystem::path& run);
 
-/// Those of a choice; may be empty.
+/// Those of a choice; may be empty. Of the worst, equally bad ones come in turn: one of each row
+/// (agent, setting, condition, seed), which go through the scenes in turn; files' names decide
+/// last.
 std::vector<ChosenTrajectory> Choose(std::vector<ChosenTrajectory> all, const PlotChoice& choice);
 
 }  // namespace bulletnav::bench
