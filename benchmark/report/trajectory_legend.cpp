@@ -102,7 +102,9 @@ void AddPaths(const EpisodeTrajectory& trajectory, std::vector<LegendEntry>* ent
     entries->push_back(LineEntry("path by odometry", OdometryStroke()));
   }
   if (trajectory.shortest_path.size() > 1) {
-    entries->push_back(LineEntry("shortest path", ShortestPathStroke()));
+    const bool is_sequence = trajectory.goals.size() > 1;
+    entries->push_back(LineEntry(is_sequence ? "shortest path, goal to goal" : "shortest path",
+                                 ShortestPathStroke()));
   }
 }
 

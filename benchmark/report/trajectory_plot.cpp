@@ -54,17 +54,30 @@ std::string Verdict(const EpisodeTrajectory& trajectory) {
   return fmt::format("failed, {:.1f} m from the goal", goals.front().distance_to_goal);
 }
 
+/// What was walked, and the shortest way: of all goals, or of several those that were reached, for
+/// only there the two can be compared.
+std::vector<std::string> DistanceLines(const std::vector<GoalMetrics>& goals) {
+  double all = 0.0;
+  double walked = 0.0;
+  double shortest = 0.0;
+  for (const GoalMetrics& goal : goals) {
+    all += goal.path_length;
+    if (goals.size() > 1 && !goal.success) continue;
+    walked += goal.path_length;
+    shortest += goal.start_distance;
+  }
+  if (goals.size() == 1) return {fmt::format("walked {:.1f} m, shortest {:.1f} m", all, shortest)};
+  return {fmt::format("walked {:.1f} m in all", all),
+          fmt::format("to goals reached {:.1f} m, shortest {:.1f} m", walked, shortest)};
+}
+
 }  // namespace
 
 std::vector<std::string> OutcomeLines(const EpisodeTrajectory& trajectory) {
   const EpisodeResult& result = trajectory.result;
-  double path = 0.0;
-  double shortest = 0.0;
   int steps = 0;
   int collisions = 0;
   for (const GoalMetrics& goal : result.goals) {
-    path += goal.path_length;
-    shortest += goal.start_distance;
     steps += goal.steps;
     collisions += goal.collisions;
   }
@@ -75,10 +88,12 @@ std::vector<std::string> OutcomeLines(const EpisodeTrajectory& trajectory) {
   const std::string name = result.key.episode.starts_with(scene)
                                ? result.key.episode
                                : fmt::format("{}, episode {}", scene, result.key.episode);
-  return {fmt::format("{}, {}, seed {}", result.key.setting, result.key.condition, result.key.seed),
-          name + difficulty, Verdict(trajectory),
-          fmt::format("{}, {}", Count(steps, "step"), Count(collisions, "collision")),
-          fmt::format("walked {:.1f} m, shortest {:.1f} m", path, shortest)};
+  std::vector<std::string> lines = {
+      fmt::format("{}, {}, seed {}", result.key.setting, result.key.condition, result.key.seed),
+      name + difficulty, Verdict(trajectory),
+      fmt::format("{}, {}", Count(steps, "step"), Count(collisions, "collision"))};
+  for (std::string& line : DistanceLines(result.goals)) lines.push_back(std::move(line));
+  return lines;
 }
 
 Figure TrajectoryPlot(const SceneMap& map, const EpisodeTrajectory& trajectory,

@@ -80,6 +80,12 @@ TEST(TrajectoryLegend, SpeaksOfStopsOnlyWhereTheyCount) {
   EXPECT_THAT(Texts(trajectory, false), Contains("goal reached"));
 }
 
+TEST(TrajectoryLegend, SaysWhereShortestPathsOfSequencesBegin) {
+  EpisodeTrajectory trajectory = tests::MadeUpTrajectory();
+  trajectory.goals.push_back(trajectory.start);
+  EXPECT_THAT(Texts(trajectory, false), Contains("shortest path, goal to goal"));
+}
+
 TEST(TrajectoryLegend, LeavesOutAChosenPathThatTheAgentHadLeft) {
   EpisodeTrajectory trajectory = tests::MadeUpTrajectory();
   trajectory.belief.target->y += 0.5;
