@@ -95,10 +95,10 @@ void DrawEnd(const Point& at, EndKind kind, Canvas* canvas) {
 }
 
 void DrawCollision(const Point& at, Canvas* canvas) {
-  constexpr double kArm = 2.6;
+  constexpr double kArm = 2.4;
   for (const bool is_rim : {true, false}) {
-    const double width = is_rim ? 2.8 : 1.3;
-    const Paint paint = is_rim ? kWhite.WithAlpha(0.8) : kVermillion;
+    const double width = is_rim ? 2.2 : 1.1;
+    const Paint paint = is_rim ? kWhite.WithAlpha(0.6) : kVermillion;
     canvas->Line(at + Point(-kArm, -kArm), at + Point(kArm, kArm), width, paint);
     canvas->Line(at + Point(-kArm, kArm), at + Point(kArm, -kArm), width, paint);
   }

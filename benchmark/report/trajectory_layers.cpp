@@ -69,11 +69,22 @@ void DrawOdometry(const EpisodeTrajectory& trajectory, const MapPlace& place, Ca
   canvas->Unclip();
 }
 
-void DrawMarks(const EpisodeTrajectory& trajectory, const MapPlace& place, Canvas* canvas) {
-  const auto& steps = trajectory.steps;
-  for (const TrajectoryStep& step : steps) {
-    if (step.collided) DrawCollision(place.At(step.pose.position), canvas);
+std::vector<Point> CollisionMarks(const EpisodeTrajectory& trajectory, const MapPlace& place) {
+  constexpr double kApart = 12.0;  // two crosses and the path between them
+  std::vector<Point> marks;
+  for (const TrajectoryStep& step : trajectory.steps) {
+    if (!step.collided) continue;
+    const Point at = place.At(step.pose.position);
+    const auto is_near = [&](const Point& other) {
+      return (at - other).norm() < kApart;
+    };
+    if (std::none_of(marks.begin(), marks.end(), is_near)) marks.push_back(at);
   }
+  return marks;
+}
+
+void DrawMarks(const EpisodeTrajectory& trajectory, const MapPlace& place, Canvas* canvas) {
+  for (const Point& at : CollisionMarks(trajectory, place)) DrawCollision(at, canvas);
   const auto& goals = trajectory.goals;
   for (std::size_t i = 0; i < goals.size(); ++i) {
     DrawGoal(place.At(goals[i].position), goals.size() > 1 ? std::to_string(i + 1) : "", canvas);

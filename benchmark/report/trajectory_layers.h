@@ -18,6 +18,10 @@ void DrawShortestPath(const EpisodeTrajectory& trajectory, const MapPlace& place
 void DrawTruePath(const EpisodeTrajectory& trajectory, std::size_t until, const MapPlace& place,
                   Canvas* canvas);
 void DrawOdometry(const EpisodeTrajectory& trajectory, const MapPlace& place, Canvas* canvas);
+/// Where crosses stand for collisions, on the canvas: one for all that are near each other, so that
+/// the path between them is seen.
+std::vector<Canvas::Point> CollisionMarks(const EpisodeTrajectory& trajectory,
+                                          const MapPlace& place);
 /// Collisions, goals, start, ends.
 void DrawMarks(const EpisodeTrajectory& trajectory, const MapPlace& place, Canvas* canvas);
 

@@ -130,8 +130,10 @@ void AddMarks(const EpisodeTrajectory& trajectory, std::vector<LegendEntry>* ent
   const auto is_collision = [](const TrajectoryStep& step) {
     return step.collided;
   };
-  if (std::any_of(trajectory.steps.begin(), trajectory.steps.end(), is_collision)) {
-    entries->push_back({"collision", DrawCollision});
+  const auto collisions =
+      std::count_if(trajectory.steps.begin(), trajectory.steps.end(), is_collision);
+  if (collisions > 0) {
+    entries->push_back({collisions > 1 ? "collisions" : "collision", DrawCollision});
   }
 }
 

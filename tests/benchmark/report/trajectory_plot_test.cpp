@@ -71,6 +71,16 @@ TEST(TrajectoryLayers, PathIsDrawnUntilTheStepAskedFor) {
   EXPECT_LT(Difference(At(image, 1.0, -2.625), kWhite), 0.01);
 }
 
+TEST(TrajectoryLayers, CollisionsNearEachOtherHaveOneCross) {
+  EpisodeTrajectory trajectory = tests::MadeUpTrajectory();
+  const Canvas::Point first = Place().At(trajectory.steps[7].pose.position);
+  EXPECT_THAT(CollisionMarks(trajectory, Place()), testing::ElementsAre(first));
+  for (std::size_t i = 8; i < 17; ++i) trajectory.steps[i].collided = true;  // turns on the spot
+  EXPECT_THAT(CollisionMarks(trajectory, Place()), testing::ElementsAre(first));
+  trajectory.steps[24].collided = true;
+  EXPECT_EQ(CollisionMarks(trajectory, Place()).size(), 2u);
+}
+
 TEST(TrajectoryLayers, MapOfTheAgentLiesAsSeenFromTheStart) {
   const EpisodeTrajectory trajectory = tests::MadeUpTrajectory();
   EpisodeTrajectory map_only = trajectory;
