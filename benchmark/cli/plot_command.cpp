@@ -95,6 +95,7 @@ void DrawScene(const PlotOptions& options, const RunConfig& config, const fs::pa
     if (options.film) {
       FilmstripSpec film;
       film.title = plot.title;
+      film.belief = options.belief;
       sim::WritePng(fs::path(stem) += "_film.png",
                     ToImage(Filmstrip(world, map, trajectory, film)));
     }

@@ -4,9 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include <fmt/core.h>
 
+#include "benchmark/report/belief_layer.h"
+#include "benchmark/report/free_places.h"
 #include "benchmark/report/goal_ends.h"
 #include "benchmark/report/palette.h"
 #include "benchmark/report/replay.h"
@@ -24,19 +28,27 @@ constexpr double kLine = 16.0;
 constexpr double kTextSize = 11.0;
 constexpr double kLeastMapHeight = 320.0;
 
+/// A panorama: of a goal, or what the body saw.
+struct Frame {
+  bool is_goal = false;
+  std::size_t number = 0;  // of the goal, or of Film::steps
+  sim::Image image;
+};
+
 /// What a filmstrip is drawn from.
 struct Film {
   SceneMap map;
   std::string title;
   EpisodeTrajectory trajectory;
-  std::vector<int> steps;
-  std::vector<sim::Image> frames;  // the goal's first, then one for each of `steps`
+  bool belief = false;
+  std::vector<int> steps;  // actions taken before each view
+  std::vector<Frame> frames;
   Eigen::AlignedBox2d map_box;
   Point frame_size;
   std::size_t columns = 1;
 
   std::size_t rows() const { return (frames.size() + columns - 1) / columns; }
-  /// Of the goal's panorama, then of the frames: down the first column, then the next.
+  /// Of a frame: down the first column, then the next.
   Point corner(std::size_t k) const {
     const Point pitch(frame_size.x() + kMargin, frame_size.y() + kCaption);
     const std::size_t column = k / rows();
@@ -84,37 +96,67 @@ void DrawDirections(const Film& film, double y, Canvas* canvas) {
   }
 }
 
+/// What stands over a frame.
+void DrawCaption(const Film& film, const Frame& frame, const Point& at, Canvas* canvas) {
+  TextStyle style = {.size = kTextSize, .paint = kInk, .align = Align::kLeft};
+  if (frame.is_goal) {
+    style.bold = true;
+    const bool is_one = film.trajectory.goals.size() == 1;
+    canvas->Text(at, is_one ? "goal" : fmt::format("goal {}", frame.number + 1), style);
+    return;
+  }
+  DrawNumber(at + Point(8.0, 0.0), frame.number + 1, FrameColor(film, frame.number), canvas);
+  canvas->Text(at + Point(22.0, 0.0), CaptionOf(film, frame.number), style);
+}
+
 void DrawFrames(const Film& film, Canvas* canvas) {
   for (std::size_t k = 0; k < film.frames.size(); ++k) {
     const Point corner = film.corner(k);
-    const double zoom = film.frame_size.x() / film.frames[k].width;
-    canvas->Picture(film.frames[k], Eigen::Translation2d(corner) * Eigen::Scaling(zoom), true);
+    const sim::Image& image = film.frames[k].image;
+    const double zoom = film.frame_size.x() / image.width;
+    canvas->Picture(image, Eigen::Translation2d(corner) * Eigen::Scaling(zoom), true);
     const Point caption = corner - Point(0.0, 0.5 * kCaption);
-    if (k == 0) {
-      const std::string text = film.trajectory.goals.size() > 1 ? "first goal" : "goal";
-      canvas->Text(caption, text,
-                   {.size = kTextSize, .paint = kInk, .bold = true, .align = Align::kLeft});
-      DrawDirections(film, caption.y(), canvas);
-      continue;
+    DrawCaption(film, film.frames[k], caption, canvas);
+    if (k == 0) DrawDirections(film, caption.y(), canvas);
+  }
+}
+
+/// The numbers of the frames beside the path, clear of the marks and of each other.
+void DrawNumbers(const Film& film, const MapPlace& place, Canvas* canvas) {
+  constexpr std::array kReaches = {15.5, 22.0, 30.0, 40.0};
+  constexpr int kWays = 16;
+  const Point size = Point::Constant(18.0);
+  FreePlaces places(place.box());
+  places.Take(place.At(film.trajectory.start.position), size);
+  for (const auto& goal : film.trajectory.goals) places.Take(place.At(goal.position), 1.2 * size);
+  for (const GoalEnd& end : GoalEnds(film.trajectory)) {
+    places.Take(place.At(end.pose.position), 0.8 * size);
+  }
+  const auto poses = TruePoses(film.trajectory);
+  for (std::size_t i = 0; i < film.steps.size(); ++i) {
+    const Point at = place.At(poses[static_cast<std::size_t>(film.steps[i])].position);
+    std::vector<Point> around;
+    for (const double reach : kReaches) {
+      for (int k = 0; k < kWays; ++k) {
+        const double angle = 2.0 * sim::kPi * k / kWays - 0.25 * sim::kPi;
+        around.push_back(at + reach * Point(std::cos(angle), std::sin(angle)));
+      }
     }
-    DrawNumber(caption + Point(8.0, 0.0), k, FrameColor(film, k - 1), canvas);
-    canvas->Text(caption + Point(22.0, 0.0), CaptionOf(film, k - 1),
-                 {.size = kTextSize, .paint = kInk, .align = Align::kLeft});
+    const Point middle = places.Choose(around, size);
+    canvas->Line(at, middle, 3.0, kWhite);
+    canvas->Line(at, middle, 1.4, FrameColor(film, i));
+    DrawNumber(middle, i + 1, FrameColor(film, i), canvas);
   }
 }
 
 void DrawMap(const Film& film, Canvas* canvas) {
   const MapPlace place(film.map, film.map_box);
   DrawSceneMap(film.map, place, canvas);
+  if (film.belief) DrawBelief(film.trajectory, place, canvas);
   DrawShortestPath(film.trajectory, place, canvas);
   DrawTruePath(film.trajectory, film.trajectory.steps.size(), place, canvas);
+  DrawNumbers(film, place, canvas);  // clear of marks, but the lines to them are not
   DrawMarks(film.trajectory, place, canvas);
-  const auto poses = TruePoses(film.trajectory);
-  for (std::size_t i = 0; i < film.steps.size(); ++i) {
-    const Point at = place.At(poses[static_cast<std::size_t>(film.steps[i])].position);
-    // Beside the path, so that start, goal and stop can still be seen.
-    DrawNumber(at + Point(11.0, -11.0), i + 1, FrameColor(film, i), canvas);
-  }
 }
 
 void DrawOutcome(const Film& film, Canvas* canvas) {
@@ -124,6 +166,24 @@ void DrawOutcome(const Film& film, Canvas* canvas) {
     at.y() += kLine;
     canvas->Text(at, line, {.size = kTextSize, .paint = kInk, .align = Align::kLeft});
   }
+}
+
+/// The views in order, each new goal before them.
+std::vector<Frame> MakeFrames(const sim::World& world, const EpisodeTrajectory& trajectory,
+                              const sim::PanoramaSpec& panorama, const std::vector<int>& steps,
+                              std::vector<sim::Image> views) {
+  std::vector<Frame> frames;
+  std::optional<std::size_t> goal;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const std::size_t now = GoalAt(trajectory, static_cast<std::size_t>(steps[i]));
+    if (now != goal) {
+      frames.push_back(
+          {true, now, LookFrom(world, trajectory.body, panorama, trajectory.goals[now])});
+    }
+    goal = now;
+    frames.push_back({false, i, std::move(views[i])});
+  }
+  return frames;
 }
 
 }  // namespace
@@ -139,6 +199,15 @@ std::vector<int> FilmSteps(std::size_t steps, int frames) {
   return chosen;
 }
 
+std::size_t GoalAt(const EpisodeTrajectory& trajectory, std::size_t actions) {
+  std::size_t done = 0;
+  for (const GoalEnd& end : GoalEnds(trajectory)) {
+    const bool is_last = end.actions == trajectory.steps.size() && actions == end.actions;
+    done += end.actions <= actions && !is_last ? 1 : 0;
+  }
+  return std::min(done, trajectory.goals.size() - 1);
+}
+
 Figure Filmstrip(const std::shared_ptr<const sim::World>& world, const SceneMap& map,
                  const EpisodeTrajectory& trajectory, const FilmstripSpec& spec) {
   auto film = std::make_shared<Film>();
@@ -146,9 +215,9 @@ Figure Filmstrip(const std::shared_ptr<const sim::World>& world, const SceneMap&
   film->trajectory = trajectory;
   film->title = spec.title.empty() ? trajectory.result.key.agent : spec.title;
   film->steps = FilmSteps(trajectory.steps.size(), spec.frames);
-  film->frames = ReplayPanoramas(world, trajectory, spec.panorama, film->steps);
-  film->frames.insert(film->frames.begin(),
-                      LookFrom(*world, trajectory.body, spec.panorama, trajectory.goals.front()));
+  film->belief = spec.belief;
+  film->frames = MakeFrames(*world, trajectory, spec.panorama, film->steps,
+                            ReplayPanoramas(world, trajectory, spec.panorama, film->steps));
   film->frame_size = {spec.frame_width, spec.frame_width * spec.panorama.rows / spec.panorama.cols};
   film->columns = static_cast<std::size_t>(std::max(1, spec.columns));
   const double text = kLine * (1.5 + static_cast<double>(OutcomeLines(trajectory).size()));

@@ -35,7 +35,7 @@ std::vector<GoalEnd> GoalEnds(const EpisodeTrajectory& trajectory) {
       kind = goal.success ? EndKind::kStopAtGoal : EndKind::kStopElsewhere;
       ++at;
     }
-    ends.push_back({kind, at == 0 ? trajectory.start : steps[at - 1].pose});
+    ends.push_back({kind, at == 0 ? trajectory.start : steps[at - 1].pose, at});
   }
   return ends;
 }

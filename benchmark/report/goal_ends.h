@@ -22,6 +22,7 @@ enum class EndKind {
 struct GoalEnd {
   EndKind kind = EndKind::kNoStop;
   sim::BodyPose pose;
+  std::size_t actions = 0;  // taken until then, stops too
 };
 
 /// One for each goal that the agent set out for, in order.

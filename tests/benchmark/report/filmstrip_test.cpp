@@ -18,6 +18,21 @@ TEST(Filmstrip, FramesAreSpreadFromTheFirstStepToTheLast) {
   EXPECT_THAT(FilmSteps(0, 7), ElementsAre(0));
 }
 
+TEST(Filmstrip, KnowsThePresentGoal) {
+  EpisodeTrajectory trajectory = tests::MadeUpTrajectory();
+  EXPECT_EQ(GoalAt(trajectory, trajectory.steps.size()), 0u) << "also after the stop there";
+  trajectory.steps.resize(5);
+  trajectory.steps[1].action = sim::Action::kStop;
+  trajectory.goals.resize(3, trajectory.goals[0]);
+  trajectory.result.goals.assign(3, {});
+  trajectory.result.goals[0].steps = 1;
+  trajectory.result.goals[1].steps = 3;
+  EXPECT_EQ(GoalAt(trajectory, 0), 0u);
+  EXPECT_EQ(GoalAt(trajectory, 1), 0u);
+  EXPECT_EQ(GoalAt(trajectory, 2), 1u) << "the stop ended the first";
+  EXPECT_EQ(GoalAt(trajectory, 5), 1u) << "nobody set out for the third";
+}
+
 TEST(Filmstrip, ShowsTheGoalThenTheFramesTheSameEachTime) {
   const sim::SceneMesh mesh = tests::BoxRoom(6, 2.6f, 6);
   const auto world = sim::World::FromMesh(mesh, "room");
