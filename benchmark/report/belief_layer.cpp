@@ -65,7 +65,8 @@ std::vector<GraphPicture::Node> PathOf(const agent::Belief& belief) {
   return path;
 }
 
-void DrawGraph(const agent::Belief& belief, const Eigen::Affine2d& plane, Canvas* canvas) {
+void DrawGraph(const agent::Belief& belief, const Eigen::Affine2d& plane, FreePlaces* places,
+               Canvas* canvas) {
   const GraphPicture& graph = *belief.graph;
   const auto at = [&](const GraphPicture::Node& node) -> Point {
     return plane * Point(node.x, node.y);
@@ -77,10 +78,13 @@ void DrawGraph(const agent::Belief& belief, const Eigen::Affine2d& plane, Canvas
   std::vector<Point> path;
   for (const GraphPicture::Node& node : PathOf(belief)) path.push_back(at(node));
   canvas->Polyline(path, GraphPathStroke());
+  std::vector<ScoreMark> scores;
   for (const auto& node : graph.nodes) {
     DrawNode(at(node), node.is_ghost, canvas);
-    if (node.score) DrawScore(at(node), *node.score, canvas);
+    places->Take(at(node), Point(8.0, 8.0));
+    if (node.score) scores.push_back({at(node), *node.score});
   }
+  DrawScores(scores, places, canvas);
 }
 
 /// Which kinds of places a map shows within a box.
@@ -99,12 +103,17 @@ std::array<bool, 4> ShownKinds(const MapPicture& map, const Eigen::Affine2d& cel
 
 }  // namespace
 
-void DrawBelief(const EpisodeTrajectory& trajectory, const MapPlace& place, Canvas* canvas) {
+void DrawBelief(const SceneMap& scene, const EpisodeTrajectory& trajectory, const MapPlace& place,
+                Canvas* canvas) {
   const agent::Belief& belief = trajectory.belief;
   const Eigen::Affine2d plane = PlanePlace(trajectory.start, place);
   canvas->Clip(place.box());
   if (belief.map) canvas->Picture(ToPicture(*belief.map), CellPlace(*belief.map, plane), false);
-  if (belief.graph) DrawGraph(belief, plane, canvas);
+  FreePlaces places(place.box());
+  for (const Eigen::AlignedBox2d& name : RoomNameBoxes(scene, place, *canvas)) places.Take(name);
+  places.Take(place.At(trajectory.start.position), Point(14.0, 14.0));
+  for (const auto& goal : trajectory.goals) places.Take(place.At(goal.position), Point(20.0, 20.0));
+  if (belief.graph) DrawGraph(belief, plane, &places, canvas);
   if (belief.target) DrawTarget(plane * Point(belief.target->x, belief.target->y), canvas);
   canvas->Unclip();
 }

@@ -9,8 +9,9 @@
 namespace bulletnav::bench {
 
 /// What the agent believes: its metric map, as it lies seen from the start pose, its topological
-/// graph and where it is heading.
-void DrawBelief(const EpisodeTrajectory& trajectory, const MapPlace& place, Canvas* canvas);
+/// graph, with scores clear of the scene's names of rooms, and where it is heading.
+void DrawBelief(const SceneMap& scene, const EpisodeTrajectory& trajectory, const MapPlace& place,
+                Canvas* canvas);
 
 /// Which parts of a belief DrawBelief shows on a map: nothing that is empty or off it.
 struct ShownBelief {

@@ -152,7 +152,7 @@ void DrawNumbers(const Film& film, const MapPlace& place, Canvas* canvas) {
 void DrawMap(const Film& film, Canvas* canvas) {
   const MapPlace place(film.map, film.map_box);
   DrawSceneMap(film.map, place, canvas);
-  if (film.belief) DrawBelief(film.trajectory, place, canvas);
+  if (film.belief) DrawBelief(film.map, film.trajectory, place, canvas);
   DrawShortestPath(film.trajectory, place, canvas);
   DrawTruePath(film.trajectory, film.trajectory.steps.size(), place, canvas);
   DrawNumbers(film, place, canvas);  // clear of marks, but the lines to them are not

@@ -113,9 +113,21 @@ void DrawNode(const Point& at, bool is_ghost, Canvas* canvas) {
   canvas->Ring(at, is_ghost ? 2.8 : 4.0, {1.2, is_ghost ? kPurple : kWhite, {}});
 }
 
-void DrawScore(const Point& at, double score, Canvas* canvas) {
-  canvas->Text(at + Point(6.0, 0.0), fmt::format("{:.2f}", score),
-               {.size = 9.0, .paint = kPurple, .align = Align::kLeft, .halo = true});
+void DrawScores(std::span<const ScoreMark> scores, FreePlaces* places, Canvas* canvas) {
+  const TextStyle style = {.size = 9.0, .paint = kPurple, .halo = true};
+  for (const ScoreMark& mark : scores) {
+    const std::string text = fmt::format("{:.2f}", mark.score);
+    const Point size = canvas->TextSize(text, style.size, false) + Point(2.0, 2.0);
+    const double aside = 5.0 + 0.5 * size.x();
+    const double above = 4.0 + 0.5 * size.y();
+    std::vector<Point> middles;
+    for (const Point& off :
+         {Point(aside, 0.0), Point(-aside, 0.0), Point(0.0, -above), Point(0.0, above),
+          Point(aside, -above), Point(aside, above), Point(-aside, -above), Point(-aside, above)}) {
+      middles.push_back(mark.node + off);
+    }
+    canvas->Text(places->Choose(middles, size), text, style);
+  }
 }
 
 }  // namespace bulletnav::bench

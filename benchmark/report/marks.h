@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <span>
 #include <string>
 
 #include "benchmark/report/canvas.h"
+#include "benchmark/report/free_places.h"
 #include "benchmark/report/goal_ends.h"
 
 namespace bulletnav::bench {
@@ -21,7 +23,11 @@ void DrawCollision(const Canvas::Point& at, Canvas* canvas);
 void DrawTarget(const Canvas::Point& at, Canvas* canvas);
 /// A place of a topological graph.
 void DrawNode(const Canvas::Point& at, bool is_ghost, Canvas* canvas);
-/// What speaks for going to a ghost node, beside it.
-void DrawScore(const Canvas::Point& at, double score, Canvas* canvas);
+/// What speaks for going to ghost nodes, each beside its own, where `places` is free.
+struct ScoreMark {
+  Canvas::Point node;
+  double score = 0.0;
+};
+void DrawScores(std::span<const ScoreMark> scores, FreePlaces* places, Canvas* canvas);
 
 }  // namespace bulletnav::bench

@@ -54,6 +54,30 @@ std::vector<Vec2> Walkable(const sim::Navmesh& navmesh, float floor_y) {
   return corners;
 }
 
+/// A room's name as it is printed.
+struct RoomName {
+  std::string text;
+  Point at;
+  double size = kLabelSize;
+  Point extent;
+};
+
+/// Those that fit into their rooms.
+std::vector<RoomName> NamesOf(const sim::FloorPlan& plan, const MapPlace& place,
+                              const Canvas& canvas) {
+  std::vector<RoomName> names;
+  for (const MapLabel& label : RoomLabels(plan)) {
+    RoomName name = {label.text, place.At(label.at.x(), label.at.y()), kLabelSize, {}};
+    for (; name.size >= kSmallestLabel; name.size -= 0.5) {
+      name.extent = canvas.TextSize(label.text, name.size, false);
+      if (!Fits(label, name.extent, 1.0 / place.pixels_per_metre())) continue;
+      names.push_back(name);
+      break;
+    }
+  }
+  return names;
+}
+
 /// Draws the parts of a floor plan.
 class PlanDrawing {
  public:
@@ -72,16 +96,8 @@ class PlanDrawing {
   }
 
   void Labels() const {
-    for (const MapLabel& label : RoomLabels(plan_)) {
-      double size = kLabelSize;
-      const auto fits = [&] {
-        return Fits(label, canvas_->TextSize(label.text, size, false),
-                    1.0 / place_.pixels_per_metre());
-      };
-      while (size >= kSmallestLabel && !fits()) size -= 0.5;
-      if (size < kSmallestLabel) continue;
-      canvas_->Text(place_.At(label.at.x(), label.at.y()), label.text,
-                    {.size = size, .paint = kLabel, .halo = true});
+    for (const RoomName& name : NamesOf(plan_, place_, *canvas_)) {
+      canvas_->Text(name.at, name.text, {.size = name.size, .paint = kLabel, .halo = true});
     }
   }
 
@@ -175,6 +191,16 @@ MapPlace::MapPlace(const SceneMap& map, const Eigen::AlignedBox2d& box)
 
 Canvas::Point MapPlace::At(double x, double z) const {
   return box_.min() + pixels_per_metre_ * (Point(x, z) - origin_);
+}
+
+std::vector<Eigen::AlignedBox2d> RoomNameBoxes(const SceneMap& map, const MapPlace& place,
+                                               const Canvas& canvas) {
+  std::vector<Eigen::AlignedBox2d> boxes;
+  if (!map.plan) return boxes;
+  for (const RoomName& name : NamesOf(*map.plan, place, canvas)) {
+    boxes.emplace_back(name.at - 0.5 * name.extent, name.at + 0.5 * name.extent);
+  }
+  return boxes;
 }
 
 void DrawSceneMap(const SceneMap& map, const MapPlace& place, Canvas* canvas) {

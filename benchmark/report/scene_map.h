@@ -44,6 +44,10 @@ class MapPlace {
 /// Size of a map that is at most so large, in the proportions of the scene.
 Canvas::Point FittingSize(const SceneMap& map, const Canvas::Point& largest);
 
+/// Where DrawSceneMap prints the rooms' names.
+std::vector<Eigen::AlignedBox2d> RoomNameBoxes(const SceneMap& map, const MapPlace& place,
+                                               const Canvas& canvas);
+
 /// Floor, furniture, walls, room names and a scale bar.
 void DrawSceneMap(const SceneMap& map, const MapPlace& place, Canvas* canvas);
 

@@ -114,7 +114,7 @@ Figure TrajectoryPlot(const SceneMap& map, const EpisodeTrajectory& trajectory,
     const auto& [scene, episode] = *shared;
     const MapPlace place(scene, box);
     DrawSceneMap(scene, place, canvas);
-    if (spec.belief) DrawBelief(episode, place, canvas);
+    if (spec.belief) DrawBelief(scene, episode, place, canvas);
     DrawShortestPath(episode, place, canvas);
     DrawTruePath(episode, episode.steps.size(), place, canvas);
     DrawOdometry(episode, place, canvas);

@@ -87,7 +87,7 @@ TEST(TrajectoryLayers, MapOfTheAgentLiesAsSeenFromTheStart) {
   map_only.belief.graph.reset();
   map_only.belief.target.reset();
   const sim::Image image = Layer([&](Canvas* canvas) {
-    DrawBelief(map_only, Place(), canvas);
+    DrawBelief(RoomMap(), map_only, Place(), canvas);
   });
   // Cell (2, 1) of half a metre lies 0.75 m ahead of the start and 0.25 m to its left, cell (2, 2)
   // 0.75 m to the left; the start looks along -z.
