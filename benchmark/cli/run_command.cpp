@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
+#include <system_error>
 #include <vector>
 
 #include <CLI/Config.hpp>
@@ -9,6 +10,7 @@
 #include <fmt/core.h>
 
 #include "benchmark/cli/commands.h"
+#include "benchmark/cli/draw_run.h"
 #include "benchmark/cli/hand_over.h"
 #include "benchmark/cli/progress.h"
 #include "benchmark/cli/run_progress.h"
@@ -19,10 +21,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr int kWorstPlots = 4;
+
 struct RunCommandOptions {
   fs::path config;
   fs::path out;
   RunOptions run;
+  bool plots = true;
 };
 
 RunHooks MakeHooks(RunProgress* progress) {
@@ -42,6 +47,19 @@ RunHooks MakeHooks(RunProgress* progress) {
   return hooks;
 }
 
+/// Draws what to look at first.
+void DrawWorst(const fs::path& folder) {
+  DrawOptions options;
+  options.run = folder;
+  std::error_code unreadable;
+  if (fs::exists(folder / "trajectories", unreadable)) {
+    options.choice.worst = kWorstPlots;
+    options.belief = true;
+  }
+  const DrawnCount drawn = DrawRun(options);
+  fmt::print("plots, the worst first: {} ({})\n", PlotFolder(options).string(), ToText(drawn));
+}
+
 void PlayConfig(const RunCommandOptions& options) {
   RunConfig config = LoadRunConfig(options.config);
   if (!options.run.loaders && !UsedWeights(config).empty()) HandOverToLearn();
@@ -50,8 +68,9 @@ void PlayConfig(const RunCommandOptions& options) {
   const RunOutcome outcome =
       RunBenchmark(std::move(config), folder, options.run, MakeHooks(&progress));
   progress.End();
-  fmt::print("{}\nresults: {}\nto draw them: bulletnav plot {}\n", outcome.table, folder.string(),
-             folder.string());
+  fmt::print("{}\nresults: {}\n", outcome.table, folder.string());
+  if (options.plots) DrawWorst(folder);
+  fmt::print("to draw others: bulletnav plot {}\n", folder.string());
   if (outcome.versions > 1) {
     fmt::print(
         stderr,
@@ -79,6 +98,7 @@ void AddRunCommand(CLI::App* program, const ModelLoaders& loaders) {
   command->add_option("--workers", options->run.workers, "Threads (default: one a processor)")
       ->check(CLI::Range(1, 1024));
   command->add_option("--out", options->out, "Folder of results (default: results/NAME)");
+  command->add_flag("!--no-plots", options->plots, "Draw no charts and worst episodes at the end");
   command->add_flag("--require-all", options->run.require_all,
                     "Agents that are missing are errors, not remarks in the table");
   command->callback([options] {

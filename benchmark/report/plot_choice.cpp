@@ -9,20 +9,23 @@
 
 #include <fmt/core.h>
 
+#include "benchmark/evaluation/result_store.h"
+#include "benchmark/report/trajectory.h"
+
 namespace bulletnav::bench {
 namespace {
 
 namespace fs = std::filesystem;
 
-double MeanSoftSpl(const EpisodeTrajectory& trajectory) {
+double MeanSoftSpl(const EpisodeResult& result) {
   double sum = 0.0;
-  for (const GoalMetrics& goal : trajectory.result.goals) sum += goal.soft_spl;
-  return sum / static_cast<double>(trajectory.result.goals.size());
+  for (const GoalMetrics& goal : result.goals) sum += goal.soft_spl;
+  return sum / static_cast<double>(result.goals.size());
 }
 
 /// A row of a table: an agent in a setting, under a condition, with a seed.
-std::string RowOf(const ChosenTrajectory& one) {
-  const ResultKey& key = one.trajectory.result.key;
+std::string RowOf(const EpisodeResult& one) {
+  const ResultKey& key = one.key;
   return fmt::format("{} {} {} {}", key.agent, key.setting, key.condition, key.seed);
 }
 
@@ -30,28 +33,28 @@ std::string RowOf(const ChosenTrajectory& one) {
 /// turn, beginning with another one than the row before it.
 class WorstFirst {
  public:
-  explicit WorstFirst(const std::vector<ChosenTrajectory>& all) {
-    for (const ChosenTrajectory& one : all) {
+  explicit WorstFirst(const std::vector<EpisodeResult>& all) {
+    for (const EpisodeResult& one : all) {
       rows_.try_emplace(RowOf(one));
-      scenes_.try_emplace(one.trajectory.result.key.scene);
+      scenes_.try_emplace(one.key.scene);
     }
     Number(&rows_);
     Number(&scenes_);
   }
 
-  void Sort(std::vector<ChosenTrajectory>* all) const {
+  void Sort(std::vector<EpisodeResult>* all) const {
     std::map<std::tuple<double, std::size_t, std::size_t>, std::size_t> in_scene;
     std::vector<std::pair<Rank, std::size_t>> ranks;
     for (std::size_t i = 0; i < all->size(); ++i) {
-      const ChosenTrajectory& one = (*all)[i];
+      const EpisodeResult& one = (*all)[i];
       const std::size_t row = rows_.at(RowOf(one));
-      const std::size_t scene = scenes_.at(one.trajectory.result.key.scene);
+      const std::size_t scene = scenes_.at(one.key.scene);
       const std::size_t turn = (scene + scenes_.size() - row % scenes_.size()) % scenes_.size();
-      const double score = MeanSoftSpl(one.trajectory);
+      const double score = MeanSoftSpl(one);
       ranks.push_back({{score, in_scene[{score, row, scene}]++, turn, row}, i});
     }
     TakeTurns(&ranks);
-    std::vector<ChosenTrajectory> sorted;
+    std::vector<EpisodeResult> sorted;
     for (const auto& [rank, i] : ranks) sorted.push_back(std::move((*all)[i]));
     *all = std::move(sorted);
   }
@@ -83,25 +86,22 @@ class WorstFirst {
 
 }  // namespace
 
-std::vector<ChosenTrajectory> ReadTrajectories(const fs::path& run) {
-  const fs::path folder = run / "trajectories";
-  std::error_code unreadable;
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::recursive_directory_iterator(folder, unreadable)) {
-    if (entry.path().extension() == ".json") files.push_back(entry.path());
+std::vector<EpisodeResult> ResultsWithTrajectory(const fs::path& run) {
+  std::map<fs::path, EpisodeResult> by_file;
+  for (EpisodeResult& result : ReadResults(run)) {
+    const fs::path file = TrajectoryPath(run, result.key);
+    std::error_code unreadable;
+    if (fs::exists(file, unreadable)) by_file.emplace(file, std::move(result));
   }
-  std::sort(files.begin(), files.end());
-  std::vector<ChosenTrajectory> all;
-  all.reserve(files.size());
-  for (const fs::path& file : files) {
-    all.push_back({fs::relative(file, folder).replace_extension(), ReadTrajectory(file)});
-  }
-  return all;
+  std::vector<EpisodeResult> results;
+  results.reserve(by_file.size());
+  for (auto& [file, result] : by_file) results.push_back(std::move(result));
+  return results;
 }
 
-std::vector<ChosenTrajectory> Choose(std::vector<ChosenTrajectory> all, const PlotChoice& choice) {
-  std::erase_if(all, [&](const ChosenTrajectory& one) {
-    const ResultKey& key = one.trajectory.result.key;
+std::vector<EpisodeResult> Choose(std::vector<EpisodeResult> all, const PlotChoice& choice) {
+  std::erase_if(all, [&](const EpisodeResult& one) {
+    const ResultKey& key = one.key;
     return (!choice.episode.empty() && key.episode != choice.episode) ||
            (!choice.agent.empty() && key.agent != choice.agent);
   });

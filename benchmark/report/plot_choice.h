@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "benchmark/report/trajectory.h"
+#include "benchmark/evaluation/episode_result.h"
 
 namespace bulletnav::bench {
 
@@ -20,19 +20,13 @@ struct PlotChoice {
   bool is_default() const { return episode.empty() && agent.empty() && worst == 0 && !all; }
 };
 
-/// A trajectory and the name of its pictures, without extension, below the folder of plots.
-struct ChosenTrajectory {
-  std::filesystem::path name;
-  EpisodeTrajectory trajectory;
-};
-
-/// All trajectories that a run has kept, in the order of their files' names. Throws sim::FileError
-/// for damaged ones.
-std::vector<ChosenTrajectory> ReadTrajectories(const std::filesystem::path& run);
+/// The results of a run that it has kept trajectories of, in the order of their files' names.
+/// Throws sim::FileError as ReadResults does.
+std::vector<EpisodeResult> ResultsWithTrajectory(const std::filesystem::path& run);
 
 /// Those of a choice; may be empty. Of the worst, equally bad ones come in turn: one of each row
-/// (agent, setting, condition, seed), which go through the scenes in turn; files' names decide
-/// last.
-std::vector<ChosenTrajectory> Choose(std::vector<ChosenTrajectory> all, const PlotChoice& choice);
+/// (agent, setting, condition, seed), which go through the scenes in turn; their order in `all`
+/// decides last.
+std::vector<EpisodeResult> Choose(std::vector<EpisodeResult> all, const PlotChoice& choice);
 
 }  // namespace bulletnav::bench

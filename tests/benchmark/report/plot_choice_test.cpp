@@ -5,9 +5,9 @@
 
 #include <gmock/gmock.h>
 
+#include "benchmark/report/trajectory.h"
 #include "sim/base/error.h"
 #include "tests/support/temporary_folder.h"
-#include "tests/support/trajectories.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -15,28 +15,28 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// An episode "AGENT/SCENE-NUMBER".
-ChosenTrajectory Of(const std::string& agent, const std::string& scene, int number,
-                    double soft_spl) {
-  ChosenTrajectory one;
-  one.name = agent + "/" + scene + "-" + std::to_string(number);
-  one.trajectory.result.key.agent = agent;
-  one.trajectory.result.key.scene = scene;
-  one.trajectory.result.key.episode = std::to_string(number);
-  one.trajectory.result.goals.resize(1);
-  one.trajectory.result.goals[0].soft_spl = soft_spl;
-  return one;
+EpisodeResult Of(const std::string& agent, const std::string& scene, int number, double soft_spl) {
+  EpisodeResult result;
+  result.key.agent = agent;
+  result.key.scene = scene;
+  result.key.episode = std::to_string(number);
+  result.goals.resize(1);
+  result.goals[0].soft_spl = soft_spl;
+  return result;
 }
 
-std::vector<std::string> Names(const std::vector<ChosenTrajectory>& chosen) {
+/// "AGENT/SCENE-NUMBER".
+std::vector<std::string> Names(const std::vector<EpisodeResult>& chosen) {
   std::vector<std::string> names;
-  for (const ChosenTrajectory& one : chosen) names.push_back(one.name.string());
+  for (const EpisodeResult& one : chosen) {
+    names.push_back(one.key.agent + "/" + one.key.scene + "-" + one.key.episode);
+  }
   return names;
 }
 
 /// Four equally bad episodes of each of two agents in two scenes, and one that is worse.
-std::vector<ChosenTrajectory> Equals() {
-  std::vector<ChosenTrajectory> all;
+std::vector<EpisodeResult> Equals() {
+  std::vector<EpisodeResult> all;
   for (const char* agent : {"a", "b"}) {
     for (const char* scene : {"s", "t"}) {
       for (const int number : {0, 1}) all.push_back(Of(agent, scene, number, 0.5));
@@ -72,14 +72,20 @@ TEST(PlotChoice, IsByEpisodeAndAgentOrTheFirstOnes) {
   EXPECT_THAT(Choose(Equals(), {.agent = "c"}), IsEmpty());
 }
 
-TEST(PlotChoice, RunsWithoutTrajectoriesHaveNone) {
+TEST(PlotChoice, IsAmongTheResultsWithATrajectory) {
   const tests::TemporaryFolder folder;
-  EXPECT_THAT(ReadTrajectories(folder.path()), IsEmpty());
-  folder.Write("trajectories/nts/b.json", ToJson(tests::MadeUpTrajectory()));
-  folder.Write("trajectories/nts/a.json", ToJson(tests::MadeUpTrajectory()));
-  EXPECT_THAT(Names(ReadTrajectories(folder.path())), ElementsAre("nts/a", "nts/b"));
-  folder.Write("trajectories/nts/c.json", "{");
-  EXPECT_THROW(ReadTrajectories(folder.path()), sim::FileError);
+  EXPECT_THROW(ResultsWithTrajectory(folder.path()), sim::FileError);
+  const std::vector<EpisodeResult> results = {Of("b", "s", 0, 0), Of("a", "s", 1, 0),
+                                              Of("a", "s", 0, 0)};
+  std::string lines;
+  for (const EpisodeResult& result : results) lines += ToJsonLine(result) + "\n";
+  folder.Write("episodes.jsonl", lines);
+  EXPECT_THAT(ResultsWithTrajectory(folder.path()), IsEmpty());
+  for (const std::size_t i : {0u, 1u}) {
+    const auto file = TrajectoryPath(folder.path(), results[i].key);
+    folder.Write(std::filesystem::relative(file, folder.path()).string(), "{}");
+  }
+  EXPECT_THAT(Names(ResultsWithTrajectory(folder.path())), ElementsAre("a/s-1", "b/s-0"));
 }
 
 }  // namespace

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/cli/draw_run.h"
+
+#include <cmath>
+#include <map>
+#include <memory>
+#include <optional>
+#include <system_error>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "benchmark/cli/progress.h"
+#include "benchmark/evaluation/result_store.h"
+#include "benchmark/evaluation/runner.h"
+#include "benchmark/report/agent_title.h"
+#include "benchmark/report/filmstrip.h"
+#include "benchmark/report/result_charts.h"
+#include "benchmark/report/run_scene.h"
+#include "benchmark/report/trajectory_plot.h"
+#include "sim/base/error.h"
+#include "sim/house/house_json.h"
+#include "sim/image/image.h"
+
+namespace bulletnav::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Empty if the run has kept no trajectories and none are asked for.
+std::vector<EpisodeResult> ChooseFrom(const DrawOptions& options) {
+  const fs::path folder = options.run / "trajectories";
+  std::vector<EpisodeResult> all = ResultsWithTrajectory(options.run);
+  if (all.empty()) {
+    if (options.choice.is_default() && !options.belief && !options.film) return all;
+    throw sim::FileError(folder, "",
+                         "holds no trajectories, so there are no episodes to draw; run with "
+                         "'trajectories: true', or leave out the options for episodes to have "
+                         "the charts alone");
+  }
+  std::vector<EpisodeResult> chosen = Choose(std::move(all), options.choice);
+  if (!chosen.empty()) return chosen;
+  throw sim::Error(folder.string() + ": has no trajectory of that episode and agent");
+}
+
+std::optional<sim::FloorPlan> PlanOf(const fs::path& scene, double scale) {
+  const fs::path description = fs::path(scene).replace_extension(".json");
+  std::error_code unreadable;
+  if (scale != 1.0 || !fs::exists(description, unreadable)) return std::nullopt;
+  try {
+    return sim::ReadHouseJson(description).plan;
+  } catch (const sim::Error& e) {
+    fmt::print(stderr, "bulletnav: warning: drawn without the house's plan: {}\n", e.what());
+    return std::nullopt;
+  }
+}
+
+/// Draws episodes of one run.
+class Drawer {
+ public:
+  explicit Drawer(const DrawOptions& options)
+      : options_(options),
+        out_(PlotFolder(options)),
+        config_(LoadRunConfig(options.run / "config.yaml")),
+        agents_(AgentRowsOf(config_)) {}
+
+  void Episodes(const std::vector<EpisodeResult>& chosen) {
+    std::map<fs::path, std::vector<EpisodeTrajectory>> by_scene;
+    for (const EpisodeResult& one : chosen) {
+      EpisodeTrajectory trajectory = ReadTrajectory(TrajectoryPath(options_.run, one.key));
+      by_scene[trajectory.scene_file].push_back(std::move(trajectory));
+    }
+    for (const auto& [scene, ones] : by_scene) RequireOfRun(scene, ones.front().result.key.scene);
+    Progress progress("plots", static_cast<int>(chosen.size()));
+    for (const auto& [scene, ones] : by_scene) Scene(scene, ones, &progress);
+  }
+
+  /// Returns how many there are.
+  std::size_t Charts() const {
+    const std::vector<EpisodeResult> results = ReadResults(options_.run);
+    const auto goals = GoalCountCharts(Summarize(results, agents_), agents_);
+    const auto distances = DistanceCharts(results, agents_);
+    if (!goals.empty()) WriteFigure(ChartFigure(goals), out_ / "by_goals");
+    if (!distances.empty()) WriteFigure(ChartFigure(distances), out_ / "by_distance");
+    return (goals.empty() ? 0u : 1u) + (distances.empty() ? 0u : 1u);
+  }
+
+ private:
+  void RequireOfRun(const fs::path& scene, const std::string& name) const {
+    if (config_.fingerprints) RequireSceneOfRun(scene, name, config_.fingerprints->scenes);
+  }
+
+  void Scene(const fs::path& scene, const std::vector<EpisodeTrajectory>& chosen,
+             Progress* progress) const {
+    const sim::WorldOptions as_run = config_.world_options();
+    const sim::ImportedScene imported = sim::ImportScene(scene, as_run.import);
+    const auto world =
+        std::make_shared<const sim::World>(scene.filename().string(), imported, as_run);
+    const auto plan = PlanOf(scene, config_.import.scale);
+    std::map<long, SceneMap> storeys;  // by height of the start in half metres
+    for (const EpisodeTrajectory& trajectory : chosen) {
+      const double floor = trajectory.start.position.y();
+      TopDownSpec spec;
+      spec.floor_y = static_cast<float>(floor);
+      const auto [storey, is_new] = storeys.try_emplace(std::lround(2.0 * floor));
+      if (is_new) storey->second = MakeSceneMap(imported.mesh, world->navmesh(), plan, spec);
+      Episode(world, storey->second, trajectory);
+      progress->Advance();
+    }
+  }
+
+  void Episode(const std::shared_ptr<const sim::World>& world, const SceneMap& map,
+               const EpisodeTrajectory& trajectory) const {
+    const ResultKey& key = trajectory.result.key;
+    const fs::path stem =
+        out_ / fs::relative(TrajectoryPath(options_.run, key), options_.run / "trajectories")
+                   .replace_extension();
+    TrajectoryPlotSpec plot;
+    plot.belief = options_.belief;
+    plot.title = AgentTitle(key.agent, agents_);
+    WriteFigure(TrajectoryPlot(map, trajectory, plot), stem);
+    if (!options_.film) return;
+    FilmstripSpec film;
+    film.title = plot.title;
+    film.belief = options_.belief;
+    sim::WritePng(fs::path(stem) += "_film.png", ToImage(Filmstrip(world, map, trajectory, film)));
+  }
+
+  DrawOptions options_;
+  fs::path out_;
+  RunConfig config_;
+  std::vector<AgentRow> agents_;
+};
+
+}  // namespace
+
+std::string ToText(const DrawnCount& drawn) {
+  const auto count = [](std::size_t number, const char* what) {
+    return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
+  };
+  return count(drawn.episodes, "episode") + " and " + count(drawn.charts, "chart");
+}
+
+fs::path PlotFolder(const DrawOptions& options) {
+  return options.out.empty() ? options.run / "plots" : options.out;
+}
+
+DrawnCount DrawRun(const DrawOptions& options) {
+  Drawer drawer(options);
+  const std::vector<EpisodeResult> chosen = ChooseFrom(options);
+  if (!chosen.empty()) drawer.Episodes(chosen);
+  return {chosen.size(), drawer.Charts()};
+}
+
+}  // namespace bulletnav::bench
