@@ -27,7 +27,7 @@ struct RunCommandOptions {
   fs::path config;
   fs::path out;
   RunOptions run;
-  bool plots = true;
+  bool no_plots = false;
 };
 
 RunHooks MakeHooks(RunProgress* progress) {
@@ -69,7 +69,7 @@ void PlayConfig(const RunCommandOptions& options) {
       RunBenchmark(std::move(config), folder, options.run, MakeHooks(&progress));
   progress.End();
   fmt::print("{}\nresults: {}\n", outcome.table, folder.string());
-  if (options.plots) DrawWorst(folder);
+  if (!options.no_plots) DrawWorst(folder);
   fmt::print("to draw others: bulletnav plot {}\n", folder.string());
   if (outcome.versions > 1) {
     fmt::print(
@@ -98,7 +98,8 @@ void AddRunCommand(CLI::App* program, const ModelLoaders& loaders) {
   command->add_option("--workers", options->run.workers, "Threads (default: one a processor)")
       ->check(CLI::Range(1, 1024));
   command->add_option("--out", options->out, "Folder of results (default: results/NAME)");
-  command->add_flag("!--no-plots", options->plots, "Draw no charts and worst episodes at the end");
+  command->add_flag("--no-plots", options->no_plots,
+                    "Draw no charts and worst episodes at the end");
   command->add_flag("--require-all", options->run.require_all,
                     "Agents that are missing are errors, not remarks in the table");
   command->callback([options] {
