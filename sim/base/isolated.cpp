@@ -20,7 +20,15 @@
 namespace bulletnav::sim {
 namespace {
 
-enum ExitCode { kExitDone = 0, kExitThrew = 1, kExitTooLarge = 2 };
+/// The child's own endings. Sanitizers (1, 23, 66, 77), sysexits (64..78) and libraries that call
+/// exit use other numbers: theirs are crashes.
+enum ExitCode { kExitDone = 181, kExitThrew = 182, kExitTooLarge = 183 };
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kIsSanitized = true;
+#else
+constexpr bool kIsSanitized = false;
+#endif
 
 /// Memory that parent and child see, growing as a file does.
 class SharedFile {
@@ -81,9 +89,14 @@ std::uint64_t AddressSpace() {
 
 [[noreturn]] void RunChild(const SharedFile& file,
                            const std::function<std::vector<std::uint8_t>()>& work) {
-  // A crash is an answer here, not an event: no core file, no report of a debugger or sanitizer.
+  // A crash is an answer here, not an event: no core file, no report of a debugger. A sanitizer is
+  // there to report.
   Limit(RLIMIT_CORE, 0);
-  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) std::signal(signal, SIG_DFL);
+  if (!kIsSanitized) {
+    for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) {
+      std::signal(signal, SIG_DFL);
+    }
+  }
   ExitCode code = kExitDone;
   try {
     const std::vector<std::uint8_t> bytes = work();
@@ -91,7 +104,8 @@ std::uint64_t AddressSpace() {
   } catch (const std::bad_alloc&) {
     code = kExitTooLarge;
   } catch (const std::exception& e) {
-    const std::string_view text = e.what();
+    std::string_view text = e.what();
+    if (text.empty()) text = "fails without saying why";
     file.Write(text.data(), text.size());
     code = kExitThrew;
   }

@@ -10,8 +10,8 @@ namespace bulletnav::sim {
 struct IsolatedResult {
   enum class End {
     kDone,     // `bytes` is what it returned
-    kThrew,    // `bytes` is the exception's text
-    kCrashed,  // by a signal
+    kThrew,    // `bytes` is the exception's text, never empty
+    kCrashed,  // by a signal, a sanitizer, or a library that ends the process
     kTimedOut,
     kTooLarge  // ran out of the memory allowed
   };

@@ -78,8 +78,11 @@ ImportedScene ImportScene(const std::filesystem::path& file, const ImportOptions
   switch (result.end) {
     case IsolatedResult::End::kDone:
       return FromBlob(result.bytes);
-    case IsolatedResult::End::kThrew:
-      throw Error(std::string(result.bytes.begin(), result.bytes.end()));
+    case IsolatedResult::End::kThrew: {
+      const std::string text(result.bytes.begin(), result.bytes.end());
+      if (text.starts_with(file.string())) throw Error(text);
+      throw FileError(file, "", "cannot be read: " + text);  // a library's, or the standard's
+    }
     case IsolatedResult::End::kCrashed:
       throw FileError(file, "", "is damaged: reading it fails; export or download it again");
     case IsolatedResult::End::kTimedOut:

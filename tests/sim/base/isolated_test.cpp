@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "sim/base/isolated.h"
+
+#include <csignal>
+#include <new>
+#include <stdexcept>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+namespace bulletnav::sim {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+using End = IsolatedResult::End;
+
+constexpr int kSeconds = 10;
+constexpr std::uint64_t kMemory = std::uint64_t{1} << 30;
+
+IsolatedResult RunApart(const std::function<Bytes()>& work) {
+  return RunIsolated(work, kSeconds, kMemory);
+}
+
+TEST(RunIsolated, ReturnsWhatTheWorkReturns) {
+  const IsolatedResult result = RunApart([] {
+    return Bytes{1, 2, 3};
+  });
+  EXPECT_EQ(result.end, End::kDone);
+  EXPECT_EQ(result.bytes, (Bytes{1, 2, 3}));
+}
+
+TEST(RunIsolated, AnExceptionAlwaysHasAText) {
+  for (const std::string text : {"this is wrong", ""}) {
+    const IsolatedResult result = RunApart([&]() -> Bytes {
+      throw std::runtime_error(text);
+    });
+    EXPECT_EQ(result.end, End::kThrew);
+    const std::string said(result.bytes.begin(), result.bytes.end());
+    EXPECT_EQ(said, text.empty() ? "fails without saying why" : text);
+  }
+}
+
+TEST(RunIsolated, RunningOutOfMemoryIsTold) {
+  const IsolatedResult result = RunApart([]() -> Bytes {
+    throw std::bad_alloc();
+  });
+  EXPECT_EQ(result.end, End::kTooLarge);
+}
+
+/// Sanitizers end the process with 1 (address, undefined), 23 (leak), 66 (thread) or 77 (memory).
+TEST(RunIsolated, WhateverElseEndsTheProcessIsACrash) {
+  for (const int status : {0, 1, 2, 23, 66, 77, 255}) {
+    const IsolatedResult result = RunApart([&]() -> Bytes {
+      ::_exit(status);
+    });
+    EXPECT_EQ(result.end, End::kCrashed) << "exit status " << status;
+  }
+  const IsolatedResult killed = RunApart([]() -> Bytes {
+    std::raise(SIGTERM);
+    return {};
+  });
+  EXPECT_EQ(killed.end, End::kCrashed);
+}
+
+}  // namespace
+}  // namespace bulletnav::sim
