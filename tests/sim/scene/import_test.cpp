@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sim/scene/import.h"
 
+#include <array>
 #include <cstring>
 
 #include <gmock/gmock.h>
@@ -224,6 +225,45 @@ std::string GlbWith(const std::string& from, const std::string& to) {
   return glb;
 }
 
+using Changes = std::vector<std::pair<std::string, std::string>>;
+
+/// A square floor whose buffer is at `uri`, with some texts exchanged.
+std::string FloorGltf(const std::string& uri, const Changes& changes = {}) {
+  std::string gltf =
+      R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)"
+      R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],)"
+      R"("buffers":[{"byteLength":60,"uri":")" +
+      uri +
+      R"("}],"bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":48},)"
+      R"({"buffer":0,"byteOffset":48,"byteLength":12}],"accessors":[)"
+      R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","min":[0,0,-4],"max":[4,0,0]},)"
+      R"({"bufferView":1,"componentType":5123,"count":6,"type":"SCALAR"}]})";
+  for (const auto& [from, to] : changes) gltf.replace(gltf.find(from), from.size(), to);
+  return gltf;
+}
+
+/// Its buffer: four corners, two triangles, the last corner chosen.
+std::string FloorBuffer(std::uint16_t last_corner) {
+  const std::array<float, 12> corners = {0, 0, 0, 4, 0, 0, 4, 0, -4, 0, 0, -4};
+  const std::array<std::uint16_t, 6> indices = {0, 1, 2, 0, 2, last_corner};
+  std::string bytes(reinterpret_cast<const char*>(corners.data()), sizeof(corners));
+  return bytes.append(reinterpret_cast<const char*>(indices.data()), sizeof(indices));
+}
+
+/// The same as a data URI.
+std::string FloorUri(std::uint16_t last_corner) {
+  constexpr std::string_view kDigits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  const std::string bytes = FloorBuffer(last_corner);
+  std::string uri = "data:application/octet-stream;base64,";
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t bits = 0;
+    for (std::size_t k = 0; k < 3; ++k) bits = bits << 8 | static_cast<std::uint8_t>(bytes[i + k]);
+    for (const int shift : {18, 12, 6, 0}) uri += kDigits[bits >> shift & 63];
+  }
+  return uri;
+}
+
 std::string ManyObjFaces(const std::string& vertex) {
   return "v 0 0 0\nv 4 0 0\nv " + vertex + "\nf 1 2 3\n";
 }
@@ -263,6 +303,13 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{"gltf_buffer", "a.gltf",
                 R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":8,"uri":"gone.bin"}]})",
                 "needs 'gone.bin', which is not beside it"},
+        BadFile{"gltf_short_data", "a.gltf", FloorGltf(FloorUri(3).substr(0, 77)),
+                "buffers[0]: needs 60 bytes of which its data URI holds 30"},
+        BadFile{"gltf_bad_data", "a.gltf", FloorGltf("data:;base64,AA*A"), "is not base64"},
+        BadFile{"gltf_endless_stride", "a.gltf",
+                FloorGltf(FloorUri(3), {{"\"byteOffset\":48,", "\"byteStride\":1099511627776,"},
+                                        {"\"count\":6", "\"count\":16777217"}}),
+                "accessors[1]: runs past the end of its buffer view"},
         BadFile{"gltf_cycle", "a.gltf",
                 R"({"asset":{"version":"2.0"},"nodes":[{"children":[1]},{"children":[0]}]})",
                 "is its own ancestor"}),
@@ -285,6 +332,25 @@ TEST(Import, IndicesOutOfRangeAreFoundInTheBinaryToo) {
   std::memcpy(&glb[glb.size() - 4], &many, 4);
   const TemporaryFolder folder;
   EXPECT_THAT(ErrorOf(folder.Write("a.glb", glb)), HasSubstr("is vertex 1000000 of 4"));
+}
+
+TEST(Import, GltfBuffersMayLieBesideItOrInIt) {
+  const TemporaryFolder folder;
+  folder.Write("floor.bin", FloorBuffer(3));
+  for (const std::string& uri : {std::string("floor.bin"), FloorUri(3)}) {
+    const ImportedScene scene = ImportScene(folder.Write("a.gltf", FloorGltf(uri)));
+    EXPECT_EQ(scene.report.triangles, 2u);
+    EXPECT_TRUE(scene.report.extent_m.isApprox(Vec(4, 0, 4)));
+  }
+}
+
+TEST(Import, IndicesOutOfRangeAreFoundInThemToo) {
+  const TemporaryFolder folder;
+  folder.Write("floor.bin", FloorBuffer(77));
+  for (const std::string& uri : {std::string("floor.bin"), FloorUri(77)}) {
+    EXPECT_THAT(ErrorOf(folder.Write("a.gltf", FloorGltf(uri))),
+                HasSubstr("a.gltf:meshes[0].primitives[0]: index 5 is vertex 77 of 4"));
+  }
 }
 
 /// Whatever the bytes are, an import ends in a scene or in an error of one line, not in a crash

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "sim/scene/gltf_document.h"
+
+#include "sim/base/error.h"
+
+namespace bulletnav::sim {
+namespace {
+
+constexpr std::uint32_t kGlbMagic = 0x46546C67;   // "glTF"
+constexpr std::uint32_t kJsonChunk = 0x4E4F534A;  // "JSON"
+constexpr std::uint32_t kBinChunk = 0x004E4942;   // "BIN"
+
+}  // namespace
+
+std::uint64_t ReadUint(std::span<const std::uint8_t> bytes, std::size_t offset, std::size_t size) {
+  std::uint64_t value = 0;
+  for (std::size_t i = 0; i < size; ++i) value |= std::uint64_t{bytes[offset + i]} << (8 * i);
+  return value;
+}
+
+GltfDocument::GltfDocument(const std::filesystem::path& file, Bytes bytes) : file_(file) {
+  Bytes json_bytes = bytes;
+  if (bytes.size() >= 4 && ReadUint(bytes, 0, 4) == kGlbMagic) json_bytes = SplitGlb(bytes);
+  json_ = Json::parse(json_bytes.begin(), json_bytes.end(), nullptr, false);
+  if (json_.is_discarded()) Fail("", "holds no readable JSON");
+  if (!json_.is_object()) Fail("", "is not a glTF document");
+}
+
+void GltfDocument::Fail(const std::string& place, const std::string& what) const {
+  throw FileError(file_, place, what + "; the file is damaged, export or download it again");
+}
+
+/// Returns the JSON chunk, keeps the binary one.
+GltfDocument::Bytes GltfDocument::SplitGlb(Bytes bytes) {
+  if (bytes.size() < 20) Fail("", "ends inside its header");
+  const std::uint64_t length = ReadUint(bytes, 8, 4);
+  if (length > bytes.size()) {
+    Fail("", "is cut off: " + std::to_string(bytes.size()) + " of " + std::to_string(length) +
+                 " bytes are there");
+  }
+  Bytes json_chunk;
+  for (std::size_t at = 12; at + 8 <= length;) {
+    const std::uint64_t size = ReadUint(bytes, at, 4);
+    const std::uint64_t type = ReadUint(bytes, at + 4, 4);
+    if (size > length - at - 8) Fail("", "has a chunk that runs past its end");
+    const Bytes chunk = bytes.subspan(at + 8, size);
+    if (type == kJsonChunk) json_chunk = chunk;
+    if (type == kBinChunk) binary_ = chunk;
+    at += 8 + size;
+  }
+  return json_chunk;
+}
+
+std::string GltfDocument::Place(const std::string& name, std::size_t i) {
+  return name + "[" + std::to_string(i) + "]";
+}
+
+const GltfDocument::Json& GltfDocument::Array(const char* name) const {
+  static const Json kEmpty = Json::array();
+  const auto found = json_.find(name);
+  if (found == json_.end()) return kEmpty;
+  if (!found->is_array()) Fail(name, "is not a list");
+  return *found;
+}
+
+const GltfDocument::Json& GltfDocument::Item(const char* name, std::size_t i) const {
+  const Json& item = Array(name)[i];
+  if (!item.is_object()) Fail(Place(name, i), "is not an object");
+  return item;
+}
+
+std::uint64_t GltfDocument::WholeNumber(const Json& value, const std::string& place) const {
+  if (!value.is_number_unsigned()) Fail(place, "is not a whole number");
+  const auto number = value.get<std::uint64_t>();
+  if (number > (std::uint64_t{1} << 40)) Fail(place, "is absurdly large");
+  return number;
+}
+
+std::uint64_t GltfDocument::Count(const Json& object, const char* key, const std::string& place,
+                                  std::optional<std::uint64_t> otherwise) const {
+  const auto found = object.find(key);
+  if (found != object.end()) return WholeNumber(*found, place + "." + key);
+  if (!otherwise) Fail(place, std::string("has no '") + key + "'");
+  return *otherwise;
+}
+
+std::optional<std::size_t> GltfDocument::Reference(const Json& object, const char* key,
+                                                   const char* list,
+                                                   const std::string& place) const {
+  if (!object.contains(key)) return std::nullopt;
+  const std::uint64_t index = Count(object, key, place);
+  if (index >= Array(list).size()) {
+    Fail(place + "." + key, "refers to " + Place(list, index) + ", which does not exist");
+  }
+  return index;
+}
+
+std::vector<std::size_t> GltfDocument::Nodes(const Json& object, const char* key,
+                                             const std::string& place) const {
+  std::vector<std::size_t> nodes;
+  const auto list = object.find(key);
+  if (list == object.end()) return nodes;
+  if (!list->is_array()) Fail(place + "." + key, "is not a list");
+  const std::size_t count = Array("nodes").size();
+  nodes.reserve(list->size());
+  for (const Json& entry : *list) {
+    const std::uint64_t node = WholeNumber(entry, place + "." + key);
+    if (node >= count) Fail(place + "." + key, "names a node that does not exist");
+    nodes.push_back(node);
+  }
+  return nodes;
+}
+
+}  // namespace bulletnav::sim

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace bulletnav::sim {
+
+/// The JSON of a .glb or .gltf file and the binary chunk, read with suspicion: what is asked for is
+/// of the right kind, or a FileError names its place. Keeps loans of `file` and `bytes`.
+class GltfDocument {
+ public:
+  using Json = nlohmann::json;
+  using Bytes = std::span<const std::uint8_t>;
+
+  /// Throws FileError if chunks are cut off, or the JSON cannot be read or is no object.
+  GltfDocument(const std::filesystem::path& file, Bytes bytes);
+
+  const Json& json() const { return json_; }
+  Bytes binary() const { return binary_; }
+
+  /// Throws FileError, with the remedy for damaged files.
+  [[noreturn]] void Fail(const std::string& place, const std::string& what) const;
+  /// "name[i]".
+  static std::string Place(const std::string& name, std::size_t i);
+
+  /// A list of the document; empty where it is absent.
+  const Json& Array(const char* name) const;
+  /// An object in it.
+  const Json& Item(const char* name, std::size_t i) const;
+  /// A member that counts something; `otherwise` where it is absent.
+  std::uint64_t Count(const Json& object, const char* key, const std::string& place,
+                      std::optional<std::uint64_t> otherwise = std::nullopt) const;
+  /// The index that `object[key]` holds into list `list`, if any.
+  std::optional<std::size_t> Reference(const Json& object, const char* key, const char* list,
+                                       const std::string& place) const;
+  /// The indices of nodes that `object[key]` lists.
+  std::vector<std::size_t> Nodes(const Json& object, const char* key,
+                                 const std::string& place) const;
+
+ private:
+  Bytes SplitGlb(Bytes bytes);
+  std::uint64_t WholeNumber(const Json& value, const std::string& place) const;
+
+  const std::filesystem::path& file_;
+  Bytes binary_;
+  Json json_;
+};
+
+/// A little-endian number of `size` bytes.
+std::uint64_t ReadUint(std::span<const std::uint8_t> bytes, std::size_t offset, std::size_t size);
+
+}  // namespace bulletnav::sim
