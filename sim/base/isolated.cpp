@@ -154,4 +154,11 @@ IsolatedResult RunIsolated(const std::function<std::vector<std::uint8_t>()>& wor
   return {EndOf(status), file.Read()};
 }
 
+void AllowCpuSeconds(int more) {
+  rlimit limit{};
+  ::getrlimit(RLIMIT_CPU, &limit);
+  if (limit.rlim_cur == RLIM_INFINITY) return;
+  Limit(RLIMIT_CPU, limit.rlim_cur + static_cast<rlim_t>(more));
+}
+
 }  // namespace bulletnav::sim

@@ -26,4 +26,7 @@ struct IsolatedResult {
 IsolatedResult RunIsolated(const std::function<std::vector<std::uint8_t>()>& work, int cpu_seconds,
                            std::uint64_t memory_bytes);
 
+/// Called by isolated work that finds more to do: allows it that many seconds more.
+void AllowCpuSeconds(int more);
+
 }  // namespace bulletnav::sim

@@ -13,7 +13,9 @@
 
 #include "sim/base/error.h"
 #include "sim/base/files.h"
+#include "sim/base/isolated.h"
 #include "sim/scene/mesh_file_check.h"
+#include "sim/scene/mesh_io.h"
 #include "sim/scene/texture_files.h"
 
 namespace bulletnav::sim {
@@ -96,6 +98,7 @@ class Converter {
     }
     const auto path = FindTextureFile(file_, name);
     if (!path) throw ImageError("file not found");
+    AllowCpuSeconds(SecondsToRead(*path));
     return DecodeImage(ReadFile(*path));
   }
 
@@ -178,6 +181,7 @@ class Converter {
 
 SceneMesh ReadWithAssimp(const std::filesystem::path& file, ImportReport* report) {
   Assimp::Importer importer;
+  importer.SetIOHandler(new MeshIo(file));  // NOLINT(cppcoreguidelines-owning-memory): it takes it
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                               aiPrimitiveType_POINT | aiPrimitiveType_LINE);
   const aiScene* scene = nullptr;

@@ -10,7 +10,7 @@ namespace bulletnav::sim {
 
 /// The file as assimp reads it, in the file's own axes and units, not cleaned: indices are in
 /// range, coordinates may be anything. Fills the report's textures and skipped lines. Throws
-/// FileError.
+/// FileError. Every file beside the mesh's own that is read adds to the time allowed.
 SceneMesh ReadWithAssimp(const std::filesystem::path& file, ImportReport* report);
 
 }  // namespace bulletnav::sim

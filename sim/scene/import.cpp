@@ -11,6 +11,7 @@
 #include "sim/scene/clean.h"
 #include "sim/scene/mesh_blob.h"
 #include "sim/scene/mesh_file_check.h"
+#include "sim/scene/mesh_io.h"
 #include "sim/scene/texture_limit.h"
 #include "sim/scene/up_axis.h"
 
@@ -18,7 +19,6 @@ namespace bulletnav::sim {
 namespace {
 
 constexpr int kImportSeconds = 10;
-constexpr int kImportSecondsAMegabyte = 2;
 constexpr std::uint64_t kImportMemory = std::uint64_t{16} << 30;
 
 /// A level square under everything, 1 m wider than the mesh on each side.
@@ -69,12 +69,11 @@ ImportedScene ReadScene(const std::filesystem::path& file, const ImportOptions& 
 ImportedScene ImportScene(const std::filesystem::path& file, const ImportOptions& options) {
   const UpAxis usual = CheckMeshFile(file);
   // assimp crashes and hangs on some damaged files, and a library must not take its user with it.
-  const auto megabytes = static_cast<int>(std::filesystem::file_size(file) >> 20);
   const IsolatedResult result = RunIsolated(
       [&] {
         return ToBlob(ReadScene(file, options, usual));
       },
-      kImportSeconds + kImportSecondsAMegabyte * megabytes, kImportMemory);
+      kImportSeconds + SecondsToRead(file), kImportMemory);
   switch (result.end) {
     case IsolatedResult::End::kDone:
       return FromBlob(result.bytes);

@@ -7,6 +7,7 @@
 #include <string>
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 namespace bulletnav::sim {
@@ -46,6 +47,20 @@ TEST(RunIsolated, RunningOutOfMemoryIsTold) {
     throw std::bad_alloc();
   });
   EXPECT_EQ(result.end, End::kTooLarge);
+}
+
+TEST(RunIsolated, TimeIsLimitedAndWorkMayAskForMore) {
+  const auto limit_then = [](int more) {
+    const IsolatedResult result = RunApart([&]() -> Bytes {
+      AllowCpuSeconds(more);
+      rlimit limit{};
+      ::getrlimit(RLIMIT_CPU, &limit);
+      return {static_cast<std::uint8_t>(limit.rlim_cur)};
+    });
+    return static_cast<int>(result.bytes.at(0));
+  };
+  EXPECT_EQ(limit_then(0), kSeconds);
+  EXPECT_EQ(limit_then(32), kSeconds + 32);
 }
 
 /// Sanitizers end the process with 1 (address, undefined), 23 (leak), 66 (thread) or 77 (memory).

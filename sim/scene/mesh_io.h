@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <filesystem>
+#include <set>
+#include <string>
+
+#include <assimp/DefaultIOSystem.h>
+
+namespace bulletnav::sim {
+
+/// Processor time that reading a file of this size may take.
+int SecondsToRead(const std::filesystem::path& file);
+
+/// How assimp opens the files that a mesh consists of: only regular ones, for a pipe would be
+/// waited for without end; each beside the mesh's own gives the import more time, once.
+class MeshIo final : public Assimp::DefaultIOSystem {
+ public:
+  explicit MeshIo(const std::filesystem::path& mesh) : timed_{mesh.string()} {}
+
+  bool Exists(const char* name) const override;
+  Assimp::IOStream* Open(const char* name, const char* mode) override;
+
+ private:
+  std::set<std::string> timed_;
+};
+
+}  // namespace bulletnav::sim
