@@ -57,12 +57,9 @@ class GltfChecker {
       if (!data) gltf_.Fail(place + ".uri", "is not base64");
       return *data;
     }
-    const std::filesystem::path path = file_.parent_path() / name;
-    std::error_code unreadable;
-    if (!std::filesystem::is_regular_file(path, unreadable)) {
-      throw FileError(file_, place, "needs '" + name + "', which is not beside it");
-    }
-    return *loaded_.emplace_back(ReadFile(path));
+    const auto path = FindByUri(file_.parent_path(), name);
+    if (!path) throw FileError(file_, place, "needs '" + name + "', which is not beside it");
+    return *loaded_.emplace_back(ReadFile(*path));
   }
 
   /// Of a buffer that BufferData could read.

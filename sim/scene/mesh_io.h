@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -12,15 +13,20 @@ namespace bulletnav::sim {
 int SecondsToRead(const std::filesystem::path& file);
 
 /// How assimp opens the files that a mesh consists of: only regular ones, for a pipe would be
-/// waited for without end; each beside the mesh's own gives the import more time, once.
+/// waited for without end; names relative to the mesh may have percent codes; each file beside the
+/// mesh's own gives the import more time, once.
 class MeshIo final : public Assimp::DefaultIOSystem {
  public:
-  explicit MeshIo(const std::filesystem::path& mesh) : timed_{mesh.string()} {}
+  explicit MeshIo(const std::filesystem::path& mesh)
+      : folder_(mesh.parent_path()), timed_{mesh.string()} {}
 
   bool Exists(const char* name) const override;
   Assimp::IOStream* Open(const char* name, const char* mode) override;
 
  private:
+  std::optional<std::filesystem::path> Find(const std::string& name) const;
+
+  std::filesystem::path folder_;
   std::set<std::string> timed_;
 };
 

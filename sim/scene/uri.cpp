@@ -7,6 +7,8 @@
 namespace bulletnav::sim {
 namespace {
 
+namespace fs = std::filesystem;
+
 int HexDigit(char c) {
   if (c >= '0' && c <= '9') return c - '0';
   const char lower = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -37,6 +39,11 @@ std::optional<std::vector<std::uint8_t>> DecodeBase64(std::string_view text) {
   return bytes;
 }
 
+bool IsFile(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_regular_file(path, ignored);
+}
+
 }  // namespace
 
 std::string DecodePercents(std::string_view text) {
@@ -60,6 +67,15 @@ std::optional<std::vector<std::uint8_t>> DecodeDataUri(std::string_view uri) {
   const std::string_view data = uri.substr(comma + 1);
   if (uri.substr(0, comma).ends_with(";base64")) return DecodeBase64(data);
   return std::vector<std::uint8_t>(data.begin(), data.end());
+}
+
+std::optional<fs::path> FindByUri(const fs::path& folder, std::string_view uri) {
+  if (uri.find('\0') != std::string_view::npos) return std::nullopt;
+  if (const fs::path path = folder / uri; IsFile(path)) return path;
+  const std::string decoded = DecodePercents(uri);
+  if (decoded.find('\0') != std::string::npos) return std::nullopt;
+  if (const fs::path path = folder / decoded; IsFile(path)) return path;
+  return std::nullopt;
 }
 
 }  // namespace bulletnav::sim

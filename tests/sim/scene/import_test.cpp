@@ -344,6 +344,19 @@ TEST(Import, GltfBuffersMayLieBesideItOrInIt) {
   }
 }
 
+TEST(Import, NamesInGltfMayHavePercentCodes) {
+  const TemporaryFolder folder;
+  const std::filesystem::path place = folder.path() / "100%25 mine";
+  MakeFolder(place);
+  WriteFileAtomically(place / "my floor.bin", FloorBuffer(3));
+  WriteFileAtomically(place / "a.gltf", FloorGltf("my%20floor.bin"));
+  EXPECT_EQ(ImportScene(place / "a.gltf").report.triangles, 2u);
+  EXPECT_EQ(ImportScene(place.string() + "//a.gltf").report.triangles, 2u);
+  WriteFileAtomically(place / "50%25.bin", FloorBuffer(3));
+  WriteFileAtomically(place / "a.gltf", FloorGltf("50%25.bin"));
+  EXPECT_EQ(ImportScene(place / "a.gltf").report.triangles, 2u);
+}
+
 TEST(Import, IndicesOutOfRangeAreFoundInThemToo) {
   const TemporaryFolder folder;
   folder.Write("floor.bin", FloorBuffer(77));
