@@ -39,7 +39,7 @@ std::optional<fs::path> FindTextureFile(const fs::path& mesh_file, const std::st
   }
   std::string forward = DecodePercents(name);
   std::replace(forward.begin(), forward.end(), '\\', '/');
-  const fs::path folder = mesh_file.parent_path();
+  const fs::path folder = mesh_file.has_parent_path() ? mesh_file.parent_path() : ".";
   const fs::path relative(forward);
   if (IsFile(folder / relative)) return folder / relative;  // also an absolute path that exists
   const std::string base = relative.filename().string();
