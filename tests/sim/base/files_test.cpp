@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 #include "sim/base/error.h"
 #include "tests/support/temporary_folder.h"
@@ -101,6 +102,16 @@ TEST(Files, PlacesThatCannotBeWrittenAreNamed) {
   EXPECT_NE(ErrorOf([&] {
               WriteFileAtomically("/proc/nothing/here", std::string_view("x"));
             }).find("/proc/nothing"),
+            std::string::npos);
+}
+
+TEST(Files, APipeIsNotWaitedFor) {
+  const TemporaryFolder folder;
+  const fs::path pipe = folder.path() / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_NE(ErrorOf([&] {
+              ReadFile(pipe);
+            }).find("pipe: is not a regular file"),
             std::string::npos);
 }
 
