@@ -21,7 +21,6 @@
 namespace bulletnav::sim {
 namespace {
 
-constexpr int kMaxNodeDepth = 256;
 constexpr std::size_t kMaxTriangles = 100'000'000;
 
 std::uint8_t ToByte(float value) {
@@ -119,7 +118,10 @@ class Converter {
   }
 
   void AddNode(const aiNode& node, const aiMatrix4x4& parent, int depth) {
-    if (depth > kMaxNodeDepth) throw FileError(file_, "", "nodes are nested too deeply");
+    if (depth > kMaxNodeDepth) {
+      throw FileError(file_, std::string("node '") + node.mName.C_Str() + "'",
+                      std::string("is ").append(kTooDeep));
+    }
     const aiMatrix4x4 transform = parent * node.mTransformation;
     for (unsigned i = 0; i < node.mNumMeshes; ++i) {
       if (node.mMeshes[i] < scene_.mNumMeshes) AddMesh(*scene_.mMeshes[node.mMeshes[i]], transform);

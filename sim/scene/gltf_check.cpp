@@ -10,6 +10,7 @@
 #include "sim/base/error.h"
 #include "sim/base/files.h"
 #include "sim/scene/gltf_document.h"
+#include "sim/scene/mesh_file_check.h"
 #include "sim/scene/uri.h"
 
 namespace bulletnav::sim {
@@ -207,11 +208,26 @@ class GltfChecker {
         its_parent = i;
       }
     }
+    CheckDepths(parent);
+  }
+
+  /// `parent` of a root is the number of nodes.
+  void CheckDepths(const std::vector<std::size_t>& parent) const {
+    constexpr std::size_t kUnknown = -1;
+    const std::size_t count = parent.size();
+    std::vector<std::size_t> depth(count, kUnknown);
+    std::vector<std::size_t> path;
     for (std::size_t i = 0; i < count; ++i) {
-      std::size_t steps = 0;
-      for (std::size_t at = i; parent[at] != count; at = parent[at]) {
-        if (++steps > count) gltf_.Fail(Place("nodes", i), "is its own ancestor");
+      path.clear();
+      std::size_t at = i;
+      for (; at != count && depth[at] == kUnknown; at = parent[at]) {
+        if (path.size() > count) gltf_.Fail(Place("nodes", at), "is its own ancestor");
+        path.push_back(at);
       }
+      std::size_t level = at == count ? 0 : depth[at] + 1;
+      for (std::size_t k = path.size(); k-- > 0;) depth[path[k]] = level++;
+      if (depth[i] <= kMaxNodeDepth) continue;
+      throw FileError(file_, Place("nodes", i), std::string("is ").append(kTooDeep));
     }
   }
 

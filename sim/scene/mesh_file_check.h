@@ -6,6 +6,11 @@
 
 namespace bulletnav::sim {
 
+/// How deeply nodes may be nested, and what is said of more.
+inline constexpr int kMaxNodeDepth = 256;
+inline constexpr const char* kTooDeep =
+    "nested more than 256 deep; flatten the hierarchy and export it again";
+
 /// By extension, in any letter case.
 bool IsGltfFile(const std::filesystem::path& file);
 

@@ -344,6 +344,21 @@ TEST(Import, GltfBuffersMayLieBesideItOrInIt) {
   }
 }
 
+/// The floor under a chain of nodes, each the next one's parent.
+std::string ChainGltf(int length) {
+  std::string nodes = "\"nodes\":[";
+  for (int i = 1; i < length; ++i) nodes += "{\"children\":[" + std::to_string(i) + "]},";
+  return FloorGltf(FloorUri(3), {{"\"nodes\":[{", nodes + "{"}});
+}
+
+TEST(Import, ChainsOfNodesAreReadOrRefusedAtOnce) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(ImportScene(folder.Write("a.gltf", ChainGltf(257))).report.triangles, 2u);
+  EXPECT_THAT(ErrorOf(folder.Write("a.gltf", ChainGltf(258))),
+              HasSubstr("nodes[257]: is nested more than 256 deep; flatten"));
+  EXPECT_THAT(ErrorOf(folder.Write("a.gltf", ChainGltf(20'000))), HasSubstr("256 deep"));
+}
+
 TEST(Import, NamesInGltfMayHavePercentCodes) {
   const TemporaryFolder folder;
   const std::filesystem::path place = folder.path() / "100%25 mine";
