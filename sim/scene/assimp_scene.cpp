@@ -181,9 +181,11 @@ class Converter {
 
 }  // namespace
 
-SceneMesh ReadWithAssimp(const std::filesystem::path& file, ImportReport* report) {
+SceneMesh ReadWithAssimp(const std::filesystem::path& file, std::span<const std::uint8_t> content,
+                         ImportReport* report) {
   Assimp::Importer importer;
-  importer.SetIOHandler(new MeshIo(file));  // NOLINT(cppcoreguidelines-owning-memory): it takes it
+  importer.SetIOHandler(
+      new MeshIo(file, content));  // NOLINT(cppcoreguidelines-owning-memory): it takes it
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                               aiPrimitiveType_POINT | aiPrimitiveType_LINE);
   const aiScene* scene = nullptr;

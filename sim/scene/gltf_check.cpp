@@ -25,7 +25,7 @@ class GltfChecker {
  public:
   GltfChecker(const std::filesystem::path& file, Bytes bytes) : file_(file), gltf_(file, bytes) {}
 
-  void Check() {
+  std::vector<std::uint8_t> Check() {
     for (std::size_t i = 0; i < gltf_.Array("buffers").size(); ++i) CheckBuffer(i);
     for (std::size_t i = 0; i < gltf_.Array("bufferViews").size(); ++i) CheckBufferView(i);
     for (std::size_t i = 0; i < gltf_.Array("accessors").size(); ++i) CheckAccessor(i);
@@ -33,6 +33,7 @@ class GltfChecker {
     for (std::size_t i = 0; i < gltf_.Array("images").size(); ++i) CheckImage(i);
     CheckReferences();
     CheckNodes();
+    return gltf_.WithIntegers();
   }
 
  private:
@@ -240,8 +241,9 @@ class GltfChecker {
 
 }  // namespace
 
-void CheckGltf(const std::filesystem::path& file, std::span<const std::uint8_t> bytes) {
-  GltfChecker(file, bytes).Check();
+std::vector<std::uint8_t> CheckGltf(const std::filesystem::path& file,
+                                    std::span<const std::uint8_t> bytes) {
+  return GltfChecker(file, bytes).Check();
 }
 
 }  // namespace bulletnav::sim

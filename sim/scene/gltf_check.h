@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <vector>
 
 namespace bulletnav::sim {
 
@@ -10,6 +11,8 @@ namespace bulletnav::sim {
 /// lengths, that every buffer view, accessor, image and index lies inside what it refers to, and
 /// that the node graph is a forest. Throws FileError naming the first thing that is wrong and its
 /// place. Source: the glTF 2.0 specification, sections 3 and 4.
-void CheckGltf(const std::filesystem::path& file, std::span<const std::uint8_t> bytes);
+/// Returns the file as assimp needs it, if that is not as it is: see GltfDocument::WithIntegers.
+std::vector<std::uint8_t> CheckGltf(const std::filesystem::path& file,
+                                    std::span<const std::uint8_t> bytes);
 
 }  // namespace bulletnav::sim

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "sim/scene/gltf_document.h"
 
+#include <cmath>
+
 #include "sim/base/error.h"
 
 namespace bulletnav::sim {
@@ -9,6 +11,30 @@ namespace {
 constexpr std::uint32_t kGlbMagic = 0x46546C67;   // "glTF"
 constexpr std::uint32_t kJsonChunk = 0x4E4F534A;  // "JSON"
 constexpr std::uint32_t kBinChunk = 0x004E4942;   // "BIN"
+
+/// Writes whole numbers as such; minus zero is none.
+void MakeIntegers(nlohmann::json* value) {
+  if (value->is_structured()) {
+    for (auto& entry : *value) MakeIntegers(&entry);
+  } else if (value->is_number_float()) {
+    const auto number = value->get<double>();
+    const bool fits = std::abs(number) <= 1e15 && number == std::floor(number);
+    if (fits && !(number == 0.0 && std::signbit(number))) {
+      *value = static_cast<std::int64_t>(number);
+    }
+  }
+}
+
+void AppendUint32(std::uint64_t value, std::vector<std::uint8_t>* bytes) {
+  for (int i = 0; i < 4; ++i) bytes->push_back(static_cast<std::uint8_t>(value >> (8 * i)));
+}
+
+void AppendChunk(std::uint32_t type, std::span<const std::uint8_t> data,
+                 std::vector<std::uint8_t>* glb) {
+  AppendUint32(data.size(), glb);
+  AppendUint32(type, glb);
+  glb->insert(glb->end(), data.begin(), data.end());
+}
 
 }  // namespace
 
@@ -20,7 +46,8 @@ std::uint64_t ReadUint(std::span<const std::uint8_t> bytes, std::size_t offset, 
 
 GltfDocument::GltfDocument(const std::filesystem::path& file, Bytes bytes) : file_(file) {
   Bytes json_bytes = bytes;
-  if (bytes.size() >= 4 && ReadUint(bytes, 0, 4) == kGlbMagic) json_bytes = SplitGlb(bytes);
+  is_glb_ = bytes.size() >= 4 && ReadUint(bytes, 0, 4) == kGlbMagic;
+  if (is_glb_) json_bytes = SplitGlb(bytes);
   json_ = Json::parse(json_bytes.begin(), json_bytes.end(), nullptr, false);
   if (json_.is_discarded()) Fail("", "holds no readable JSON");
   if (!json_.is_object()) Fail("", "is not a glTF document");
@@ -55,6 +82,24 @@ std::string GltfDocument::Place(const std::string& name, std::size_t i) {
   return name + "[" + std::to_string(i) + "]";
 }
 
+std::vector<std::uint8_t> GltfDocument::WithIntegers() const {
+  if (!counts_in_floats_) return {};
+  Json json = json_;
+  MakeIntegers(&json);
+  std::string text = json.dump();
+  text.resize((text.size() + 3) / 4 * 4, ' ');
+  const Bytes text_bytes(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
+  if (!is_glb_) return {text_bytes.begin(), text_bytes.end()};
+  constexpr std::size_t kHeaders = 12 + 2 * 8;
+  std::vector<std::uint8_t> glb;
+  AppendUint32(kGlbMagic, &glb);
+  AppendUint32(2, &glb);
+  AppendUint32(kHeaders + text.size() + binary_.size(), &glb);
+  AppendChunk(kJsonChunk, text_bytes, &glb);
+  AppendChunk(kBinChunk, binary_, &glb);
+  return glb;
+}
+
 const GltfDocument::Json& GltfDocument::Array(const char* name) const {
   static const Json kEmpty = Json::array();
   const auto found = json_.find(name);
@@ -70,9 +115,17 @@ const GltfDocument::Json& GltfDocument::Item(const char* name, std::size_t i) co
 }
 
 std::uint64_t GltfDocument::WholeNumber(const Json& value, const std::string& place) const {
+  constexpr std::uint64_t kMost = std::uint64_t{1} << 40;
+  if (value.is_number_float()) {
+    const auto number = value.get<double>();
+    if (!(number >= 0.0) || number != std::floor(number)) Fail(place, "is not a whole number");
+    if (number > static_cast<double>(kMost)) Fail(place, "is absurdly large");
+    counts_in_floats_ = true;
+    return static_cast<std::uint64_t>(number);
+  }
   if (!value.is_number_unsigned()) Fail(place, "is not a whole number");
   const auto number = value.get<std::uint64_t>();
-  if (number > (std::uint64_t{1} << 40)) Fail(place, "is absurdly large");
+  if (number > kMost) Fail(place, "is absurdly large");
   return number;
 }
 

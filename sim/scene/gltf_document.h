@@ -43,13 +43,19 @@ class GltfDocument {
   std::vector<std::size_t> Nodes(const Json& object, const char* key,
                                  const std::string& place) const;
 
+  /// The same file with 1 for 1.0, if something that counts was written so: legal JSON, of which
+  /// assimp believes that nothing is there. Empty if it was not.
+  std::vector<std::uint8_t> WithIntegers() const;
+
  private:
   Bytes SplitGlb(Bytes bytes);
   std::uint64_t WholeNumber(const Json& value, const std::string& place) const;
 
   const std::filesystem::path& file_;
+  bool is_glb_ = false;
   Bytes binary_;
   Json json_;
+  mutable bool counts_in_floats_ = false;
 };
 
 /// A little-endian number of `size` bytes.

@@ -43,15 +43,15 @@ void AddGroundPlane(SceneMesh* mesh) {
 
 /// Everything that believes in the file.
 ImportedScene ReadScene(const std::filesystem::path& file, const ImportOptions& options,
-                        UpAxis usual) {
+                        const CheckedMeshFile& checked) {
   ImportedScene scene;
   ImportReport& report = scene.report;
-  scene.mesh = ReadWithAssimp(file, &report);
+  scene.mesh = ReadWithAssimp(file, checked.content, &report);
   SceneMesh& mesh = scene.mesh;
   if (options.scale != 1.0) {
     for (Eigen::Vector3f& p : mesh.positions) p *= static_cast<float>(options.scale);
   }
-  report.up_axis = options.up ? *options.up : DetectUpAxis(mesh, usual);
+  report.up_axis = options.up ? *options.up : DetectUpAxis(mesh, checked.usual_up);
   if (report.up_axis == UpAxis::kZ) TurnZUpToYUp(&mesh);
   CleanMesh(file, &mesh, &report);
   if (options.ground_plane) AddGroundPlane(&mesh);
@@ -67,11 +67,11 @@ ImportedScene ReadScene(const std::filesystem::path& file, const ImportOptions& 
 }  // namespace
 
 ImportedScene ImportScene(const std::filesystem::path& file, const ImportOptions& options) {
-  const UpAxis usual = CheckMeshFile(file);
+  const CheckedMeshFile checked = CheckMeshFile(file);
   // assimp crashes and hangs on some damaged files, and a library must not take its user with it.
   const IsolatedResult result = RunIsolated(
       [&] {
-        return ToBlob(ReadScene(file, options, usual));
+        return ToBlob(ReadScene(file, options, checked));
       },
       kImportSeconds + SecondsToRead(file), kImportMemory);
   switch (result.end) {

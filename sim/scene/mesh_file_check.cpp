@@ -29,7 +29,7 @@ bool IsGltfFile(const std::filesystem::path& file) {
   return extension == ".glb" || extension == ".gltf";
 }
 
-UpAxis CheckMeshFile(const std::filesystem::path& file) {
+CheckedMeshFile CheckMeshFile(const std::filesystem::path& file) {
   const std::vector<std::uint8_t> bytes = ReadFile(file);
   const std::string extension = LowerExtension(file);
   constexpr std::array kKnown = {".glb", ".gltf", ".obj", ".ply", ".dae"};
@@ -37,10 +37,12 @@ UpAxis CheckMeshFile(const std::filesystem::path& file) {
     throw FileError(file, "", "is not a .glb, .gltf, .obj, .ply or .dae mesh");
   }
   if (bytes.empty()) throw FileError(file, "", "is empty");
-  if (IsGltfFile(file)) CheckGltf(file, bytes);
+  CheckedMeshFile checked;
+  if (IsGltfFile(file)) checked.content = CheckGltf(file, bytes);
   if (extension == ".ply") CheckPly(file, bytes);
   // OBJ and PLY do not say; scans in PLY are mostly z-up. assimp turns COLLADA by its own element.
-  return extension == ".ply" ? UpAxis::kZ : UpAxis::kY;
+  checked.usual_up = extension == ".ply" ? UpAxis::kZ : UpAxis::kY;
+  return checked;
 }
 
 }  // namespace bulletnav::sim

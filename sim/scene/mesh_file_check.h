@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cstdint>
 #include <filesystem>
+#include <vector>
 
 #include "sim/scene/import.h"
 
@@ -14,9 +16,16 @@ inline constexpr const char* kTooDeep =
 /// By extension, in any letter case.
 bool IsGltfFile(const std::filesystem::path& file);
 
+struct CheckedMeshFile {
+  /// Which axis is up in that format by convention.
+  UpAxis usual_up = UpAxis::kY;
+  /// To be read in place of the file's content, if not empty.
+  std::vector<std::uint8_t> content;
+};
+
 /// Looks at a mesh file before assimp does, because a damaged file should end in a sentence: format
 /// by extension, sizes, and for glTF every length and index in it.
-/// Returns which axis is up in that format by convention. Throws FileError.
-UpAxis CheckMeshFile(const std::filesystem::path& file);
+/// Throws FileError.
+CheckedMeshFile CheckMeshFile(const std::filesystem::path& file);
 
 }  // namespace bulletnav::sim

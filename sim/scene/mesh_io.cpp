@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include <assimp/MemoryIOWrapper.h>
+
 #include "sim/base/isolated.h"
 #include "sim/scene/uri.h"
 
@@ -40,6 +42,10 @@ bool MeshIo::Exists(const char* name) const {
 }
 
 Assimp::IOStream* MeshIo::Open(const char* name, const char* mode) {
+  if (name == mesh_ && !content_.empty()) {
+    // NOLINTNEXTLINE(cppcoreguidelines-owning-memory): assimp closes it
+    return new Assimp::MemoryIOStream(content_.data(), content_.size());
+  }
   const auto path = Find(name);
   if (!path) return nullptr;
   if (timed_.insert(path->string()).second) AllowCpuSeconds(SecondsToRead(*path));

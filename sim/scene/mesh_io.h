@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 
 #include <assimp/DefaultIOSystem.h>
@@ -17,8 +18,9 @@ int SecondsToRead(const std::filesystem::path& file);
 /// mesh's own gives the import more time, once.
 class MeshIo final : public Assimp::DefaultIOSystem {
  public:
-  explicit MeshIo(const std::filesystem::path& mesh)
-      : folder_(mesh.parent_path()), timed_{mesh.string()} {}
+  /// `content`, unless empty, takes the place of what `mesh` holds; lent for the object's life.
+  MeshIo(const std::filesystem::path& mesh, std::span<const std::uint8_t> content)
+      : mesh_(mesh.string()), content_(content), folder_(mesh.parent_path()), timed_{mesh_} {}
 
   bool Exists(const char* name) const override;
   Assimp::IOStream* Open(const char* name, const char* mode) override;
@@ -26,6 +28,8 @@ class MeshIo final : public Assimp::DefaultIOSystem {
  private:
   std::optional<std::filesystem::path> Find(const std::string& name) const;
 
+  std::string mesh_;
+  std::span<const std::uint8_t> content_;
   std::filesystem::path folder_;
   std::set<std::string> timed_;
 };

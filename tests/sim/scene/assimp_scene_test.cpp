@@ -23,7 +23,7 @@ int SecondsAdded(const std::filesystem::path& mesh) {
   const IsolatedResult result = RunIsolated(
       [&]() -> std::vector<std::uint8_t> {
         ImportReport report;
-        ReadWithAssimp(mesh, &report);
+        ReadWithAssimp(mesh, {}, &report);
         rlimit limit{};
         ::getrlimit(RLIMIT_CPU, &limit);
         return {static_cast<std::uint8_t>(limit.rlim_cur - kSeconds)};
@@ -51,7 +51,7 @@ TEST(ReadWithAssimp, APipeIsNotWaitedFor) {
   const auto room = folder.Write("room.obj",
                                  "mtllib room.mtl\nusemtl m\nv 0 0 0\nv 4 0 0\n"
                                  "v 4 0 -6\nv 0 0 -6\nf 1 2 3 4\n");
-  EXPECT_EQ(ReadWithAssimp(room, &report).triangles.size(), 2u);
+  EXPECT_EQ(ReadWithAssimp(room, {}, &report).triangles.size(), 2u);
 }
 
 }  // namespace

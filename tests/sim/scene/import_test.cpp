@@ -359,6 +359,39 @@ TEST(Import, ChainsOfNodesAreReadOrRefusedAtOnce) {
   EXPECT_THAT(ErrorOf(folder.Write("a.gltf", ChainGltf(20'000))), HasSubstr("256 deep"));
 }
 
+/// The floor in one file.
+std::string FloorGlb(const Changes& changes) {
+  std::string json = FloorGltf("", changes);
+  const std::string no_uri = ",\"uri\":\"\"";
+  json.erase(json.find(no_uri), no_uri.size());
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  const std::string binary = FloorBuffer(3);
+  const auto word = [](std::size_t value) {
+    const auto number = static_cast<std::uint32_t>(value);
+    return std::string(reinterpret_cast<const char*>(&number), sizeof(number));
+  };
+  return "glTF" + word(2) + word(28 + json.size() + binary.size()) + word(json.size()) + "JSON" +
+         json + word(binary.size()) + std::string("BIN", 4) + binary;
+}
+
+/// 48.0 is a number like 48 in JSON; assimp takes it for none.
+TEST(Import, WholeNumbersInGltfMayHaveAPoint) {
+  const TemporaryFolder folder;
+  const std::string uri = FloorUri(3);
+  const ImportedScene plain = ImportScene(folder.Write("a.gltf", FloorGltf(uri)));
+  const Changes changes = {{"\"byteOffset\":48", "\"byteOffset\":48.0"},
+                           {"\"nodes\":[0]", "\"nodes\":[0.0]"},
+                           {"\"count\":6", "\"count\":6e0"}};
+  const ImportedScene scene = ImportScene(folder.Write("b.gltf", FloorGltf(uri, changes)));
+  EXPECT_EQ(scene.mesh.triangles, plain.mesh.triangles);
+  EXPECT_EQ(scene.mesh.positions, plain.mesh.positions);
+  const ImportedScene packed = ImportScene(folder.Write("c.glb", FloorGlb(changes)));
+  EXPECT_EQ(packed.mesh.triangles, plain.mesh.triangles);
+  EXPECT_EQ(packed.mesh.positions, plain.mesh.positions);
+  EXPECT_THAT(ErrorOf(folder.Write("d.gltf", FloorGltf(uri, {{"\"count\":6", "\"count\":5.5"}}))),
+              HasSubstr("accessors[1].count: is not a whole number"));
+}
+
 TEST(Import, NamesInGltfMayHavePercentCodes) {
   const TemporaryFolder folder;
   const std::filesystem::path place = folder.path() / "100%25 mine";
