@@ -45,7 +45,7 @@ bool HasHouseSet(const std::filesystem::path& folder, const HouseSetSpec& spec);
 /// `advance` is called after each house, from any thread. The files do not depend on the number of
 /// workers.
 /// Throws Error if count is not in 1..9999, FileError if the folder holds an index of other houses
-/// or cannot be written.
+/// or cannot be written; no house is begun after that.
 std::vector<HouseEntry> WriteHouseSet(const std::filesystem::path& folder, const HouseSetSpec& spec,
                                       const std::function<void()>& advance);
 

@@ -48,6 +48,19 @@ TEST_F(HouseSetTest, OtherHousesAreRefused) {
   }
 }
 
+/// A folder of that name stands in for a full disk.
+TEST_F(HouseSetTest, NoHouseIsBegunAfterOneCannotBeWritten) {
+  MakeFolder(folder_.path() / "house_000.glb");
+  int advanced = 0;
+  const auto advance = [&] {
+    ++advanced;
+  };
+  EXPECT_THROW(WriteHouseSet(folder_.path(), {.count = 3, .first_seed = 0, .workers = 1}, advance),
+               FileError);
+  EXPECT_EQ(advanced, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "house_001.glb"));
+}
+
 TEST_F(HouseSetTest, CountsOutOfRangeAreRefused) {
   EXPECT_THAT(Complaint({.count = 0}), "none") << "no index yet";
   EXPECT_THROW(WriteHouseSet(folder_.path(), {.count = 0}, [] {}), Error);
