@@ -54,7 +54,10 @@ int Run(int argc, char** argv, const std::function<void(CLI::App*)>& add_command
 
 int RunProgram(int argc, char** argv, const std::function<void(CLI::App*)>& add_commands) {
   try {
-    return Run(argc, argv, add_commands);
+    const int status = Run(argc, argv, add_commands);
+    const bool is_told = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+    if (status != 0 || is_told) return status;
+    return Complain("standard output cannot be written; free some space and retry", kFailed);
   } catch (const sim::Error& e) {
     return Complain(e.what(), kFailed);
   } catch (const std::bad_alloc&) {

@@ -7,7 +7,8 @@
 namespace bulletnav::bench {
 
 /// The main function of a program with subcommands: every error is one line on standard error and a
-/// non-zero status, 2 for bad use, 1 for anything else.
+/// non-zero status, 2 for bad use, 1 for anything else, also where standard output cannot be
+/// written.
 int RunProgram(int argc, char** argv, const std::function<void(CLI::App*)>& add_commands);
 
 }  // namespace bulletnav::bench
