@@ -86,7 +86,7 @@ std::string ToText(const SceneReport& report) {
       "materials         {}\n"
       "textures          {} found, {} missing\n"
       "extent            {:.2f} x {:.2f} x {:.2f} m (x, y up, z)\n"
-      "up axis of file   {}\n"
+      "up axis as read   {}\n"
       "walkable          {:.1f} m2 in {} island{}\n"
       "longest geodesic  {:.1f} m\n",
       import.triangles, import.materials, import.textures_found, import.textures_missing.size(),

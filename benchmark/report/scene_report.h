@@ -20,8 +20,8 @@ struct SceneReport {
 SceneReport InspectScene(const sim::ImportReport& import, const sim::Navmesh& navmesh);
 
 /// Keys: triangles, materials, textures_found, textures_missing (numbers), extent_m [3], up_axis
-/// ("y" or "z", of the file), islands, walkable_m2, longest_geodesic_m, skipped [texts],
-/// missing_textures [texts].
+/// ("y" or "z", as read: COLLADA files are turned by their own element while they are), islands,
+/// walkable_m2, longest_geodesic_m, skipped [texts], missing_textures [texts].
 std::string ToJson(const SceneReport& report);
 /// The same for people, a line each.
 std::string ToText(const SceneReport& report);
