@@ -78,12 +78,13 @@ std::vector<BodyPose> RandomPoses(const sim::World& world, int count, std::uint6
   return poses;
 }
 
-BodyPose GivenPose(const sim::World& world, const std::vector<double>& pose) {
+BodyPose GivenPose(const sim::World& world, const RenderOptions& options) {
+  const std::vector<double>& pose = options.pose;
   sim::CapsuleBody body(world.physics(), {});
   try {
     body.Reset({{pose[0], pose[1], pose[2]}, sim::DegToRad(pose[3])});
   } catch (const sim::PoseError& e) {
-    throw sim::Error(std::string("--pose: ").append(e.what()));
+    throw sim::FileError(options.scene.file, "", std::string("--pose: ").append(e.what()));
   }
   return body.pose();
 }
@@ -112,7 +113,7 @@ void Render(RenderOptions options) {
   const auto renderer = world->render_scene().MakeRenderer(options.panorama);
   const std::vector<BodyPose> poses =
       options.pose.empty() ? RandomPoses(*world, std::max(1, options.random), options.seed)
-                           : std::vector<BodyPose>{GivenPose(*world, options.pose)};
+                           : std::vector<BodyPose>{GivenPose(*world, options)};
   std::vector<std::uint8_t> color(3 * options.panorama.pixels());
   std::vector<float> depth(options.panorama.pixels());
   sim::MakeFolder(options.out);

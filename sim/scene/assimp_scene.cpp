@@ -21,6 +21,8 @@
 namespace bulletnav::sim {
 namespace {
 
+constexpr const char* kNoTriangles =
+    "holds no triangles; is it a point cloud? Export the scene's surfaces as a mesh";
 constexpr std::size_t kMaxTriangles = 100'000'000;
 
 std::uint8_t ToByte(float value) {
@@ -179,6 +181,14 @@ class Converter {
   std::size_t other_primitives_ = 0;
 };
 
+/// assimp's reason, with a remedy.
+std::string WhyNoScene(std::string reason) {
+  if (reason.find("No meshes remaining") != std::string::npos) return kNoTriangles;
+  while (reason.ends_with('.') || reason.ends_with('\n')) reason.pop_back();
+  return "cannot be read as a mesh: " + reason +
+         "; export or download it again, best as glTF 2.0 (.glb)";
+}
+
 }  // namespace
 
 SceneMesh ReadWithAssimp(const std::filesystem::path& file, std::span<const std::uint8_t> content,
@@ -197,11 +207,10 @@ SceneMesh ReadWithAssimp(const std::filesystem::path& file, std::span<const std:
     throw FileError(file, "", std::string("is damaged: ") + e.what());
   }
   if (scene == nullptr) {
-    throw FileError(file, "",
-                    std::string("cannot be read as a mesh: ") + importer.GetErrorString());
+    throw FileError(file, "", WhyNoScene(importer.GetErrorString()));
   }
   if (scene->mRootNode == nullptr || scene->mNumMeshes == 0) {
-    throw FileError(file, "", "holds no triangles; is it a point cloud?");
+    throw FileError(file, "", kNoTriangles);
   }
   return Converter(*scene, file, report).Convert();
 }

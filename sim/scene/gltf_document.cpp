@@ -51,6 +51,18 @@ GltfDocument::GltfDocument(const std::filesystem::path& file, Bytes bytes) : fil
   json_ = Json::parse(json_bytes.begin(), json_bytes.end(), nullptr, false);
   if (json_.is_discarded()) Fail("", "holds no readable JSON");
   if (!json_.is_object()) Fail("", "is not a glTF document");
+  RefuseVersion1();
+}
+
+/// Version 1 has objects where version 2 has lists.
+void GltfDocument::RefuseVersion1() const {
+  const auto asset = json_.find("asset");
+  if (asset == json_.end() || !asset->is_object()) return;
+  const auto version = asset->find("version");
+  if (version == asset->end() || !version->is_string()) return;
+  const auto& text = version->get_ref<const std::string&>();
+  if (!text.starts_with("1.")) return;
+  throw FileError(file_, "asset.version", "is '" + text + "'; export the scene as glTF 2.0");
 }
 
 void GltfDocument::Fail(const std::string& place, const std::string& what) const {

@@ -18,7 +18,8 @@ class GltfDocument {
   using Json = nlohmann::json;
   using Bytes = std::span<const std::uint8_t>;
 
-  /// Throws FileError if chunks are cut off, or the JSON cannot be read or is no object.
+  /// Throws FileError if chunks are cut off, the JSON cannot be read, or it is of
+  /// glTF 1.
   GltfDocument(const std::filesystem::path& file, Bytes bytes);
 
   const Json& json() const { return json_; }
@@ -49,6 +50,7 @@ class GltfDocument {
 
  private:
   Bytes SplitGlb(Bytes bytes);
+  void RefuseVersion1() const;
   std::uint64_t WholeNumber(const Json& value, const std::string& place) const;
 
   const std::filesystem::path& file_;
