@@ -10,6 +10,7 @@
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/progress.h"
 #include "benchmark/cli/scene_options.h"
+#include "benchmark/report/scene_report.h"
 #include "sim/base/error.h"
 #include "sim/base/files.h"
 #include "sim/image/image.h"
@@ -110,6 +111,7 @@ void Render(RenderOptions options) {
   world_options.import = options.scene.import();
   world_options.backend = options.backend;
   const auto world = sim::World::Load(options.scene.file, world_options);
+  fmt::print(stderr, "{}", TextureWarnings(options.scene.file.string(), world->report()));
   const auto renderer = world->render_scene().MakeRenderer(options.panorama);
   const std::vector<BodyPose> poses =
       options.pose.empty() ? RandomPoses(*world, std::max(1, options.random), options.seed)
