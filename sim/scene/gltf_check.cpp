@@ -25,7 +25,7 @@ class GltfChecker {
  public:
   GltfChecker(const std::filesystem::path& file, Bytes bytes) : file_(file), gltf_(file, bytes) {}
 
-  std::vector<std::uint8_t> Check() {
+  void Check(CheckedMeshFile* checked) {
     for (std::size_t i = 0; i < gltf_.Array("buffers").size(); ++i) CheckBuffer(i);
     for (std::size_t i = 0; i < gltf_.Array("bufferViews").size(); ++i) CheckBufferView(i);
     for (std::size_t i = 0; i < gltf_.Array("accessors").size(); ++i) CheckAccessor(i);
@@ -33,7 +33,8 @@ class GltfChecker {
     for (std::size_t i = 0; i < gltf_.Array("images").size(); ++i) CheckImage(i);
     CheckReferences();
     CheckNodes();
-    return gltf_.WithIntegers();
+    CheckMaterials(&checked->ignored);
+    checked->content = gltf_.WithIntegers();
   }
 
  private:
@@ -195,6 +196,36 @@ class GltfChecker {
     }
   }
 
+  /// Only what is drawn of a material: its colour.
+  void CheckMaterials(std::vector<std::string>* ignored) const {
+    int transforms = 0;
+    int other_coordinates = 0;
+    for (std::size_t i = 0; i < gltf_.Array("materials").size(); ++i) {
+      const Json* texture = Member(gltf_.Item("materials", i), "pbrMetallicRoughness");
+      if (texture != nullptr) texture = Member(*texture, "baseColorTexture");
+      if (texture == nullptr) continue;
+      const std::string place = Place("materials", i) + ".baseColorTexture";
+      gltf_.Reference(*texture, "index", "textures", place);
+      if (gltf_.Count(*texture, "texCoord", place, 0) != 0) ++other_coordinates;
+      const Json* extensions = Member(*texture, "extensions");
+      if (extensions != nullptr && extensions->contains("KHR_texture_transform")) ++transforms;
+    }
+    if (transforms > 0) {
+      ignored->push_back(std::to_string(transforms) +
+                         " transforms of textures (KHR_texture_transform)");
+    }
+    if (other_coordinates > 0) {
+      ignored->push_back(std::to_string(other_coordinates) +
+                         " textures' choices of other coordinates (texCoord)");
+    }
+  }
+
+  /// An object in an object, or null.
+  static const Json* Member(const Json& object, const char* key) {
+    const auto found = object.find(key);
+    return found != object.end() && found->is_object() ? &*found : nullptr;
+  }
+
   /// A node with two parents, or one that is its own ancestor, would be walked without end.
   void CheckNodes() const {
     const std::size_t count = gltf_.Array("nodes").size();
@@ -241,9 +272,9 @@ class GltfChecker {
 
 }  // namespace
 
-std::vector<std::uint8_t> CheckGltf(const std::filesystem::path& file,
-                                    std::span<const std::uint8_t> bytes) {
-  return GltfChecker(file, bytes).Check();
+void CheckGltf(const std::filesystem::path& file, std::span<const std::uint8_t> bytes,
+               CheckedMeshFile* checked) {
+  GltfChecker(file, bytes).Check(checked);
 }
 
 }  // namespace bulletnav::sim

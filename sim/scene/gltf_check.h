@@ -3,7 +3,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
-#include <vector>
+
+#include "sim/scene/mesh_file_check.h"
 
 namespace bulletnav::sim {
 
@@ -11,8 +12,9 @@ namespace bulletnav::sim {
 /// lengths, that every buffer view, accessor, image and index lies inside what it refers to, and
 /// that the node graph is a forest. Throws FileError naming the first thing that is wrong and its
 /// place. Source: the glTF 2.0 specification, sections 3 and 4.
-/// Returns the file as assimp needs it, if that is not as it is: see GltfDocument::WithIntegers.
-std::vector<std::uint8_t> CheckGltf(const std::filesystem::path& file,
-                                    std::span<const std::uint8_t> bytes);
+/// Fills in the content, where assimp needs another (see GltfDocument::WithIntegers), and what is
+/// ignored.
+void CheckGltf(const std::filesystem::path& file, std::span<const std::uint8_t> bytes,
+               CheckedMeshFile* checked);
 
 }  // namespace bulletnav::sim

@@ -46,6 +46,7 @@ ImportedScene ReadScene(const std::filesystem::path& file, const ImportOptions& 
                         const CheckedMeshFile& checked) {
   ImportedScene scene;
   ImportReport& report = scene.report;
+  report.skipped = checked.ignored;
   scene.mesh = ReadWithAssimp(file, checked.content, &report);
   SceneMesh& mesh = scene.mesh;
   if (options.scale != 1.0) {

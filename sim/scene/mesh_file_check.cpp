@@ -38,7 +38,7 @@ CheckedMeshFile CheckMeshFile(const std::filesystem::path& file) {
   }
   if (bytes.empty()) throw FileError(file, "", "is empty");
   CheckedMeshFile checked;
-  if (IsGltfFile(file)) checked.content = CheckGltf(file, bytes);
+  if (IsGltfFile(file)) CheckGltf(file, bytes, &checked);
   if (extension == ".ply") CheckPly(file, bytes);
   // OBJ and PLY do not say; scans in PLY are mostly z-up. assimp turns COLLADA by its own element.
   checked.usual_up = extension == ".ply" ? UpAxis::kZ : UpAxis::kY;

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "sim/scene/import.h"
@@ -21,6 +22,8 @@ struct CheckedMeshFile {
   UpAxis usual_up = UpAxis::kY;
   /// To be read in place of the file's content, if not empty.
   std::vector<std::uint8_t> content;
+  /// What the scene is read without, one line a kind of thing, with its count.
+  std::vector<std::string> ignored;
 };
 
 /// Looks at a mesh file before assimp does, because a damaged file should end in a sentence: format
