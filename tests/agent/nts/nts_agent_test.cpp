@@ -143,14 +143,14 @@ TEST(NtsAgent, GoesWhereKnownFloorEndsIfNoDirectionIsExplorable) {
   EXPECT_NEAR(ghost.x, 3.0, 0.3) << "the end of what is seen of the corridor";
 }
 
-TEST(NtsAgent, WithoutAModelSaysThatThereAreNoWeights) {
+TEST(NtsAgent, WithoutAModelSaysWhereToNameOne) {
   AgentContext context;
   context.rig = SmallRig();
   try {
     const NtsAgent agent(NtsSpec{}, context, "nts", GhostChoice::kScore);
     FAIL();
   } catch (const sim::Error& e) {
-    EXPECT_NE(std::string(e.what()).find("no weights"), std::string::npos);
+    EXPECT_NE(std::string(e.what()).find("semantic_model"), std::string::npos);
   }
 }
 
