@@ -55,6 +55,7 @@ class WorstFirst {
     }
     TakeTurns(&ranks);
     std::vector<EpisodeResult> sorted;
+    sorted.reserve(ranks.size());
     for (const auto& [rank, i] : ranks) sorted.push_back(std::move((*all)[i]));
     *all = std::move(sorted);
   }

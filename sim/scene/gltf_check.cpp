@@ -19,7 +19,9 @@ namespace {
 using Json = GltfDocument::Json;
 using Bytes = GltfDocument::Bytes;
 
-constexpr auto& Place = GltfDocument::Place;
+std::string Place(const char* list, std::size_t i) {
+  return GltfDocument::Place(list, i);
+}
 
 class GltfChecker {
  public:
@@ -102,13 +104,13 @@ class GltfChecker {
   }
 
   std::size_t Components(const Json& accessor, const std::string& place) const {
-    static const std::map<std::string, std::size_t> kComponents = {
+    static const std::map<std::string, std::size_t> components = {
         {"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4},
         {"MAT2", 4},   {"MAT3", 9}, {"MAT4", 16}};
     const auto type = accessor.find("type");
     if (type == accessor.end() || !type->is_string()) gltf_.Fail(place, "has no 'type'");
-    const auto found = kComponents.find(type->get<std::string>());
-    if (found == kComponents.end()) gltf_.Fail(place + ".type", "is not one of glTF's");
+    const auto found = components.find(type->get<std::string>());
+    if (found == components.end()) gltf_.Fail(place + ".type", "is not one of glTF's");
     return found->second;
   }
 

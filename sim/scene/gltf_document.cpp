@@ -113,9 +113,9 @@ std::vector<std::uint8_t> GltfDocument::WithIntegers() const {
 }
 
 const GltfDocument::Json& GltfDocument::Array(const char* name) const {
-  static const Json kEmpty = Json::array();
+  static const Json empty = Json::array();
   const auto found = json_.find(name);
-  if (found == json_.end()) return kEmpty;
+  if (found == json_.end()) return empty;
   if (!found->is_array()) Fail(name, "is not a list");
   return *found;
 }
