@@ -2,7 +2,6 @@
 #include "sim/house/house_set.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 
 #include <fmt/core.h>
@@ -101,16 +100,9 @@ std::vector<HouseEntry> WriteHouseSet(const std::filesystem::path& folder, const
   MakeFolder(folder);
   WorkerPool pool(spec.workers);
   std::vector<TextureCache> textures(static_cast<std::size_t>(pool.workers()));
-  std::atomic<bool> has_failed = false;  // a full disk does not get emptier
   pool.ForEach(spec.count, [&](int task, int worker) {
-    if (has_failed) return;
-    try {
-      HouseEntry& entry = entries[static_cast<std::size_t>(task)];
-      entry = WriteHouse(folder, entry, &textures[static_cast<std::size_t>(worker)]);
-    } catch (...) {
-      has_failed = true;
-      throw;
-    }
+    HouseEntry& entry = entries[static_cast<std::size_t>(task)];
+    entry = WriteHouse(folder, entry, &textures[static_cast<std::size_t>(worker)]);
     advance();
   });
   WriteFileAtomically(folder / kIndex, ToText(entries));

@@ -61,7 +61,7 @@ void WorkerPool::Loop(int worker) {
 
 void WorkerPool::Work(int worker) {
   std::unique_lock lock(mutex_);
-  while (next_ < count_) {
+  while (next_ < count_ && !failure_) {
     const int i = next_++;
     lock.unlock();
     std::exception_ptr failure;

@@ -24,8 +24,9 @@ class WorkerPool {
   int workers() const { return workers_; }
 
   /// Calls task(i, worker) once for each i in [0, count), worker in [0, workers()), and returns
-  /// when all are done. The first exception, by task number, is thrown then. Not to be called from
-  /// a task.
+  /// when all are done. After an exception no further task is begun, and the first, by task number,
+  /// is thrown when those begun are done: the same one for any number of workers, for tasks are
+  /// begun in order. Not to be called from a task.
   void ForEach(int count, const std::function<void(int task, int worker)>& task);
 
  private:
