@@ -37,13 +37,6 @@ std::string Reason() {
   return std::strerror(errno);
 }
 
-void RequireRegular(const fs::path& file, const struct stat& status) {
-  if (S_ISDIR(status.st_mode)) throw FileError(file, "", "is a directory; name a file in it");
-  if (!S_ISREG(status.st_mode)) {
-    throw FileError(file, "", "is not a regular file; save what it gives to one");
-  }
-}
-
 fs::path TemporaryName(const fs::path& file) {
   static std::atomic<unsigned> counter{0};
   return file.string() + ".tmp" + std::to_string(::getpid()) + "-" + std::to_string(counter++);
@@ -76,17 +69,19 @@ void WriteAll(const fs::path& temporary, const fs::path& file,
 }  // namespace
 
 std::vector<std::uint8_t> ReadFile(const fs::path& file) {
-  struct stat status = {};
-  // Before it is opened: that waits for a pipe's other end.
-  if (::stat(file.c_str(), &status) == 0) RequireRegular(file, status);
-  const Descriptor fd(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+  // Without waiting for a pipe's other end.
+  const Descriptor fd(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (fd.get() < 0) {
     throw FileError(file, "", "cannot be read: " + Reason() + "; check the path");
   }
+  struct stat status = {};
   if (::fstat(fd.get(), &status) != 0) {
     throw FileError(file, "", "cannot be read: " + Reason());
   }
-  RequireRegular(file, status);
+  if (S_ISDIR(status.st_mode)) throw FileError(file, "", "is a directory; name a file in it");
+  if (!S_ISREG(status.st_mode)) {
+    throw FileError(file, "", "is not a regular file; save what it gives to one");
+  }
   std::vector<std::uint8_t> bytes(static_cast<std::size_t>(status.st_size));
   std::size_t done = 0;
   while (done < bytes.size()) {
