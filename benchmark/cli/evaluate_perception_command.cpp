@@ -9,6 +9,7 @@
 #include "agent/perception/learned_model.h"
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/progress.h"
+#include "benchmark/episodes/file_hash.h"
 #include "benchmark/evaluation/program_version.h"
 #include "benchmark/perception/perception_cases.h"
 #include "benchmark/perception/perception_charts.h"
@@ -75,9 +76,7 @@ void Evaluate(const PerceptionOptions& options) {
   sim::MakeFolder(out);
   const std::vector<SceneCases> cases = Ask(config, weights, options.workers);
   const PerceptionFigures figures = MeasurePerception(cases, config);
-  const PerceptionSource source = {config.weights,
-                                   fmt::format("{:016x}", sim::Hash64(sim::ReadFile(weights))),
-                                   ProgramVersion()};
+  const PerceptionSource source = {config.weights, FileHash(weights), ProgramVersion()};
   const std::string json = ToJson(figures, config, source);
   const std::string markdown = ToMarkdown(figures, config, source);
   sim::WriteFileAtomically(out / "perception.json", json);

@@ -3,9 +3,9 @@
 
 #include <fmt/core.h>
 
+#include "benchmark/episodes/file_hash.h"
 #include "benchmark/episodes/json_cursor.h"
 #include "sim/base/error.h"
-#include "sim/base/files.h"
 #include "sim/config/yaml_writer.h"
 
 namespace bulletnav::bench {
@@ -19,7 +19,7 @@ Json Record(GeneratorSpec spec, const std::vector<std::string>& scenes) {
   spec.out.clear();
   Json hashes = Json::object();
   for (const std::string& scene : scenes) {
-    hashes[scene] = fmt::format("{:016x}", sim::Hash64(sim::ReadFile(scene)));
+    hashes[scene] = FileHash(scene);
   }
   return {{"spec", sim::ToYaml(spec)}, {"scenes", hashes}};
 }

@@ -6,15 +6,14 @@
 #include <exception>
 #include <optional>
 
-#include <fmt/core.h>
 #include <yaml-cpp/yaml.h>
 
 #include "agent/perception/model_file.h"
+#include "benchmark/episodes/file_hash.h"
 #include "benchmark/evaluation/privileged/mixed_semantic_model.h"
 #include "benchmark/evaluation/privileged/oracle_goal_estimator.h"
 #include "benchmark/evaluation/privileged/oracle_semantic_model.h"
 #include "sim/base/check.h"
-#include "sim/base/files.h"
 #include "sim/config/yaml_writer.h"
 
 namespace bulletnav::bench {
@@ -166,8 +165,7 @@ std::optional<std::int64_t> FramesTrained(const fs::path& weights) {
 bool IsOfTheseWeights(const RunConfig& config, Setting setting, const fs::path& weights) {
   if (!config.fingerprints) return true;
   const auto saved = config.fingerprints->weights.find(std::string(sim::NameOf(setting)));
-  return saved == config.fingerprints->weights.end() ||
-         saved->second == fmt::format("{:016x}", sim::Hash64(sim::ReadFile(weights)));
+  return saved == config.fingerprints->weights.end() || saved->second == FileHash(weights);
 }
 
 void NoteFrames(const RunConfig& config, Setting setting, RunAgent* agent) {

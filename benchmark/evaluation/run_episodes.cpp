@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/evaluation/run_episodes.h"
 
-#include <fmt/core.h>
-
 #include "benchmark/episodes/draw_record.h"
 #include "benchmark/episodes/episode_file.h"
+#include "benchmark/episodes/file_hash.h"
 #include "benchmark/episodes/ground.h"
 #include "benchmark/evaluation/run_agents.h"
 #include "sim/base/error.h"
-#include "sim/base/files.h"
 #include "sim/house/house_set.h"
 #include "sim/threads/worker_pool.h"
 
@@ -46,18 +44,14 @@ std::vector<std::string> ScenesIn(const std::vector<Episode>& episodes) {
   return scenes;
 }
 
-std::string Hex(std::uint64_t hash) {
-  return fmt::format("{:016x}", hash);
-}
-
 Fingerprints TakeFingerprints(const RunConfig& config, const RunEpisodes& episodes) {
   Fingerprints fingerprints;
-  fingerprints.episodes = Hex(sim::Hash64(sim::ReadFile(config.episodes.file)));
+  fingerprints.episodes = FileHash(config.episodes.file);
   for (const auto& [scene, file] : episodes.scene_files) {
-    fingerprints.scenes[scene] = Hex(sim::Hash64(sim::ReadFile(file)));
+    fingerprints.scenes[scene] = FileHash(file);
   }
   for (const auto& [key, file] : UsedWeights(config)) {
-    fingerprints.weights[key] = Hex(sim::Hash64(sim::ReadFile(file)));
+    fingerprints.weights[key] = FileHash(file);
   }
   return fingerprints;
 }

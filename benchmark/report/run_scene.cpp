@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/report/run_scene.h"
 
-#include <fmt/core.h>
-
+#include "benchmark/episodes/file_hash.h"
 #include "sim/base/error.h"
-#include "sim/base/files.h"
 
 namespace bulletnav::bench {
 
@@ -12,7 +10,7 @@ void RequireSceneOfRun(const std::filesystem::path& file, const std::string& sce
                        const std::map<std::string, std::string>& hashes) {
   const auto saved = hashes.find(scene);
   if (saved == hashes.end()) return;
-  if (fmt::format("{:016x}", sim::Hash64(sim::ReadFile(file))) == saved->second) return;
+  if (FileHash(file) == saved->second) return;
   throw sim::FileError(file, "",
                        "has changed since the run, whose paths do not fit it; put back the scene "
                        "of the run, or run again into another folder");
