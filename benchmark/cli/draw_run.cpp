@@ -14,6 +14,7 @@
 #include "benchmark/evaluation/result_store.h"
 #include "benchmark/evaluation/runner.h"
 #include "benchmark/report/agent_title.h"
+#include "benchmark/report/counted.h"
 #include "benchmark/report/filmstrip.h"
 #include "benchmark/report/result_charts.h"
 #include "benchmark/report/run_scene.h"
@@ -135,10 +136,7 @@ class Drawer {
 }  // namespace
 
 std::string ToText(const DrawnCount& drawn) {
-  const auto count = [](std::size_t number, const char* what) {
-    return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
-  };
-  return count(drawn.episodes, "episode") + " and " + count(drawn.charts, "chart");
+  return Counted(drawn.episodes, "episode") + " and " + Counted(drawn.charts, "chart");
 }
 
 fs::path PlotFolder(const DrawOptions& options) {

@@ -91,8 +91,7 @@ void RequireSameEpisode(const EpisodeResult& a, const EpisodeResult& b) {
   if (a.goals.size() == b.goals.size() && std::abs(start_a - start_b) <= kSameStart) return;
   throw sim::Error(fmt::format(
       "the runs are of different episodes: '{}' in {} has {} goals in one, the first {:.3f} m "
-      "away, "
-      "and {} in the other, the first {:.3f} m away; play both from one file of episodes",
+      "away, and {} in the other, the first {:.3f} m away; play both from one file of episodes",
       a.key.episode, a.key.scene, a.goals.size(), start_a, b.goals.size(), start_b));
 }
 
@@ -182,8 +181,7 @@ std::string ToText(const Comparison& comparison) {
   }
   text +=
       "differences: second less first, with the 95% interval of their mean, and p of the sign "
-      "test, "
-      "which asks how many pairs got better, not by how much\n";
+      "test, which asks how many pairs got better, not by how much\n";
   if (comparison.only_a + comparison.only_b > 0) {
     text +=
         fmt::format("left out for want of a partner: {} results of the first, {} of the second\n",

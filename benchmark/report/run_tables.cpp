@@ -8,6 +8,8 @@
 #include <fmt/core.h>
 
 #include "benchmark/evaluation/published.h"
+#include "benchmark/report/agent_title.h"
+#include "benchmark/report/counted.h"
 #include "sim/base/files.h"
 
 namespace bulletnav::bench {
@@ -130,18 +132,6 @@ std::string Figure(const PublishedFigure& known, Measure measure) {
   return Figure(measure == Measure::kSpl ? known.spl : known.success);
 }
 
-std::string PaperTitle(const std::string& agent) {
-  const std::string_view published = PublishedTitle(agent);
-  return published.empty() ? agent : std::string(published);
-}
-
-std::string TitleOf(const std::string& agent, std::span<const AgentRow> agents) {
-  for (const AgentRow& row : agents) {
-    if (row.agent == agent && !row.title.empty()) return row.title;
-  }
-  return PaperTitle(agent);
-}
-
 std::string SettingTitle(std::string setting) {
   for (char& c : setting) {
     if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
@@ -168,7 +158,7 @@ std::string Remark(const Layout& layout, std::span<const SummaryRow> rows, const
     if (column.measure == Measure::kSuccess) success = Percent95(row->success_ci);
     if (column.measure == Measure::kSpl) spl = " / " + Percent95(row->spl_ci);
   }
-  std::string text = fmt::format("{} episode{}", episodes, episodes == 1 ? "" : "s");
+  std::string text = Counted(static_cast<std::size_t>(episodes), "episode");
   if (failures > 0) text += fmt::format(", {} of them failed", failures);
   text.append(", 95%: ").append(success).append(spl);
   if (like.frames_trained) {
@@ -181,7 +171,7 @@ std::string Remark(const Layout& layout, std::span<const SummaryRow> rows, const
 void AddPaperRow(const Layout& layout, const std::string& agent, const std::string& setting,
                  ResultsTable* table) {
   ResultsTable::Row paper = {
-      SettingTitle(setting), PaperTitle(agent) + ", paper, Gibson", true, {}, ""};
+      SettingTitle(setting), AgentTitle(agent, {}) + ", paper, Gibson", true, {}, ""};
   bool any = false;
   for (const Column& column : layout.columns) {
     paper.cells.push_back(
@@ -194,7 +184,8 @@ void AddPaperRow(const Layout& layout, const std::string& agent, const std::stri
 /// Our row and the paper's, for the agent and setting of `like`.
 void AddRows(const Layout& layout, std::span<const SummaryRow> rows, const SummaryRow& like,
              std::span<const AgentRow> agents, ResultsTable* table) {
-  ResultsTable::Row ours = {SettingTitle(like.setting), TitleOf(like.agent, agents), false, {}, ""};
+  ResultsTable::Row ours = {
+      SettingTitle(like.setting), AgentTitle(like.agent, agents), false, {}, ""};
   bool any = false;
   for (const Column& column : layout.columns) {
     const SummaryRow* row = Find(rows, like, column);
@@ -237,7 +228,7 @@ void AddMissing(const Layout& layout, std::span<const SummaryRow> rows,
         })) {
       continue;
     }
-    table->rows.push_back({"", TitleOf(agent.agent, agents), false,
+    table->rows.push_back({"", AgentTitle(agent.agent, agents), false,
                            std::vector<std::string>(layout.columns.size()),
                            agent.note.empty() ? "no results" : agent.note});
     for (const char* setting : {"rgb", "rgbd"}) AddPaperRow(layout, agent.agent, setting, table);

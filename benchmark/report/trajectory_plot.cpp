@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include "benchmark/report/belief_layer.h"
+#include "benchmark/report/counted.h"
 #include "benchmark/report/goal_ends.h"
 #include "benchmark/report/trajectory_layers.h"
 #include "benchmark/report/trajectory_legend.h"
@@ -30,11 +31,6 @@ double DrawColumn(const EpisodeTrajectory& trajectory, const MapPlace& place,
   column.TimeBar(StepNumbers(trajectory).back());
   for (const LegendEntry& entry : LegendOf(trajectory, place, spec.belief)) column.Entry(entry);
   return column.bottom();
-}
-
-/// "1 step", "2 steps".
-std::string Count(int number, const char* what) {
-  return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
 }
 
 /// "success, SPL 0.73", or why there is none.
@@ -91,7 +87,8 @@ std::vector<std::string> OutcomeLines(const EpisodeTrajectory& trajectory) {
   std::vector<std::string> lines = {
       fmt::format("{}, {}, seed {}", result.key.setting, result.key.condition, result.key.seed),
       name + difficulty, Verdict(trajectory),
-      fmt::format("{}, {}", Count(steps, "step"), Count(collisions, "collision"))};
+      fmt::format("{}, {}", Counted(static_cast<std::size_t>(steps), "step"),
+                  Counted(static_cast<std::size_t>(collisions), "collision"))};
   for (std::string& line : DistanceLines(result.goals)) lines.push_back(std::move(line));
   return lines;
 }
