@@ -12,6 +12,7 @@ namespace bulletnav::bench {
 namespace {
 
 using sim::Error;
+using sim::KeyError;
 using sim::YamlNode;
 
 bool Contains(const std::vector<std::string>& names, const std::string& name) {
@@ -20,9 +21,11 @@ bool Contains(const std::vector<std::string>& names, const std::string& name) {
 
 template <class T>
 void RequireDistinct(const std::vector<T>& values, const char* key, bool may_be_empty) {
-  if (values.empty() && !may_be_empty) throw Error(std::string("'") + key + "' is empty");
+  if (values.empty() && !may_be_empty) {
+    throw KeyError(key, std::string("'") + key + "' is empty");
+  }
   if (std::set<T>(values.begin(), values.end()).size() != values.size()) {
-    throw Error(std::string("'") + key + "' names a value twice");
+    throw KeyError(key, std::string("'") + key + "' names a value twice");
   }
 }
 
@@ -62,8 +65,8 @@ void Resolve(const YamlNode& node, AgentEntry* entry) {
 }  // namespace
 
 void HousesSpec::Validate() const {
-  if (folder.empty()) throw Error("'folder' is empty; name a folder for the houses");
-  if (count < 1 || count > 9999) throw Error("count must lie between 1 and 9999");
+  if (folder.empty()) throw KeyError("folder", "'folder' is empty; name a folder for the houses");
+  if (count < 1 || count > 9999) throw KeyError("count", "count must lie between 1 and 9999");
 }
 
 void TimeBudget::Validate() const {
@@ -72,10 +75,12 @@ void TimeBudget::Validate() const {
 
 void AgentEntry::Validate() const {
   RequireDistinct(settings, "settings", true);
-  if (lanes < 1 || lanes > 4096) throw Error("lanes must lie between 1 and 4096");
+  if (lanes < 1 || lanes > 4096) throw KeyError("lanes", "lanes must lie between 1 and 4096");
   RequireDistinct(oracle_functions, "oracle_functions", true);
   if (!oracle_functions.empty() && semantic_model != SemanticModelKind::kLearned) {
-    throw Error("oracle_functions replace some of semantic_model: learned, which is not asked for");
+    throw KeyError(
+        "oracle_functions",
+        "oracle_functions replace some of semantic_model: learned, which is not asked for");
   }
 }
 
@@ -84,12 +89,14 @@ void RunConfig::Validate() const {
   RequireDistinct(conditions, "conditions", false);
   RequireDistinct(seeds, "seeds", false);
   if (name.find('/') != std::string::npos || name == "." || name == "..") {
-    throw Error("'name' must be a word, not a path");
+    throw KeyError("name", "'name' must be a word, not a path");
   }
-  if (agents.empty()) throw Error("'agents' is empty; name at least one");
-  if (!(success_distance > 0.0)) throw Error("success_distance must be positive");
+  if (agents.empty()) throw KeyError("agents", "'agents' is empty; name at least one");
+  if (!(success_distance > 0.0)) {
+    throw KeyError("success_distance", "success_distance must be positive");
+  }
   if (max_steps < 1 || max_steps > 1'000'000) {
-    throw Error("max_steps must lie between 1 and 1000000");
+    throw KeyError("max_steps", "max_steps must lie between 1 and 1000000");
   }
   panorama.Validate();
   if (episodes.draw) generator().Validate();

@@ -56,6 +56,13 @@ void YamlNode::Fail(const std::string& what) const {
   throw FileError(file_, Place(node_.Mark()), what);
 }
 
+void YamlNode::FailAt(std::string_view key, const std::string& what) const {
+  for (const auto& item : node_) {
+    if (item.first.Scalar() == key) Child(item.second).Fail(what);
+  }
+  Fail(what);
+}
+
 std::string YamlNode::ToString() const {
   if (!node_.IsScalar()) Fail("expected a single value here");
   return node_.Scalar();
@@ -131,6 +138,7 @@ void YamlReader::Finish() const {
         .Fail("unknown key '" + key + "'" +
               (nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
   }
+  if (!missing_.empty()) map_.Fail("key '" + missing_ + "' is missing");
 }
 
 YamlNode ParseYaml(const std::string& text, const std::filesystem::path& name) {

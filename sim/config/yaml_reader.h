@@ -27,6 +27,8 @@ class YamlNode {
   YamlNode Child(const YAML::Node& node) const { return {node, file_}; }
   /// Throws FileError at this node's file:line:column.
   [[noreturn]] void Fail(const std::string& what) const;
+  /// As Fail, at the value of this map's `key`; at the map itself where it has no such key.
+  [[noreturn]] void FailAt(std::string_view key, const std::string& what) const;
 
   bool ToBool() const;
   std::int64_t ToInt(std::int64_t low, std::int64_t high) const;
@@ -40,12 +42,23 @@ class YamlNode {
   std::filesystem::path file_;
 };
 
+/// What a struct's Validate throws when it knows which of its keys is to blame.
+class KeyError : public Error {
+ public:
+  KeyError(std::string key, const std::string& what) : Error(what), key_(std::move(key)) {}
+  const std::string& key() const { return key_; }
+
+ private:
+  std::string key_;
+};
+
 /// Fills a struct from a YAML map. The struct lists its keys once:
 ///   struct Foo { double width_m = 1; template <class V> void Visit(V& v) { v("width_m", width_m);
 ///   } };
 /// Unknown, duplicate, missing-required and wrong-type keys are errors at the key's line; an
-/// unknown key is answered with the nearest known one. Values not named keep their in-class
-/// default. A member of type std::optional<YamlNode> takes any content, for others to read.
+/// unknown key is answered with the nearest known one, before anything is called missing. Values
+/// not named keep their in-class default. A member of type std::optional<YamlNode> takes any
+/// content, for others to read.
 class YamlReader {
  public:
   explicit YamlReader(const YamlNode& map);
@@ -56,11 +69,13 @@ class YamlReader {
   }
   template <class T>
   void Required(std::string_view key, T& value) {
-    const std::optional<YamlNode> node = Take(key);
-    if (!node) map_.Fail("key '" + std::string(key) + "' is missing");
-    Read(*node, value);
+    if (const std::optional<YamlNode> node = Take(key)) {
+      Read(*node, value);
+    } else if (missing_.empty()) {
+      missing_ = key;
+    }
   }
-  /// Throws at the first key that nobody asked for.
+  /// Throws at the first key that nobody asked for, else if a required key is missing.
   void Finish() const;
 
   template <class T>
@@ -77,6 +92,8 @@ class YamlReader {
 
   YamlNode map_;
   std::vector<std::string> known_;
+  /// The first required key that the map lacks.
+  std::string missing_;
 };
 
 namespace internal {
@@ -188,6 +205,8 @@ void YamlReader::ReadStruct(const YamlNode& node, T& value) {
       value.Validate();
     } catch (const FileError&) {
       throw;
+    } catch (const KeyError& e) {
+      node.FailAt(e.key(), e.what());
     } catch (const Error& e) {
       node.Fail(e.what());
     }

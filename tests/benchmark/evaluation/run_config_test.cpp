@@ -71,9 +71,13 @@ TEST(RunConfig, ErrorsNameThePlace) {
   EXPECT_THAT(ErrorOf(With("{agent: nts}", "{agent: random}")),
               AllOf(StartsWith("c.yaml:7:5: "), HasSubstr("two agents are called 'random'")));
   EXPECT_THAT(ErrorOf(With("name: ceiling", "weight: 3")), StartsWith("c.yaml:6:28: unknown key"));
-  EXPECT_THAT(ErrorOf(With("[noise, no_stop]", "[noise, noise]")), HasSubstr("a value twice"));
+  EXPECT_THAT(ErrorOf(With("[noise, no_stop]", "[noise, noise]")),
+              AllOf(StartsWith("c.yaml:2:13: "), HasSubstr("a value twice")));
+  EXPECT_THAT(ErrorOf("episodess: {file: e}\nagents: [{agent: nts}]\n"),
+              AllOf(StartsWith("c.yaml:1:1: "), HasSubstr("did you mean 'episodes'?")));
   EXPECT_THAT(ErrorOf("name: ..\n" + std::string(kGood)), HasSubstr("must be a word"));
-  EXPECT_THAT(ErrorOf("episodes: {file: e}\nagents: []\n"), HasSubstr("'agents' is empty"));
+  EXPECT_THAT(ErrorOf("episodes: {file: e}\nagents: []\n"),
+              AllOf(StartsWith("c.yaml:2:9: "), HasSubstr("'agents' is empty")));
   EXPECT_THAT(ErrorOf("agents: [{agent: nts}]\n"), HasSubstr("key 'episodes' is missing"));
 }
 

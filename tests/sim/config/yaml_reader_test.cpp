@@ -20,12 +20,15 @@ namespace {
 
 struct Inner {
   double width = 1.0;
+  double height = 0.0;
   template <class V>
   void Visit(V& v) {
     v.Required("width", width);
+    v("height", height);
   }
   void Validate() const {
-    if (width < 0.0) throw Error("width must not be negative");
+    if (width < 0.0) throw KeyError("width", "width must not be negative");
+    if (height > width) throw Error("height must not exceed width");
   }
 };
 
@@ -110,6 +113,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"unknown", "zzzzzzzzzz: 3\n", "c.yaml:1:1: unknown key 'zzzzzzzzzz'"},
         BadInput{"twice", "count: 3\ncount: 4\n", "c.yaml:2:1: key 'count' is given twice"},
         BadInput{"missing", "inner: {}\n", "c.yaml:1:8: key 'width' is missing"},
+        BadInput{"misspelt_required", "inner: {widht: 1}\n",
+                 "c.yaml:1:9: unknown key 'widht'; did you mean 'width'?"},
         BadInput{"not_a_number", "count: three\n", "c.yaml:1:8: 'three' is not a whole number"},
         BadInput{"not_whole", "count: 3.5\n", "c.yaml:1:8: '3.5' is not a whole number"},
         BadInput{"too_large", "small: 256\n", "c.yaml:1:8: 256 is outside 0 to 255"},
@@ -121,7 +126,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"list_for_scalar", "count: [1]\n", "c.yaml:1:8: expected a single value here"},
         BadInput{"list_for_map", "inner: [1]\n",
                  "c.yaml:1:8: expected a block of 'key: value' lines here"},
-        BadInput{"invalid", "inner: {width: -1}\n", "c.yaml:1:8: width must not be negative"}),
+        BadInput{"invalid", "inner: {width: -1}\n", "c.yaml:1:16: width must not be negative"},
+        BadInput{"invalid_as_a_whole", "inner: {width: 5, height: 9}\n",
+                 "c.yaml:1:8: height must not exceed width"}),
     [](const auto& bad) {
       return bad.param.name;
     });
