@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <iterator>
 #include <memory>
 
 #include <CLI/Config.hpp>
@@ -13,6 +12,7 @@
 #include "benchmark/episodes/draw_record.h"
 #include "benchmark/episodes/episode_file.h"
 #include "benchmark/episodes/generator.h"
+#include "benchmark/episodes/merge.h"
 #include "sim/config/yaml_reader.h"
 
 namespace bulletnav::bench {
@@ -49,16 +49,15 @@ void Generate(const GenerateOptions& options) {
 }
 
 void Convert(const ConvertOptions& options) {
-  EpisodeSet all;
-  for (const fs::path& file : options.files) {
-    EpisodeSet set = ReadEpisodes(file);
-    if (options.files.size() == 1) all.other = set.other;
-    all.episodes.insert(all.episodes.end(), std::make_move_iterator(set.episodes.begin()),
-                        std::make_move_iterator(set.episodes.end()));
+  std::vector<NamedEpisodeSet> files;
+  for (const fs::path& file : options.files) files.push_back({file, ReadEpisodes(file)});
+  const MergedEpisodes merged = MergeEpisodes(std::move(files));
+  WriteEpisodes(options.out, merged.set, options.format);
+  fmt::print("{} episodes in {}\n", merged.set.episodes.size(), options.out.string());
+  if (merged.renamed > 0) {
+    fmt::print("{} had ids that other files use too; their files' names now stand before them\n",
+               merged.renamed);
   }
-  RequireUniqueIds(all.episodes, options.out);
-  WriteEpisodes(options.out, all, options.format);
-  fmt::print("{} episodes in {}\n", all.episodes.size(), options.out.string());
 }
 
 void AddGenerate(CLI::App* episodes) {
