@@ -17,6 +17,12 @@ double Seconds(std::chrono::steady_clock::duration d) {
   return std::chrono::duration<double>(d).count();
 }
 
+/// "12.3 a second", or what one takes where that would be next to nothing.
+std::string Rate(int done, double elapsed_s) {
+  if (done >= elapsed_s) return fmt::format("{:.1f} a second", done / elapsed_s);
+  return fmt::format("{:.0f} s each", elapsed_s / done);
+}
+
 }  // namespace
 
 Progress::Progress(std::string what, int total)
@@ -45,8 +51,8 @@ void Progress::Advance() {
 
 void Progress::Show(double elapsed_s) {
   const double left_s = elapsed_s / done_ * (total_ - done_);
-  const std::string line = fmt::format("{} {}/{}, {:.1f} a second, {:.0f} s left", what_, done_,
-                                       total_, done_ / elapsed_s, left_s);
+  const std::string line = fmt::format("{} {}/{}, {}, {:.0f} s left", what_, done_, total_,
+                                       Rate(done_, elapsed_s), left_s);
   if (is_terminal_) {
     fmt::print(stderr, "\r{}\033[K", line);
   } else {
