@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/perception/perception_config.h"
 
+#include <filesystem>
+
 #include <gmock/gmock.h>
 
 #include "sim/base/error.h"
@@ -30,7 +32,7 @@ TEST(PerceptionConfig, AsksForSixtyPointsUnlessTold) {
 
 TEST(PerceptionConfig, ShippedOneIsOfTheTestHouses) {
   const auto config =
-      sim::LoadYaml<PerceptionConfig>(std::string(BULLETNAV_CONFIGS) + "/perception.yaml");
+      sim::LoadYaml<PerceptionConfig>(std::filesystem::path(BULLETNAV_CONFIGS) / "perception.yaml");
   EXPECT_EQ(config.data.houses->split, "test");
 }
 
