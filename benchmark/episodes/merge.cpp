@@ -20,15 +20,24 @@ SceneAndId KeyOf(const Episode& episode) {
   return {episode.scene, episode.id};
 }
 
-std::set<SceneAndId> InSeveralFiles(const std::vector<NamedEpisodeSet>& files) {
+/// Calls `visit(first, second, episode)` for each episode of file `second` whose scene and id an
+/// earlier one of file `first` has.
+template <class Visit>
+void ForEachRepeat(const std::vector<NamedEpisodeSet>& files, const Visit& visit) {
   std::map<SceneAndId, std::size_t> first_file;
-  std::set<SceneAndId> shared;
   for (std::size_t i = 0; i < files.size(); ++i) {
     for (const Episode& episode : files[i].set.episodes) {
-      const auto place = first_file.try_emplace(KeyOf(episode), i).first;
-      if (place->second != i) shared.insert(KeyOf(episode));
+      const auto [place, is_new] = first_file.try_emplace(KeyOf(episode), i);
+      if (!is_new) visit(place->second, i, episode);
     }
   }
+}
+
+std::set<SceneAndId> InSeveralFiles(const std::vector<NamedEpisodeSet>& files) {
+  std::set<SceneAndId> shared;
+  ForEachRepeat(files, [&](std::size_t first, std::size_t second, const Episode& episode) {
+    if (first != second) shared.insert(KeyOf(episode));
+  });
   return shared;
 }
 
@@ -39,17 +48,12 @@ std::string Stem(const fs::path& file) {
 }
 
 void RequireDistinct(const std::vector<NamedEpisodeSet>& files) {
-  std::map<SceneAndId, fs::path> file_of;
-  for (const NamedEpisodeSet& named : files) {
-    for (const Episode& episode : named.set.episodes) {
-      const auto [place, is_new] = file_of.try_emplace(KeyOf(episode), named.file);
-      if (is_new) continue;
-      throw sim::FileError(named.file, " episode '" + episode.id + "'",
-                           "scene " + episode.scene + " has an episode of this id in " +
-                               place->second.string() +
-                               " too; give the files different names, or leave one out");
-    }
-  }
+  ForEachRepeat(files, [&](std::size_t first, std::size_t second, const Episode& episode) {
+    throw sim::FileError(files[second].file, " episode '" + episode.id + "'",
+                         "scene " + episode.scene + " has an episode of this id in " +
+                             files[first].file.string() +
+                             " too; give the files different names, or leave one out");
+  });
 }
 
 }  // namespace
