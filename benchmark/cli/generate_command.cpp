@@ -6,6 +6,7 @@
 
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/progress.h"
+#include "benchmark/evaluation/program_version.h"
 #include "sim/house/house_set.h"
 
 namespace bulletnav::bench {
@@ -19,8 +20,14 @@ struct GenerateOptions {
 void Generate(const GenerateOptions& options) {
   std::vector<sim::HouseEntry> houses;
   {
-    Progress progress("houses", options.set.count);
-    houses = sim::WriteHouseSet(options.out, options.set, [&] {
+    sim::HouseSetSpec set = options.set;
+    set.made_by = CommittedVersion();
+    const int unmade = sim::CountUnmade(options.out, set);
+    if (unmade < set.count) {
+      fmt::print(stderr, "{} of {} houses are there already\n", set.count - unmade, set.count);
+    }
+    Progress progress("houses", unmade);
+    houses = sim::WriteHouseSet(options.out, set, [&] {
       progress.Advance();
     });
   }

@@ -25,6 +25,11 @@ std::string ProgramVersion() {
   return BULLETNAV_VERSION " (" BULLETNAV_COMMIT ")";
 }
 
+std::string CommittedVersion() {
+  const std::string version = ProgramVersion();
+  return version.find("-dirty") == std::string::npos ? version : "";
+}
+
 void NoteVersion(const std::filesystem::path& folder) {
   std::string text = ReadVersions(folder);
   const std::string line = ProgramVersion() + "\n";

@@ -9,6 +9,9 @@ namespace bulletnav::bench {
 /// from it.
 std::string ProgramVersion();
 
+/// The same, or empty if files differed from the commit: two such programs may be different.
+std::string CommittedVersion();
+
 /// Notes in a folder of results which version plays episodes there: versions.txt, a line for each
 /// that did, in order. Throws sim::FileError.
 void NoteVersion(const std::filesystem::path& folder);

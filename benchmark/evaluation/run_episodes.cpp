@@ -5,6 +5,7 @@
 #include "benchmark/episodes/episode_file.h"
 #include "benchmark/episodes/file_hash.h"
 #include "benchmark/episodes/ground.h"
+#include "benchmark/evaluation/program_version.h"
 #include "benchmark/evaluation/run_agents.h"
 #include "sim/base/error.h"
 #include "sim/house/house_set.h"
@@ -16,9 +17,10 @@ namespace {
 namespace fs = std::filesystem;
 
 void GenerateHouses(const HousesSpec& houses, int workers, const StartProgress& start) {
-  const sim::HouseSetSpec spec{houses.count, houses.first_seed, workers};
+  const sim::HouseSetSpec spec{houses.count, houses.first_seed, workers, CommittedVersion()};
   if (sim::HasHouseSet(houses.folder, spec)) return;
-  sim::WriteHouseSet(houses.folder, spec, start("generating houses", houses.count));
+  const int unmade = sim::CountUnmade(houses.folder, spec);
+  sim::WriteHouseSet(houses.folder, spec, start("generating houses", unmade));
 }
 
 /// Whether episodes had to be drawn.

@@ -11,7 +11,7 @@
 #include "sim/base/files.h"
 #include "sim/house/house.h"
 #include "sim/house/house_json.h"
-#include "sim/house/json_node.h"
+#include "sim/house/unfinished_houses.h"
 #include "sim/scene/glb_writer.h"
 #include "sim/threads/worker_pool.h"
 
@@ -38,7 +38,7 @@ HouseEntry WriteHouse(const std::filesystem::path& folder, const HouseEntry& pla
   const House house = GenerateHouse(planned.seed, textures);
   HouseEntry entry = planned;
   entry.rooms = static_cast<int>(house.plan.rooms.size());
-  entry.area_m2 = std::round(100.0 * static_cast<double>(house.plan.area())) / 100.0;
+  entry.area_m2 = static_cast<double>(house.plan.area());
   const std::filesystem::path glb = folder / entry.file;
   std::filesystem::path json = glb;
   json.replace_extension(".json");
@@ -63,19 +63,6 @@ std::vector<HouseEntry> Plan(const HouseSetSpec& spec) {
   return entries;
 }
 
-std::string ToText(const std::vector<HouseEntry>& entries) {
-  Json houses = Json::array();
-  for (const HouseEntry& entry : entries) {
-    houses.push_back({{"file", entry.file},
-                      {"split", NameOf(entry.split)},
-                      {"seed", entry.seed},
-                      {"rooms", entry.rooms},
-                      {"area_m2", entry.area_m2}});
-  }
-  const Json index = {{"first_seed", entries.front().seed}, {"houses", houses}};
-  return index.dump(1) + "\n";
-}
-
 }  // namespace
 
 bool HasHouseSet(const std::filesystem::path& folder, const HouseSetSpec& spec) {
@@ -93,33 +80,37 @@ bool HasHouseSet(const std::filesystem::path& folder, const HouseSetSpec& spec) 
                   old.size()));
 }
 
+int CountUnmade(const std::filesystem::path& folder, const HouseSetSpec& spec) {
+  HasHouseSet(folder, spec);
+  const UnfinishedHouses left(folder, spec.made_by, spec.first_seed);
+  std::vector<HouseEntry> planned = Plan(spec);
+  return static_cast<int>(std::count_if(planned.begin(), planned.end(), [&](HouseEntry& house) {
+    return !left.Find(&house);
+  }));
+}
+
 std::vector<HouseEntry> WriteHouseSet(const std::filesystem::path& folder, const HouseSetSpec& spec,
                                       const std::function<void()>& advance) {
   std::vector<HouseEntry> entries = Plan(spec);
   HasHouseSet(folder, spec);
   MakeFolder(folder);
+  UnfinishedHouses left(folder, spec.made_by, spec.first_seed);
+  left.Begin();
+  std::vector<HouseEntry*> unmade;
+  for (HouseEntry& entry : entries) {
+    if (!left.Find(&entry)) unmade.push_back(&entry);
+  }
   WorkerPool pool(spec.workers);
   std::vector<TextureCache> textures(static_cast<std::size_t>(pool.workers()));
-  pool.ForEach(spec.count, [&](int task, int worker) {
-    HouseEntry& entry = entries[static_cast<std::size_t>(task)];
+  pool.ForEach(static_cast<int>(unmade.size()), [&](int task, int worker) {
+    HouseEntry& entry = *unmade[static_cast<std::size_t>(task)];
     entry = WriteHouse(folder, entry, &textures[static_cast<std::size_t>(worker)]);
+    left.Add(entry);
     advance();
   });
-  WriteFileAtomically(folder / kIndex, ToText(entries));
-  return entries;
-}
-
-std::vector<HouseEntry> ReadHouseIndex(const std::filesystem::path& index) {
-  const JsonNode root =
-      JsonNode::Parse(ReadTextFile(index), index, "write it again with bulletnav scenes generate");
-  const JsonNode houses = root["houses"];
-  std::vector<HouseEntry> entries;
-  for (std::size_t i = 0; i < houses.size(1); ++i) {
-    const JsonNode house = houses[i];
-    entries.push_back({house["file"].ToString(), house["split"].ToEnum<Split>(),
-                       house["seed"].ToUint(), static_cast<int>(house["rooms"].ToUint()),
-                       static_cast<double>(house["area_m2"].ToPositive())});
-  }
+  const Json index = {{"first_seed", spec.first_seed}, {"houses", ToJson(entries)}};
+  WriteFileAtomically(folder / kIndex, index.dump(1) + "\n");
+  left.Finish();
   return entries;
 }
 

@@ -13,6 +13,11 @@ TEST(ProgramVersion, NamesVersionAndCommit) {
   EXPECT_THAT(ProgramVersion(), testing::MatchesRegex("[0-9]+\\.[0-9]+\\.[0-9]+ \\(.+\\)"));
 }
 
+TEST(ProgramVersion, CommittedIsEmptyForFilesThatDiffer) {
+  const bool is_dirty = ProgramVersion().find("-dirty") != std::string::npos;
+  EXPECT_EQ(CommittedVersion(), is_dirty ? "" : ProgramVersion());
+}
+
 TEST(ProgramVersion, IsNotedOncePerVersionThatPlayed) {
   const tests::TemporaryFolder folder;
   const auto file = folder.path() / "versions.txt";

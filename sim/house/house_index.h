@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "sim/config/yaml_reader.h"
+
+namespace bulletnav::sim {
+
+enum class Split { kTrain, kVal, kTest };
+
+template <>
+struct EnumNames<Split> {
+  static constexpr std::array kNames = {std::pair{"train", Split::kTrain},
+                                        std::pair{"val", Split::kVal},
+                                        std::pair{"test", Split::kTest}};
+};
+
+/// One line of a folder of houses.
+struct HouseEntry {
+  std::string file;  // "house_012.glb", in the folder of the index
+  Split split = Split::kTrain;
+  std::uint64_t seed = 0;
+  int rooms = 0;
+  double area_m2 = 0.0;
+};
+
+/// [{"file", "split", "seed", "rooms", "area_m2"}], as in index.json; areas to two digits.
+nlohmann::ordered_json ToJson(const std::vector<HouseEntry>& houses);
+
+/// Reads index.json: {"first_seed", "houses": [{"file", "split", "seed", "rooms", "area_m2"}]}.
+/// Throws FileError naming the file and what is wrong in it.
+std::vector<HouseEntry> ReadHouseIndex(const std::filesystem::path& index);
+
+}  // namespace bulletnav::sim
