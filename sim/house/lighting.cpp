@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <optional>
+#include <unordered_map>
 
 #include "sim/house/hemisphere.h"
 #include "sim/house/light_sources.h"
@@ -59,6 +61,20 @@ std::vector<Vec> Albedos(const SceneMesh& mesh) {
   return albedos;
 }
 
+/// A place and its normal, to the bit.
+using PlaceKey = std::array<std::uint32_t, 6>;
+
+struct PlaceHash {
+  std::size_t operator()(const PlaceKey& key) const {
+    std::uint64_t hash = 0;
+    for (const std::uint32_t word : key) {
+      hash = (hash ^ word) * 0x9e3779b97f4a7c15ULL;
+      hash ^= hash >> 29;
+    }
+    return hash;
+  }
+};
+
 /// Light at the vertices of a mesh whose vertices are not shared between faces of other directions.
 class Baker {
  public:
@@ -71,6 +87,7 @@ class Baker {
   void Bake() {
     coarse_.emplace(Corners(mesh_));
     Refine();
+    sketches_.clear();
     const std::vector<Vec> direct = DirectLight();
     coarse_.reset();
     WriteColors(direct, GatheredLight(direct));
@@ -114,7 +131,7 @@ class Baker {
     }
   }
 
-  bool ShouldHalve(std::uint32_t a, std::uint32_t b) const {
+  bool ShouldHalve(std::uint32_t a, std::uint32_t b) {
     const Vec& p = mesh_.positions[a];
     const Vec& q = mesh_.positions[b];
     const float length = (p - q).norm();
@@ -139,10 +156,19 @@ class Baker {
   }
 
   /// Display brightness of direct light and nearby occlusion: rough, for deciding where to refine.
-  float Sketch(const Vec& p, const Vec& n) const {
+  /// The same places are asked for by every edge that ends there, in every round.
+  float Sketch(const Vec& p, const Vec& n) {
+    PlaceKey key;
+    for (int axis = 0; axis < 3; ++axis) {
+      key[static_cast<std::size_t>(axis)] = std::bit_cast<std::uint32_t>(p[axis]);
+      key[static_cast<std::size_t>(axis) + 3] = std::bit_cast<std::uint32_t>(n[axis]);
+    }
+    const auto [known, is_new] = sketches_.try_emplace(key, 0.0f);
+    if (!is_new) return known->second;
     const Vec point = p + kLift * n;
     const Vec direct = sources_->Irradiance(*coarse_, point, n);
-    return Display(direct.mean() + kAmbient * Openness(*coarse_, point, n));
+    known->second = Display(direct.mean() + kAmbient * Openness(*coarse_, point, n));
+    return known->second;
   }
 
   /// Hits of the directions about n, packet by packet.
@@ -284,6 +310,7 @@ class Baker {
   LightSpec spec_;
   std::vector<int> glow_;
   std::vector<Vec> normals_;
+  std::unordered_map<PlaceKey, float, PlaceHash> sketches_;
   const std::array<Vec, kDirections> directions_ = HemisphereDirections<kDirections>();
   std::optional<LightSources> sources_;
   std::optional<Raycaster> coarse_;

@@ -27,16 +27,21 @@ std::uint32_t AddMiddle(std::uint32_t a, std::uint32_t b, SceneMesh* mesh) {
   return static_cast<std::uint32_t>(mesh->positions.size()) - 1;
 }
 
-/// The parts of a triangle whose edges ab, bc, ca have the middles `m` (kNone where not halved).
 constexpr std::uint32_t kNone = ~0u;
 
-std::vector<Triangle> Parts(const Triangle& t, const Triangle& m) {
+/// Calls add(part) for the parts of a triangle whose edges ab, bc, ca have the middles `m` (kNone
+/// where not halved).
+template <class Add>
+void ForParts(const Triangle& t, const Triangle& m, const Add& add) {
   const auto halved = std::count_if(m.begin(), m.end(), [](auto v) {
     return v != kNone;
   });
-  if (halved == 0) return {t};
+  if (halved == 0) return add(t);
   if (halved == 3) {
-    return {{t[0], m[0], m[2]}, {m[0], t[1], m[1]}, {m[2], m[1], t[2]}, {m[0], m[1], m[2]}};
+    add({t[0], m[0], m[2]});
+    add({m[0], t[1], m[1]});
+    add({m[2], m[1], t[2]});
+    return add({m[0], m[1], m[2]});
   }
   // Turned so that the first edge is halved, and with two, the last is not.
   std::size_t k = 0;
@@ -46,8 +51,10 @@ std::vector<Triangle> Parts(const Triangle& t, const Triangle& m) {
   const std::uint32_t c = t[(k + 2) % 3];
   const std::uint32_t ab = m[k];
   const std::uint32_t bc = m[(k + 1) % 3];
-  if (halved == 1) return {{a, ab, c}, {ab, b, c}};
-  return {{a, ab, c}, {ab, bc, c}, {ab, b, bc}};
+  add({a, ab, c});
+  if (halved == 1) return add({ab, b, c});
+  add({ab, bc, c});
+  add({ab, b, bc});
 }
 
 }  // namespace
@@ -56,6 +63,7 @@ void RefineEdges(SceneMesh* mesh, std::vector<int>* tag, int rounds,
                  const std::function<bool(std::uint32_t, std::uint32_t)>& should_split) {
   for (int round = 0; round < rounds; ++round) {
     std::unordered_map<std::uint64_t, std::uint32_t> middles;
+    middles.reserve(2 * mesh->triangles.size());
     bool changed = false;
     const std::vector<Triangle> before = std::exchange(mesh->triangles, {});
     const std::vector<std::uint32_t> materials = std::exchange(mesh->triangle_materials, {});
@@ -70,11 +78,11 @@ void RefineEdges(SceneMesh* mesh, std::vector<int>* tag, int rounds,
         m[k] = place->second;
         changed = changed || m[k] != kNone;
       }
-      for (const Triangle& part : Parts(before[i], m)) {
+      ForParts(before[i], m, [&](const Triangle& part) {
         mesh->triangles.push_back(part);
         mesh->triangle_materials.push_back(materials[i]);
         tag->push_back(tags[i]);
-      }
+      });
     }
     if (!changed) return;
   }
