@@ -9,6 +9,7 @@
 
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/progress.h"
+#include "benchmark/evaluation/program_version.h"
 #include "benchmark/training/data_config.h"
 #include "benchmark/training/dataset.h"
 #include "benchmark/training/label_picture.h"
@@ -84,6 +85,9 @@ void AddDatasetCommand(CLI::App* program) {
       ->check(CLI::Range(1, 2000));
   command->callback([options] {
     const DataConfig config = LoadDataConfig(options->config);
+    if (config.more_houses) {
+      MakeHouses(*config.more_houses, CommittedVersion(), options->workers, StartLine);
+    }
     if (options->draw.empty()) {
       MakeLabels(config, options->workers);
     } else {

@@ -2,6 +2,7 @@
 #include "benchmark/cli/progress.h"
 
 #include <cstdio>
+#include <memory>
 
 #include <fmt/core.h>
 #include <unistd.h>
@@ -60,6 +61,13 @@ void Progress::Show(double elapsed_s) {
   }
   std::fflush(stderr);
   shown_ = true;
+}
+
+std::function<void()> StartLine(const std::string& what, int total) {
+  const auto line = std::make_shared<Progress>(what, total);
+  return [line] {
+    line->Advance();
+  };
 }
 
 }  // namespace bulletnav::bench

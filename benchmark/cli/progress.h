@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <chrono>
+#include <functional>
 #include <mutex>
 #include <string>
 
@@ -33,5 +34,8 @@ class Progress {
   Clock::time_point start_;
   Clock::time_point last_;
 };
+
+/// A new one, and what to call for each that is done.
+std::function<void()> StartLine(const std::string& what, int total);
 
 }  // namespace bulletnav::bench

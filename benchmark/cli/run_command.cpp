@@ -32,12 +32,7 @@ struct RunCommandOptions {
 
 RunHooks MakeHooks(RunProgress* progress) {
   RunHooks hooks;
-  hooks.prepare = [](const std::string& what, int total) {
-    const auto line = std::make_shared<Progress>(what, total);
-    return [line] {
-      line->Advance();
-    };
-  };
+  hooks.prepare = StartLine;
   hooks.begin = [progress](std::size_t total, std::span<const EpisodeResult> before) {
     progress->Begin(total, before);
   };

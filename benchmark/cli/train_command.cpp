@@ -9,6 +9,7 @@
 
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/progress.h"
+#include "benchmark/evaluation/program_version.h"
 #include "benchmark/training/mapper_trainer.h"
 #include "benchmark/training/nts_trainer.h"
 #include "benchmark/training/scene_batches.h"
@@ -21,6 +22,10 @@ namespace {
 
 constexpr std::uint64_t kTrainSeed = 0;  // added to the config's
 constexpr std::uint64_t kValidationSeed = 1'000'003;
+
+void MakeHousesOf(const DataConfig& data) {
+  if (data.more_houses) MakeHouses(*data.more_houses, CommittedVersion(), 0, StartLine);
+}
 
 SceneBatches Batches(const TrainPlan& plan, const DataConfig& data, bool with_depth,
                      double near_batches, std::uint64_t seed) {
@@ -35,6 +40,8 @@ SceneBatches Batches(const TrainPlan& plan, const DataConfig& data, bool with_de
 void Train(const std::filesystem::path& file, const TrainTask& task, bool with_depth) {
   const TrainPlan& plan = task.plan;
   if (!plan.data) throw sim::FileError(file, "", "has no block 'data'; see configs/train");
+  MakeHousesOf(*plan.data);
+  MakeHousesOf(ValidationData(plan));
   const SceneBatches train =
       Batches(plan, *plan.data, with_depth, plan.near_batches.value_or(0.0), kTrainSeed);
   const SceneBatches validation =

@@ -64,11 +64,6 @@ void Resolve(const YamlNode& node, AgentEntry* entry) {
 
 }  // namespace
 
-void HousesSpec::Validate() const {
-  if (folder.empty()) throw KeyError("folder", "'folder' is empty; name a folder for the houses");
-  if (count < 1 || count > 9999) throw KeyError("count", "count must lie between 1 and 9999");
-}
-
 void TimeBudget::Validate() const {
   if (!(call_s > 0.0 && episode_s > 0.0)) throw Error("time budgets must be positive");
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "benchmark/episodes/generator.h"
+#include "benchmark/episodes/made_houses.h"
 #include "benchmark/evaluation/privileged/mixed_semantic_model.h"
 #include "sim/noise/noise_model.h"
 #include "sim/simulator.h"
@@ -47,21 +48,6 @@ struct bulletnav::sim::EnumNames<bulletnav::bench::Condition> {
 };
 
 namespace bulletnav::bench {
-
-/// Houses that are generated if the folder has none yet; see sim::HouseSetSpec.
-struct HousesSpec {
-  std::string folder;
-  int count = 86;
-  std::uint64_t first_seed = 0;
-
-  template <class V>
-  void Visit(V& v) {
-    v.Required("folder", folder);
-    v("count", count);
-    v("first_seed", first_seed);
-  }
-  void Validate() const;
-};
 
 /// How a file of episodes is drawn if it is not there; see GeneratorSpec.
 struct DrawSpec {

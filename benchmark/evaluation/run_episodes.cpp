@@ -8,20 +8,12 @@
 #include "benchmark/evaluation/program_version.h"
 #include "benchmark/evaluation/run_agents.h"
 #include "sim/base/error.h"
-#include "sim/house/house_set.h"
 #include "sim/threads/worker_pool.h"
 
 namespace bulletnav::bench {
 namespace {
 
 namespace fs = std::filesystem;
-
-void GenerateHouses(const HousesSpec& houses, int workers, const StartProgress& start) {
-  const sim::HouseSetSpec spec{houses.count, houses.first_seed, workers, CommittedVersion()};
-  if (sim::HasHouseSet(houses.folder, spec)) return;
-  const int unmade = sim::CountUnmade(houses.folder, spec);
-  sim::WriteHouseSet(houses.folder, spec, start("generating houses", unmade));
-}
 
 /// Whether episodes had to be drawn.
 bool DrawEpisodes(const RunConfig& config, int workers, const StartProgress& start) {
@@ -101,7 +93,7 @@ void CheckEpisodes(const RunConfig& config, const RunEpisodes& all, int workers,
 
 RunEpisodes PrepareEpisodes(RunConfig* config, std::optional<int> first, int workers,
                             const StartProgress& start) {
-  if (config->houses) GenerateHouses(*config->houses, workers, start);
+  if (config->houses) MakeHouses(*config->houses, CommittedVersion(), workers, start);
   const bool drawn = DrawEpisodes(*config, workers, start);
   RunEpisodes all;
   EpisodeSet set = ReadEpisodes(config->episodes.file);

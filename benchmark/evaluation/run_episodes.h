@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "benchmark/episodes/episode.h"
+#include "benchmark/episodes/made_houses.h"
 #include "benchmark/evaluation/run_config.h"
 
 namespace bulletnav::bench {
-
-/// Begins to tell about `total` pieces of work; what it returns is called after each, from any
-/// thread.
-using StartProgress = std::function<std::function<void()>(const std::string& what, int total)>;
 
 /// The episodes of a run and where their scenes are.
 struct RunEpisodes {

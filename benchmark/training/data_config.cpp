@@ -17,7 +17,9 @@ constexpr int kMostPoints = 2000;  // 64 MB of labels a scene
 }  // namespace
 
 void DataConfig::Validate() const {
-  if (scenes.empty() && !houses) throw Error("names no scenes; give 'scenes' or 'houses'");
+  if (scenes.empty() && !houses && !more_houses) {
+    throw Error("names no scenes; give 'scenes', 'houses' or 'more_houses'");
+  }
   if (points < 1 || points > kMostPoints) throw Error("points must lie between 1 and 2000");
   if (cache.empty()) throw Error("'cache' is empty; name a folder for the labels");
   if (!(target_slack >= 0.0 && target_slack <= 0.5)) {
@@ -46,13 +48,19 @@ std::vector<fs::path> ScenesOf(const DataConfig& config) {
   spec.scenes = config.scenes;
   if (config.houses) spec.houses = HouseSelection{config.houses->index, config.houses->split};
   const std::vector<std::string> files = ScenesOf(spec);
-  return {files.begin(), files.end()};
+  std::vector<fs::path> scenes(files.begin(), files.end());
+  if (config.more_houses) {
+    const std::vector<fs::path> more = FilesOf(*config.more_houses);
+    scenes.insert(scenes.end(), more.begin(), more.end());
+  }
+  return scenes;
 }
 
 std::uint64_t LabelsKey(const DataConfig& config) {
   DataConfig relevant = config;
   relevant.scenes.clear();
   relevant.houses.reset();
+  relevant.more_houses.reset();
   relevant.cache.clear();
   return sim::Hash64(sim::ToYaml(relevant));
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "benchmark/episodes/import_spec.h"
+#include "benchmark/episodes/made_houses.h"
 #include "sim/navmesh/navmesh.h"
 #include "sim/physics/body_spec.h"
 #include "sim/render/projection.h"
@@ -46,10 +47,11 @@ struct DataHouses {
 /// What supervised data are made from: the block `data` of a training's config.
 /// Default: 300 points a scene. Source: Neural Topological SLAM, section 5.
 struct DataConfig {
-  std::vector<std::string> scenes;   // mesh files
-  std::optional<DataHouses> houses;  // in addition
-  ImportSpec import;                 // of all scenes
-  int points = 300;                  // a scene; all ordered pairs of them are labelled
+  std::vector<std::string> scenes;        // mesh files
+  std::optional<DataHouses> houses;       // in addition
+  std::optional<HousesSpec> more_houses;  // in addition, all of them; made if they are not there
+  ImportSpec import;                      // of all scenes
+  int points = 300;                       // a scene; all ordered pairs of them are labelled
   std::uint64_t seed = 0;
   HiddenFloor hidden = HiddenFloor::kFree;
   /// Metres that the nearest free floor may lie beside the point 3 m away in a direction, for those
@@ -64,6 +66,7 @@ struct DataConfig {
   void Visit(V& v) {
     v("scenes", scenes);
     v("houses", houses);
+    v("more_houses", more_houses);
     v("import", import);
     v("points", points);
     v("seed", seed);
@@ -81,8 +84,8 @@ struct DataConfig {
 /// Throws sim::FileError at file:line:column.
 DataConfig LoadDataConfig(const std::filesystem::path& file);
 
-/// The mesh files that a config names, houses last. Throws sim::Error for an index that is missing,
-/// damaged or has no house in the split.
+/// The mesh files that a config names: scenes, houses, more houses. Throws sim::Error for an index
+/// that is missing, damaged or has no house in the split.
 std::vector<std::filesystem::path> ScenesOf(const DataConfig& config);
 
 /// A hash of all that the labels of a scene depend on besides the scene; not of which scenes there

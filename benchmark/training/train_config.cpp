@@ -87,6 +87,7 @@ DataConfig ValidationData(const TrainPlan& plan) {
   }
   DataConfig validation = *plan.data;
   validation.scenes.clear();
+  validation.more_houses.reset();
   validation.houses->split = "val";
   return validation;
 }

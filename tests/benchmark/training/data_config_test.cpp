@@ -43,6 +43,9 @@ TEST(DataConfigTest, BadValuesAreErrorsAtTheirPlace) {
   EXPECT_THAT(Complaint("data:\n  scenes: [a.glb]\n  pionts: 3\n"),
               AllOf(HasSubstr("c.yaml:3:"), HasSubstr("points")));
   EXPECT_THAT(Complaint("data: {points: 3}\n"), HasSubstr("names no scenes"));
+  EXPECT_EQ(Complaint("data: {more_houses: {folder: more}}\n"), "nothing");
+  EXPECT_THAT(Complaint("data: {more_houses: {folder: more, count: 0}}\n"),
+              HasSubstr("count must lie"));
   EXPECT_THAT(Complaint("data: {scenes: [a], points: 0}\n"), HasSubstr("points must lie"));
   EXPECT_THAT(Complaint("data: {scenes: [a], cache: ''}\n"), HasSubstr("'cache' is empty"));
   EXPECT_THAT(Complaint("data: {scenes: [a], hidden: maybe}\n"), HasSubstr("free, blocked"));
@@ -55,6 +58,7 @@ TEST(DataConfigTest, ReadsBackAsWritten) {
   DataConfig config;
   config.scenes = {"a.glb"};
   config.houses = DataHouses{"index.json", "val"};
+  config.more_houses = HousesSpec{"more", 136, 5000};
   config.seed = 5;
   const std::string text = sim::ToYaml(config);
   EXPECT_EQ(sim::ToYaml(sim::LoadYamlText<DataConfig>(text, "c.yaml")), text);
@@ -72,11 +76,27 @@ TEST(DataConfigTest, ScenesAndHousesAreListed) {
   EXPECT_THROW(ScenesOf(config), sim::FileError);
 }
 
+TEST(DataConfigTest, MoreHousesComeLastWhateverTheirSplit) {
+  const tests::TemporaryFolder folder;
+  DataConfig config;
+  config.scenes = {"a.glb"};
+  config.more_houses = HousesSpec{folder.path().string(), 2, 7};
+  EXPECT_THROW(ScenesOf(config), sim::FileError) << "not made yet";
+  folder.Write("index.json", R"({"first_seed": 7, "houses": [
+    {"file": "h0.glb", "split": "train", "seed": 7, "rooms": 3, "area_m2": 50},
+    {"file": "h1.glb", "split": "test", "seed": 8, "rooms": 3, "area_m2": 50}]})");
+  EXPECT_THAT(ScenesOf(config),
+              ElementsAre("a.glb", folder.path() / "h0.glb", folder.path() / "h1.glb"));
+  config.more_houses->first_seed = 8;
+  EXPECT_THROW(ScenesOf(config), sim::FileError) << "others";
+}
+
 TEST(DataConfigTest, TheKeyDependsOnWhatLabelsDependOn) {
   const DataConfig config;
   DataConfig other = config;
   other.scenes = {"a.glb"};
   other.cache = "elsewhere";
+  other.more_houses = HousesSpec{"more", 136, 5000};
   EXPECT_EQ(LabelsKey(other), LabelsKey(config));
   const auto key_with = [&](const auto& change) {
     DataConfig changed = config;

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/episodes/made_houses.h"
+
+#include "sim/base/error.h"
+#include "sim/house/house_set.h"
+
+namespace bulletnav::bench {
+namespace {
+
+using sim::KeyError;
+
+sim::HouseSetSpec SetOf(const HousesSpec& houses) {
+  return {.count = houses.count, .first_seed = houses.first_seed};
+}
+
+}  // namespace
+
+void HousesSpec::Validate() const {
+  if (folder.empty()) throw KeyError("folder", "'folder' is empty; name a folder for the houses");
+  if (count < 1 || count > 9999) throw KeyError("count", "count must lie between 1 and 9999");
+}
+
+void MakeHouses(const HousesSpec& houses, const std::string& made_by, int workers,
+                const StartProgress& start) {
+  sim::HouseSetSpec set = SetOf(houses);
+  if (sim::HasHouseSet(houses.folder, set)) return;
+  set.made_by = made_by;
+  set.workers = workers;
+  const int unmade = sim::CountUnmade(houses.folder, set);
+  sim::WriteHouseSet(houses.folder, set, start("generating houses", unmade));
+}
+
+std::vector<std::filesystem::path> FilesOf(const HousesSpec& houses) {
+  const std::filesystem::path folder = houses.folder;
+  if (!sim::HasHouseSet(folder, SetOf(houses))) {
+    throw sim::FileError(folder, "", "holds no houses yet; bulletnav train and bulletnav dataset make them");
+  }
+  std::vector<std::filesystem::path> files;
+  for (const sim::HouseEntry& house : sim::ReadHouseIndex(folder / "index.json")) {
+    files.push_back(folder / house.file);
+  }
+  return files;
+}
+
+}  // namespace bulletnav::bench
