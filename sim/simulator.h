@@ -27,8 +27,9 @@ struct SimulatorSpec {
 
 /// One body with a camera in a world; many may share the world, in any threads.
 ///   Simulator simulator(World::Load("house.glb"), {});
-///   const Observation& first = simulator.Reset(pose);
-///   const Observation& next = simulator.Step(Action::kMoveForward);
+///   Observation observation = simulator.Reset(pose);
+///   observation = simulator.Step(Action::kMoveForward);
+/// What both return is valid until the next of them.
 /// Cost of a step: one panorama; physics and noise are some tens of microseconds.
 class Simulator {
  public:

@@ -85,9 +85,7 @@ void AddDatasetCommand(CLI::App* program) {
       ->check(CLI::Range(1, 2000));
   command->callback([options] {
     const DataConfig config = LoadDataConfig(options->config);
-    if (config.more_houses) {
-      MakeHouses(*config.more_houses, CommittedVersion(), options->workers, StartLine);
-    }
+    MakeHousesOf(config, CommittedVersion(), options->workers, StartLine);
     if (options->draw.empty()) {
       MakeLabels(config, options->workers);
     } else {

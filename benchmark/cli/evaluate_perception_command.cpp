@@ -46,6 +46,7 @@ std::vector<SceneCases> Ask(const PerceptionConfig& config, const fs::path& weig
     return std::make_shared<agent::LearnedModel>(weights, rig);
   };
   make_model();  // before scenes are loaded: tells at once what is wrong with the weights
+  MakeHousesOf(config.data, CommittedVersion(), workers, StartLine);
   const auto scenes = static_cast<int>(ScenesOf(config.data).size());
   Progress progress("places", scenes * config.data.points);
   CasesProgress telling;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <memory>
 
@@ -23,25 +24,31 @@ namespace {
 constexpr std::uint64_t kTrainSeed = 0;  // added to the config's
 constexpr std::uint64_t kValidationSeed = 1'000'003;
 
-void MakeHousesOf(const DataConfig& data) {
-  if (data.more_houses) MakeHouses(*data.more_houses, CommittedVersion(), 0, StartLine);
-}
-
 SceneBatches Batches(const TrainPlan& plan, const DataConfig& data, bool with_depth,
                      double near_batches, std::uint64_t seed) {
-  Progress progress("labelling scenes", static_cast<int>(ScenesOf(data).size()));
-  const BatchSpec spec = {plan.panoramas, with_depth, near_batches, plan.seed + seed};
-  return {data, spec, [&](const LabelledScene& scene) {
-            if (!scene.note.empty()) fmt::print(stderr, "{}\n", scene.note);
-            progress.Advance();
-          }};
+  const auto scenes = static_cast<int>(ScenesOf(data).size());
+  const auto labelled = StartLine("labelling scenes", scenes);
+  std::function<void()> loaded;
+  BatchesProgress progress;
+  progress.on_labelled = [&](const LabelledScene& scene) {
+    if (!scene.note.empty()) fmt::print(stderr, "{}\n", scene.note);
+    labelled();
+  };
+  progress.on_loading = [&] {
+    loaded = StartLine("loading scenes", scenes);
+  };
+  progress.on_loaded = [&] {
+    loaded();
+  };
+  return {data, {plan.panoramas, with_depth, near_batches, plan.seed + seed}, progress};
 }
 
 void Train(const std::filesystem::path& file, const TrainTask& task, bool with_depth) {
   const TrainPlan& plan = task.plan;
   if (!plan.data) throw sim::FileError(file, "", "has no block 'data'; see configs/train");
-  MakeHousesOf(*plan.data);
-  MakeHousesOf(ValidationData(plan));
+  for (const DataConfig& data : {*plan.data, ValidationData(plan)}) {
+    MakeHousesOf(data, CommittedVersion(), 0, StartLine);
+  }
   const SceneBatches train =
       Batches(plan, *plan.data, with_depth, plan.near_batches.value_or(0.0), kTrainSeed);
   const SceneBatches validation =

@@ -162,17 +162,26 @@ std::optional<std::int64_t> FramesTrained(const fs::path& weights) {
 }
 
 /// Whether results that were saved with this config are of the weights that are there now.
-bool IsOfTheseWeights(const RunConfig& config, Setting setting, const fs::path& weights) {
+bool IsOfTheseWeights(const RunConfig& config, const std::string& key, const fs::path& weights) {
   if (!config.fingerprints) return true;
-  const auto saved = config.fingerprints->weights.find(std::string(sim::NameOf(setting)));
+  const auto saved = config.fingerprints->weights.find(key);
   return saved == config.fingerprints->weights.end() || saved->second == FileHash(weights);
 }
 
+/// Those of the semantic functions and of the mapper, where it is used.
 void NoteFrames(const RunConfig& config, Setting setting, RunAgent* agent) {
-  const fs::path weights = FindWeights(agent->weights.of(setting));
-  const auto frames = FramesTrained(weights);
-  if (!frames || !IsOfTheseWeights(config, setting, weights)) return;
-  agent->frames_trained[std::string(sim::NameOf(setting))] = *frames;
+  const std::string key(sim::NameOf(setting));
+  std::map<std::string, fs::path> used = {{key, FindWeights(agent->weights.of(setting))}};
+  if (TakesMapper(agent->entry, setting)) {
+    if (const auto mapper = FindIfThere(agent->weights.mapper)) used["mapper"] = *mapper;
+  }
+  std::int64_t sum = 0;
+  for (const auto& [name, weights] : used) {
+    const auto frames = FramesTrained(weights);
+    if (!frames || !IsOfTheseWeights(config, name, weights)) return;
+    sum += *frames;
+  }
+  agent->frames_trained[key] = sum;
 }
 
 RunAgent FindAgent(const RunConfig& config, const AgentEntry& entry, const ModelLoaders& loaders) {

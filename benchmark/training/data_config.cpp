@@ -16,6 +16,15 @@ constexpr int kMostPoints = 2000;  // 64 MB of labels a scene
 
 }  // namespace
 
+void DataHouses::Validate() const {
+  if (count < 0 || count > 9999) {
+    throw sim::KeyError("count", "count must lie between 0 and 9999");
+  }
+  if (count > 0 && fs::path(index).filename() != "index.json") {
+    throw sim::KeyError("index", "houses are generated with an index.json; name that");
+  }
+}
+
 void DataConfig::Validate() const {
   if (scenes.empty() && !houses && !more_houses) {
     throw Error("names no scenes; give 'scenes', 'houses' or 'more_houses'");
@@ -41,6 +50,16 @@ DataConfig LoadDataConfig(const fs::path& file) {
   DataConfig config;
   sim::YamlReader::Read(root.Child(map["data"]), config);
   return config;
+}
+
+void MakeHousesOf(const DataConfig& config, const std::string& made_by, int workers,
+                  const StartProgress& start) {
+  if (config.houses && config.houses->count > 0 && !fs::exists(config.houses->index)) {
+    const fs::path folder = fs::path(config.houses->index).parent_path();
+    MakeHouses({folder.empty() ? "." : folder.string(), config.houses->count}, made_by, workers,
+               start);
+  }
+  if (config.more_houses) MakeHouses(*config.more_houses, made_by, workers, start);
 }
 
 std::vector<fs::path> ScenesOf(const DataConfig& config) {

@@ -36,12 +36,15 @@ namespace bulletnav::bench {
 struct DataHouses {
   std::string index;
   std::string split = "train";
+  int count = 0;  // so many are generated, from seed 0 on, if there is no index; 0: none
 
   template <class V>
   void Visit(V& v) {
     v.Required("index", index);
     v("split", split);
+    v("count", count);
   }
+  void Validate() const;
 };
 
 /// What supervised data are made from: the block `data` of a training's config.
@@ -83,6 +86,11 @@ struct DataConfig {
 /// Reads the block `data` of a file and nothing else of it, so that a training's config will do.
 /// Throws sim::FileError at file:line:column.
 DataConfig LoadDataConfig(const std::filesystem::path& file);
+
+/// Generates the houses of a config that it says how to make and that are not there yet; see
+/// MakeHouses.
+void MakeHousesOf(const DataConfig& config, const std::string& made_by, int workers,
+                  const StartProgress& start);
 
 /// The mesh files that a config names: scenes, houses, more houses. Throws sim::Error for an index
 /// that is missing, damaged or has no house in the split.

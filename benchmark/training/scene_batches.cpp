@@ -2,13 +2,13 @@
 #include "benchmark/training/scene_batches.h"
 
 #include <algorithm>
-#include <mutex>
 #include <numeric>
 #include <string>
 #include <utility>
 
 #include "sim/base/error.h"
 #include "sim/math/rng.h"
+#include "sim/threads/worker_pool.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -59,24 +59,26 @@ void AddPair(const SceneSamples& samples, int source, int goal, PairBatch* batch
 }  // namespace
 
 SceneBatches::SceneBatches(const DataConfig& config, const BatchSpec& spec,
-                           const std::function<void(const LabelledScene&)>& advance)
+                           const BatchesProgress& progress)
     : spec_(spec), pixels_(config.panorama.pixels()) {
-  std::mutex telling;
-  std::vector<LabelledScene> labelled = LabelScenes(config, 0, [&](const LabelledScene& scene) {
-    const std::lock_guard lock(telling);
-    advance(scene);
-  });
-  for (LabelledScene& one : labelled) {
-    if (one.samples.count() < spec.panoramas) {
-      throw sim::Error(one.file.string() + " has " + std::to_string(one.samples.count()) +
-                       " labelled points, fewer than a batch of " + std::to_string(spec.panoramas));
-    }
-    Scene& scene = scenes_.emplace_back();
+  std::vector<LabelledScene> labelled = LabelScenes(config, 0, progress.on_labelled);
+  for (const LabelledScene& one : labelled) {
+    if (one.samples.count() >= spec.panoramas) continue;
+    throw sim::Error(one.file.string() + " has " + std::to_string(one.samples.count()) +
+                     " labelled points, fewer than a batch of " + std::to_string(spec.panoramas));
+  }
+  if (progress.on_loading) progress.on_loading();
+  scenes_.resize(labelled.size());
+  sim::WorkerPool pool(0);
+  pool.ForEach(static_cast<int>(labelled.size()), [&](int task, int /*worker*/) {
+    LabelledScene& one = labelled[static_cast<std::size_t>(task)];
+    Scene& scene = scenes_[static_cast<std::size_t>(task)];
     scene.samples = std::move(one.samples);
     scene.render = LoadForPanoramas(one.file, config);
     scene.panoramas = std::make_unique<ScenePanoramas>(*scene.render, config);
     scene.drawing = std::make_unique<std::mutex>();
-  }
+    if (progress.on_loaded) progress.on_loaded();
+  });
 }
 
 PairBatch SceneBatches::Batch(std::uint64_t number) const {

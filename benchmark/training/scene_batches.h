@@ -20,15 +20,21 @@ struct BatchSpec {
   std::uint64_t seed = 0;
 };
 
+/// What happens while batches are prepared; any may be empty. Called from any thread.
+struct BatchesProgress {
+  std::function<void(const LabelledScene&)> on_labelled;
+  std::function<void()> on_loading;  // once, when all are labelled
+  std::function<void()> on_loaded;   // a scene
+};
+
 /// Batches from labelled scenes: each of random points of one random scene, the panoramas drawn
 /// anew. Batch(number) is a function of config, seed and number. All scenes are kept in memory,
-/// about 50 MB each.
+/// about 25 MB each.
 class SceneBatches final : public BatchSource {
  public:
-  /// Labels scenes that are not yet, loads all of them, with a call of `advance` after each.
+  /// Labels scenes that are not yet, and loads all of them.
   /// Throws sim::Error: see LabelScene; also if a scene has fewer points than panoramas.
-  SceneBatches(const DataConfig& config, const BatchSpec& spec,
-               const std::function<void(const LabelledScene&)>& advance);
+  SceneBatches(const DataConfig& config, const BatchSpec& spec, const BatchesProgress& progress);
 
   PairBatch Batch(std::uint64_t number) const override;
 

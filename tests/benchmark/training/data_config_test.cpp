@@ -46,6 +46,8 @@ TEST(DataConfigTest, BadValuesAreErrorsAtTheirPlace) {
   EXPECT_EQ(Complaint("data: {more_houses: {folder: more}}\n"), "nothing");
   EXPECT_THAT(Complaint("data: {more_houses: {folder: more, count: 0}}\n"),
               HasSubstr("count must lie"));
+  EXPECT_THAT(Complaint("data: {houses: {index: my.json, count: 3}}\n"),
+              HasSubstr("index.json; name that"));
   EXPECT_THAT(Complaint("data: {scenes: [a], points: 0}\n"), HasSubstr("points must lie"));
   EXPECT_THAT(Complaint("data: {scenes: [a], cache: ''}\n"), HasSubstr("'cache' is empty"));
   EXPECT_THAT(Complaint("data: {scenes: [a], hidden: maybe}\n"), HasSubstr("free, blocked"));
@@ -74,6 +76,25 @@ TEST(DataConfigTest, ScenesAndHousesAreListed) {
   EXPECT_THAT(ScenesOf(config), ElementsAre("a.glb", folder.path() / "h0.glb"));
   config.houses->split = "val";
   EXPECT_THROW(ScenesOf(config), sim::FileError);
+}
+
+TEST(DataConfigTest, HousesAreMadeOnlyWhereThereIsNoIndex) {
+  const tests::TemporaryFolder folder;
+  DataConfig config;
+  config.houses = DataHouses{(folder.path() / "index.json").string(), "train", 2};
+  std::vector<std::string> begun;
+  const StartProgress start = [&](const std::string& what, int total) {
+    begun.push_back(what + " " + std::to_string(total));
+    throw sim::Error("enough");
+    return std::function<void()>();
+  };
+  EXPECT_THROW(MakeHousesOf(config, "", 1, start), sim::Error);
+  EXPECT_THAT(begun, ElementsAre("generating houses 2"));
+  folder.Write("index.json", "{}");
+  MakeHousesOf(config, "", 1, start);
+  config.houses = DataHouses{"nowhere/index.json"};
+  MakeHousesOf(config, "", 1, start);
+  EXPECT_EQ(begun.size(), 1u);
 }
 
 TEST(DataConfigTest, MoreHousesComeLastWhateverTheirSplit) {

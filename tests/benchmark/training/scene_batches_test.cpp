@@ -27,7 +27,7 @@ class SceneBatchesTest : public testing::Test {
     config_.scenes.push_back(file.string());
   }
   SceneBatches Make(int panoramas, std::uint64_t seed = 1, double near_batches = 0.0) const {
-    return {config_, {panoramas, true, near_batches, seed}, [](const LabelledScene&) {}};
+    return {config_, {panoramas, true, near_batches, seed}, {}};
   }
 
   tests::TemporaryFolder folder_;
