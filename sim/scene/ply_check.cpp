@@ -30,7 +30,7 @@ class PlyChecker {
   PlyChecker(const std::filesystem::path& file, std::span<const std::uint8_t> bytes)
       : file_(file),
         text_(reinterpret_cast<const char*>(bytes.data()), std::min(bytes.size(), kLongestHeader)),
-        size_(bytes.size()) {}
+        all_(reinterpret_cast<const char*>(bytes.data()), bytes.size()) {}
 
   void Check() {
     if (Line() != "ply") Fail("does not start with 'ply'");
@@ -43,9 +43,10 @@ class PlyChecker {
       if (keyword == "property") ReadProperty(&words);
     }
     FinishElement();
-    if (least_bytes_ > size_ - at_) {
+    if (least_bytes_ > all_.size() - at_) {
       Fail("announces more data than the file holds; it is cut off or damaged");
     }
+    if (is_ascii_) CheckNumbers();
   }
 
  private:
@@ -61,6 +62,16 @@ class PlyChecker {
     if (line.ends_with('\r')) line.pop_back();
     at_ = end + 1;
     return line;
+  }
+
+  /// A library that reads text as numbers may lose its way in anything else.
+  void CheckNumbers() {
+    const std::size_t odd = all_.find_first_not_of("0123456789+-.eEnNaAiIfFtTyY \t\r\n", at_);
+    if (odd == std::string_view::npos) return;
+    line_ +=
+        1 + static_cast<int>(std::count(all_.begin() + static_cast<std::ptrdiff_t>(at_),
+                                        all_.begin() + static_cast<std::ptrdiff_t>(odd), '\n'));
+    Fail("holds what is no number; it is damaged");
   }
 
   void ReadFormat(std::istringstream* words) {
@@ -96,8 +107,8 @@ class PlyChecker {
   }
 
   const std::filesystem::path& file_;
-  std::string_view text_;
-  std::size_t size_;
+  std::string_view text_;  // the beginning, where the header ends
+  std::string_view all_;
   std::size_t at_ = 0;
   int line_ = 0;
   bool is_ascii_ = false;

@@ -132,21 +132,22 @@ TEST(Import, PlyWithVertexColoursIsTurnedUpright) {
   EXPECT_TRUE(has_red);
 }
 
+const std::string kColladaFloor =
+    "<?xml version='1.0'?><COLLADA xmlns='http://www.collada.org/2005/11/COLLADASchema' "
+    "version='1.4.1'><asset><unit name='meter' meter='1'/><up_axis>Z_UP</up_axis></asset>"
+    "<library_geometries><geometry id='g'><mesh><source id='p'><float_array id='pa' "
+    "count='12'>0 0 0 4 0 0 4 6 0 0 6 0</float_array><technique_common><accessor "
+    "source='#pa' count='4' stride='3'><param name='X' type='float'/><param name='Y' "
+    "type='float'/><param name='Z' type='float'/></accessor></technique_common></source>"
+    "<vertices id='v'><input semantic='POSITION' source='#p'/></vertices><triangles count='2'>"
+    "<input semantic='VERTEX' source='#v' offset='0'/><p>0 1 2 0 2 3</p></triangles></mesh>"
+    "</geometry></library_geometries><library_visual_scenes><visual_scene id='s'><node id='n'>"
+    "<instance_geometry url='#g'/></node></visual_scene></library_visual_scenes><scene>"
+    "<instance_visual_scene url='#s'/></scene></COLLADA>";
+
 TEST(Import, ColladaFollowsItsOwnUpAxis) {
   const TemporaryFolder folder;
-  const auto file = folder.Write(
-      "floor.dae",
-      "<?xml version='1.0'?><COLLADA xmlns='http://www.collada.org/2005/11/COLLADASchema' "
-      "version='1.4.1'><asset><unit name='meter' meter='1'/><up_axis>Z_UP</up_axis></asset>"
-      "<library_geometries><geometry id='g'><mesh><source id='p'><float_array id='pa' "
-      "count='12'>0 0 0 4 0 0 4 6 0 0 6 0</float_array><technique_common><accessor "
-      "source='#pa' count='4' stride='3'><param name='X' type='float'/><param name='Y' "
-      "type='float'/><param name='Z' type='float'/></accessor></technique_common></source>"
-      "<vertices id='v'><input semantic='POSITION' source='#p'/></vertices><triangles count='2'>"
-      "<input semantic='VERTEX' source='#v' offset='0'/><p>0 1 2 0 2 3</p></triangles></mesh>"
-      "</geometry></library_geometries><library_visual_scenes><visual_scene id='s'><node id='n'>"
-      "<instance_geometry url='#g'/></node></visual_scene></library_visual_scenes><scene>"
-      "<instance_visual_scene url='#s'/></scene></COLLADA>");
+  const auto file = folder.Write("floor.dae", kColladaFloor);
   const ImportedScene scene = ImportScene(file);
   EXPECT_NEAR(scene.report.extent_m.x(), 4.0f, 1e-4f);
   EXPECT_NEAR(scene.report.extent_m.y(), 0.0f, 1e-4f);
@@ -436,12 +437,15 @@ TEST(Import, IndicesOutOfRangeAreFoundInThemToo) {
 /// Whatever the bytes are, an import ends in a scene or in an error of one line, not in a crash
 /// that only the child process hides; a sanitizer's stop is one.
 TEST(Import, RandomDamageEndsInAnError) {
-  const std::pair<const char*, std::string> originals[] = {
-      {"a.glb", Glb()}, {"a.obj", kRoomObj}, {"a.ply", kAsciiPly}};
+  const std::pair<const char*, std::string> originals[] = {{"a.glb", Glb()},
+                                                           {"a.obj", kRoomObj},
+                                                           {"a.ply", kAsciiPly},
+                                                           {"a.dae", kColladaFloor},
+                                                           {"a.gltf", FloorGltf(FloorUri(3))}};
   Rng rng(1, "damage");
   const TemporaryFolder folder;
-  for (int i = 0; i < 90; ++i) {
-    auto [name, bytes] = originals[i % 3];
+  for (int i = 0; i < 150; ++i) {
+    auto [name, bytes] = originals[i % 5];
     for (int k = 0; k <= rng.Below(5); ++k) {
       const auto at = static_cast<std::size_t>(rng.Below(static_cast<int>(bytes.size())));
       bytes[at] = static_cast<char>(rng.Next());
@@ -450,7 +454,7 @@ TEST(Import, RandomDamageEndsInAnError) {
     }
     const std::string error = ErrorOf(folder.Write(name, bytes));
     EXPECT_THAT(error, testing::Not(HasSubstr("\n")));
-    EXPECT_THAT(error, testing::Not(HasSubstr("reading it fails"))) << "the child crashed";
+    EXPECT_THAT(error, testing::Not(HasSubstr("reading it fails"))) << "the child crashed on\n" << bytes;
   }
 }
 
