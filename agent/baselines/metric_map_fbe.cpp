@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <optional>
 
-#include "agent/mapping/goal_track.h"
+#include "agent/mapping/goal_approach.h"
 #include "agent/mapping/map_navigator.h"
 #include "agent/perception/model_goal_estimator.h"
 #include "agent/registry.h"
@@ -23,7 +23,7 @@ class MetricMapFbeAgent final : public Agent {
     NavigatorSpec navigator;
     double goal_seen = 0.5;        // probability from which a semantic model sees the goal
     int sightings = 2;             // of the goal that must agree
-    double stop_distance = 0.5;    // metres to walk to the goal; episodes ask for less than 1
+    double stop_distance = 0.5;    // metres to the goal, by F_R; episodes ask for less than 1
     double stop_certainty = 0.95;  // probability that it is the goal, to stop there
 
     template <class V>
@@ -48,7 +48,7 @@ class MetricMapFbeAgent final : public Agent {
       : config_(config),
         navigator_(context.rig, config.navigator, context.mapper),
         estimator_(context.goal_estimator),
-        goal_at_(config.sightings, config.stop_certainty) {
+        approach_(ApproachOf(config)) {
     if (!estimator_ && context.semantic_model) {
       estimator_ = std::make_shared<ModelGoalEstimator>(context.semantic_model, config.goal_seen);
     }
@@ -67,20 +67,15 @@ class MetricMapFbeAgent final : public Agent {
   void NextGoal(const Panorama& goal, std::uint64_t seed) override {
     goal_ = goal;
     rng_ = sim::Rng(seed, kName);
-    goal_at_.Reset();
+    approach_.Reset();
     target_.reset();
   }
 
   sim::Action Act(const Observation& observation) override {
     navigator_.Observe(observation);
-    const auto seen = estimator_->Estimate(observation.panorama, goal_);
-    if (seen) {
-      goal_at_.Add(navigator_.PointAt(seen->distance, seen->bearing), seen->distance,
-                   seen->certainty);
-    }
-    target_ = goal_at_.point();
-    std::optional<sim::Action> action;
-    if (target_) action = Approach(seen && seen->certainty >= config_.stop_certainty);
+    approach_.See(estimator_->Estimate(observation.panorama, goal_), navigator_);
+    target_ = approach_.target();
+    std::optional<sim::Action> action = approach_.Act(&navigator_);
     if (!action) action = Explore();
     navigator_.Took(*action);
     return *action;
@@ -93,14 +88,12 @@ class MetricMapFbeAgent final : public Agent {
   }
 
  private:
-  /// Absent if there is no way there, or the goal is not where it was taken to be.
-  std::optional<sim::Action> Approach(bool is_certain) {
-    const auto plan = navigator_.Plan(*target_, true);
-    if (!plan) return std::nullopt;
-    if (is_certain && plan->distance <= config_.stop_distance) return sim::Action::kStop;
-    if (plan->distance > kAtGoal) return navigator_.Steer(plan->point);
-    goal_at_.Refute();
-    return std::nullopt;
+  static ApproachSpec ApproachOf(const Config& config) {
+    ApproachSpec spec;
+    spec.sightings = config.sightings;
+    spec.stop_distance = config.stop_distance;
+    spec.stop_certainty = config.stop_certainty;
+    return spec;
   }
 
   sim::Action Explore() {
@@ -125,7 +118,7 @@ class MetricMapFbeAgent final : public Agent {
   std::shared_ptr<GoalEstimator> estimator_;
   Panorama goal_;
   sim::Rng rng_{0, kName};
-  GoalTrack goal_at_;
+  GoalApproach approach_;
   std::optional<Point> target_;
 };
 

@@ -2,8 +2,9 @@
 #include <algorithm>
 #include <array>
 
+#include "agent/mapping/goal_approach.h"
+#include "agent/mapping/progress_watch.h"
 #include "agent/nts/nts_agent.h"
-#include "agent/nts/progress_watch.h"
 #include "agent/perception/relative_pose.h"
 #include "agent/registry.h"
 #include "sim/base/error.h"
@@ -11,9 +12,9 @@
 namespace bulletnav::agent {
 namespace {
 
-/// Neural Topological SLAM without memory: goes where the present panorama has the highest score,
-/// and looks anew when it has got there: the ablation "NTS w/o Graph" of section 6.1. Its local
-/// policy keeps its metric map.
+/// Neural Topological SLAM without its graph: goes where the present panorama has the highest
+/// score, and looks anew when it has got there: the ablation "NTS w/o Graph" of section 6.1. Its
+/// local policy keeps its metric map, and a goal that it sees is gone to as by the others.
 class NtsWithoutGraph final : public Agent {
  public:
   static constexpr std::string_view kName = "nts_without_graph";
@@ -22,6 +23,7 @@ class NtsWithoutGraph final : public Agent {
     NavigatorSpec navigator;
     double explorable = 0.5;       // probability from which a direction may be taken
     double goal_seen = 0.5;        // probability from which the goal is gone to
+    int sightings = 2;             // of the goal that must agree
     double stop_distance = 0.5;    // metres, by F_R
     double stop_certainty = 0.95;  // probability that it is the goal, to stop there
     double walk = 2.5;             // metres until it looks anew
@@ -32,6 +34,7 @@ class NtsWithoutGraph final : public Agent {
       v("navigator", navigator);
       v("explorable", explorable);
       v("goal_seen", goal_seen);
+      v("sightings", sightings);
       v("stop_distance", stop_distance);
       v("stop_certainty", stop_certainty);
       v("walk", walk);
@@ -45,6 +48,7 @@ class NtsWithoutGraph final : public Agent {
         if (probability > 0.0 && probability < 1.0) continue;
         throw sim::Error("explorable, goal_seen and stop_certainty must lie between 0 and 1");
       }
+      if (sightings < 1) throw sim::Error("sightings must be at least 1");
       if (patience < 1) throw sim::Error("patience must be at least 1");
     }
   };
@@ -53,7 +57,8 @@ class NtsWithoutGraph final : public Agent {
       : config_(config),
         model_(RequireModel(context, kName)),
         navigator_(context.rig, config.navigator, context.mapper),
-        watch_(config.patience, kLeastProgress) {}
+        watch_(config.patience, kLeastProgress),
+        approach_(ApproachOf(config)) {}
 
   void Reset(const Panorama& goal, std::uint64_t seed) override {
     navigator_.Reset();
@@ -64,7 +69,9 @@ class NtsWithoutGraph final : public Agent {
     goal_ = model_->Encode({&goal, 1}).front();
     rng_ = sim::Rng(seed, kName);
     watch_.Reset();
+    approach_.Reset();
     target_.reset();
+    shown_.reset();
   }
 
   sim::Action Act(const Observation& observation) override {
@@ -76,27 +83,33 @@ class NtsWithoutGraph final : public Agent {
 
   Belief belief() const override {
     Belief belief{navigator_.pose(), std::nullopt, navigator_.map().Picture()};
-    if (target_) belief.target = sim::PlanarPose{target_->x, target_->y, 0.0};
+    if (shown_) belief.target = sim::PlanarPose{shown_->x, shown_->y, 0.0};
     return belief;
   }
 
  private:
   static constexpr double kLeastProgress = 0.25;  // metres
-  static constexpr int kGoal = -1;                // for the watch
+
+  static ApproachSpec ApproachOf(const Config& config) {
+    ApproachSpec spec;
+    spec.sightings = config.sightings;
+    spec.stop_distance = config.stop_distance;
+    spec.stop_certainty = config.stop_certainty;
+    return spec;
+  }
 
   sim::Action Decide(const PanoramaCode& here) {
     const std::array<const PanoramaCode*, 1> source = {&here};
     const PairPrediction view = model_->Compare(source, goal_).front();
     const bool sees_goal = view.same_node >= config_.goal_seen;
-    if (sees_goal) {
-      const RelativeGoal goal = RelativePoseOf(view);
-      const bool is_certain = goal.certainty >= config_.stop_certainty;
-      if (is_certain && goal.distance <= config_.stop_distance) return sim::Action::kStop;
-      target_ = navigator_.PointAt(goal.distance, goal.bearing);
-      target_number_ = kGoal;
-    } else if (!target_ || target_number_ == kGoal || IsThere()) {
-      ChooseDirection(here, view);
+    approach_.See(sees_goal ? std::optional(RelativePoseOf(view)) : std::nullopt, navigator_);
+    shown_ = approach_.target();
+    if (const auto action = approach_.Act(&navigator_)) {
+      target_.reset();  // from there it looks anew
+      return *action;
     }
+    if (!target_ || IsThere()) ChooseDirection(here, view);
+    shown_ = target_;
     return Walk();
   }
 
@@ -133,7 +146,9 @@ class NtsWithoutGraph final : public Agent {
   ProgressWatch watch_;
   PanoramaCode goal_;
   sim::Rng rng_{0, kName};
-  std::optional<Point> target_;
+  GoalApproach approach_;
+  std::optional<Point> target_;  // at the end of the chosen direction
+  std::optional<Point> shown_;   // what is walked to in this step
   int target_number_ = 0;
 };
 

@@ -20,12 +20,21 @@ class GoalTrack {
 
   void Reset();
   /// `distance`: by F_R, metres; `certainty`: its probability. Sightings far from the mean are left
-  /// out, unless they go on.
-  void Add(const Point& point, double distance, double certainty);
+  /// out, unless they go on. Returns whether the goal is taken to be elsewhere than before.
+  bool Add(const Point& point, double distance, double certainty);
 
   /// The goal turned out not to be at point(): less certain sightings of it there are no news, and
   /// after a second time only such from beside it are.
   void Refute();
+  /// The same of any point; what is known of the goal elsewhere stays.
+  void RefuteAt(const Point& point);
+  /// The body has stopped at point() and it was not the goal: nothing is news there.
+  void RefuteForGood();
+  /// What was refuted, but not for good, counts as news again.
+  void Reconsider() { refuted_.clear(); }
+
+  /// Whether a sighting would be believed.
+  bool IsNews(const Point& point, double distance, double certainty) const;
 
   /// Absent if it has not been seen often enough.
   std::optional<Point> point() const;
@@ -34,11 +43,10 @@ class GoalTrack {
   void Forget();
   void Restart(const Point& point, double weight);
 
-  bool IsNews(const Point& point, double distance, double certainty) const;
-
   int needed_;
   double certainty_;
   std::vector<Point> refuted_;
+  std::vector<Point> vain_;  // refuted for good
   int agreeing_ = 0;
   int astray_ = 0;  // sightings in a row that were left out
   double weight_ = 0.0;

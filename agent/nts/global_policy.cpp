@@ -37,7 +37,8 @@ void GlobalPolicy::Read(TopologicalGraph* graph) {
 }
 
 std::optional<Subgoal> GlobalPolicy::Choose(const TopologicalGraph& graph,
-                                            const Localisation& localisation, const Point& here) {
+                                            const Localisation& localisation, const Point& here,
+                                            const GoalApproach& approach) {
   std::vector<std::pair<int, double>> starts;
   for (const Localisation::Sight& sight : localisation.visible) {
     starts.emplace_back(sight.node, Distance(graph.NodePoint(sight.node), here));
@@ -46,14 +47,15 @@ std::optional<Subgoal> GlobalPolicy::Choose(const TopologicalGraph& graph,
     const int current = localisation.current;
     starts.emplace_back(current, Distance(graph.NodePoint(current), here));
   }
-  const Place place{graph, localisation, here, graph.Routes(starts)};
+  const Place place{graph, localisation, here, graph.Routes(starts), approach};
   if (auto subgoal = ToGoal(place)) return subgoal;
   return ToGhost(place);
 }
 
-bool GlobalPolicy::HasGoal(int node) const {
+bool GlobalPolicy::HasGoal(const Place& place, int node) const {
   const PairPrediction& view = views_[static_cast<std::size_t>(node)];
-  return view.same_node >= spec_.goal_seen && !refuted_.contains(node);
+  return view.same_node >= spec_.goal_seen && !refuted_.contains(node) &&
+         place.approach.MayBeAt(GoalPoint(place.graph, node), view.distance, view.same_node);
 }
 
 Point GlobalPolicy::GoalPoint(const TopologicalGraph& graph, int node) const {
@@ -65,14 +67,17 @@ Point GlobalPolicy::GoalPoint(const TopologicalGraph& graph, int node) const {
 
 std::optional<Subgoal> GlobalPolicy::ToGoal(const Place& place) const {
   std::optional<int> best;
+  double best_all = 0.0;
   double best_way = 0.0;
   for (int i = 0; i < static_cast<int>(views_.size()); ++i) {
     const double cost = place.routes.cost[static_cast<std::size_t>(i)];
-    if (!HasGoal(i) || !std::isfinite(cost)) continue;
-    const double way = cost + views_[static_cast<std::size_t>(i)].distance;
-    if (best && way >= best_way) continue;
+    if (!std::isfinite(cost) || !HasGoal(place, i)) continue;
+    const PairPrediction& view = views_[static_cast<std::size_t>(i)];
+    const double all = cost + view.distance + spec_.doubt_weight * (1.0 - view.same_node);
+    if (best && all >= best_all) continue;
     best = i;
-    best_way = way;
+    best_all = all;
+    best_way = cost + view.distance;
   }
   if (!best) return std::nullopt;
   Subgoal subgoal = Lead(place, *best, GoalPoint(place.graph, *best));
@@ -97,7 +102,8 @@ std::optional<Subgoal> GlobalPolicy::ToGhost(const Place& place) {
 /// Metres from the body to a ghost; infinite if it cannot be reached.
 double GlobalPolicy::WayTo(const Place& place, const GhostNode& ghost) const {
   // What hangs on a node that sees the body need not be gone to by way of that node.
-  if (place.localisation.Sees(ghost.owner)) {
+  const bool is_current = ghost.owner == place.localisation.current;
+  if (is_current || place.localisation.Sees(ghost.owner)) {
     return Distance(place.here, place.graph.GhostPoint(ghost));
   }
   return place.routes.cost[static_cast<std::size_t>(ghost.owner)] + ghost.distance;

@@ -5,6 +5,7 @@
 #include <set>
 #include <vector>
 
+#include "agent/mapping/goal_approach.h"
 #include "agent/nts/graph_update.h"
 #include "agent/nts/nts_spec.h"
 #include "agent/nts/topological_graph.h"
@@ -42,12 +43,15 @@ class GlobalPolicy {
   /// Compares nodes that are new with the goal, and writes scores to ghosts.
   void Read(TopologicalGraph* graph);
 
-  /// Absent if there is nowhere to go. `here`: the body in the agent's plane. Expects: Read before.
+  /// Absent if there is nowhere to go. `here`: the body in the agent's plane; `approach` knows
+  /// where the goal is not, whichever node says so. Expects: Read before.
   std::optional<Subgoal> Choose(const TopologicalGraph& graph, const Localisation& localisation,
-                                const Point& here);
+                                const Point& here, const GoalApproach& approach);
 
   /// The goal is not where this node said.
   void Refute(int node) { refuted_.insert(node); }
+  /// For when there is nothing left to explore: what was refuted may have been right.
+  void Reconsider() { refuted_.clear(); }
 
  private:
   struct Place {
@@ -55,9 +59,10 @@ class GlobalPolicy {
     const Localisation& localisation;
     Point here;
     GraphRoutes routes;
+    const GoalApproach& approach;
   };
 
-  bool HasGoal(int node) const;
+  bool HasGoal(const Place& place, int node) const;
   Point GoalPoint(const TopologicalGraph& graph, int node) const;
   std::optional<Subgoal> ToGoal(const Place& place) const;
   std::optional<Subgoal> ToGhost(const Place& place);

@@ -91,7 +91,10 @@ void GraphUpdate::Join(int a, int b) {
     if (ghost.owner != a && ghost.owner != b) continue;
     const int other = ghost.owner == a ? b : a;
     const double bearing = graph_.BearingFrom(ghost.owner, graph_.NodePoint(other));
-    if (DirectionOf(bearing) == ghost.direction) graph_.RemoveGhost(ghost.id);
+    // What lies well beyond the other node stays.
+    const bool is_there = ghost.distance <= Distance(graph_.NodePoint(a), graph_.NodePoint(b)) +
+                                                spec_.ghost_clearance;
+    if (is_there && DirectionOf(bearing) == ghost.direction) graph_.RemoveGhost(ghost.id);
   }
 }
 

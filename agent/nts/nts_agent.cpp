@@ -12,10 +12,20 @@
 namespace bulletnav::agent {
 namespace {
 
-constexpr int kGoalItself = -1;       // for the watch, which tells ghosts and nodes by number
-constexpr int kFirstNode = 1 << 20;   // nodes' numbers there
-constexpr double kSlack = 0.3;        // metres that a way may be longer than straight
+constexpr int kFirstNode = 1 << 20;   // nodes' numbers for the watch, which has ghosts' below
 constexpr double kNowhereToGo = 0.1;  // metres to a waypoint
+
+ApproachSpec ApproachOf(const PolicySpec& policy) {
+  ApproachSpec spec;
+  spec.sightings = policy.sightings;
+  spec.stop_distance = policy.stop_distance;
+  spec.stop_certainty = policy.stop_certainty;
+  spec.patience = policy.patience;
+  spec.least_progress = policy.least_progress;
+  spec.miss_within = policy.miss_within;
+  spec.misses = policy.misses;
+  return spec;
+}
 
 }  // namespace
 
@@ -35,7 +45,7 @@ NtsAgent::NtsAgent(const Config& config, const AgentContext& context, std::strin
       policy_(config.policy, model_, choice),
       watch_(config.policy.patience, config.policy.least_progress),
       choice_(choice),
-      goal_(config.policy.sightings, config.policy.stop_certainty) {}
+      approach_(ApproachOf(config.policy)) {}
 
 void NtsAgent::Reset(const Panorama& goal, std::uint64_t seed) {
   navigator_.Reset();
@@ -48,8 +58,7 @@ void NtsAgent::NextGoal(const Panorama& goal, std::uint64_t seed) {
   policy_.NewGoal(model_->Encode({&goal, 1}).front(), seed);
   rng_ = sim::Rng(seed, "nts agent");
   watch_.Reset();
-  sees_goal_ = false;
-  goal_.Reset();
+  approach_.Reset();
   target_.reset();
   subgoal_.reset();
 }
@@ -61,9 +70,10 @@ sim::Action NtsAgent::Act(const Observation& observation) {
   if (update_.localisation().is_new) AddOpenings();
   policy_.Read(&update_.graph());
   LookForGoal(code);
-  target_.reset();
+  target_ = approach_.target();
   subgoal_.reset();
-  std::optional<sim::Action> action = Approach();
+  std::optional<sim::Action> action = approach_.Act(&navigator_);
+  if (!action) target_.reset();
   if (!action) action = Travel(code);
   if (!action) action = Wander();
   navigator_.Took(*action);
@@ -73,39 +83,17 @@ sim::Action NtsAgent::Act(const Observation& observation) {
 void NtsAgent::LookForGoal(const PanoramaCode& code) {
   const std::array<const PanoramaCode*, 1> here = {&code};
   view_ = model_->Compare(here, policy_.goal()).front();
-  sees_goal_ = view_.same_node >= spec_.policy.goal_seen;
-  if (!sees_goal_) return;
-  const RelativeGoal goal = RelativePoseOf(view_);
-  goal_.Add(navigator_.PointAt(goal.distance, goal.bearing), goal.distance, goal.certainty);
-}
-
-std::optional<sim::Action> NtsAgent::Approach() {
-  target_ = goal_.point();
-  if (!target_) return std::nullopt;
-  const double distance = Distance(*target_, navigator_.here());
-  const bool is_certain = view_.same_node >= spec_.policy.stop_certainty;
-  const bool is_there = is_certain && distance <= spec_.policy.stop_distance;
-  const auto plan = navigator_.Plan(*target_, true);
-  const bool is_stuck = plan && watch_.IsStuck(kGoalItself, plan->distance);
-  // A sight of the goal across something that has to be gone round is no arrival.
-  const bool is_astray = plan && !is_stuck && plan->distance > spec_.policy.stop_distance + kSlack;
-  if (is_there && !is_astray) return sim::Action::kStop;
-  // Odometry has smeared the map until it left no way.
-  if (is_stuck || !plan) navigator_.ForgetMap();
-  const bool is_wrong = !is_certain && (is_stuck || distance <= kAtGoal);
-  if (!plan || is_wrong) {
-    goal_.Refute();
-    return std::nullopt;
-  }
-  return navigator_.Steer(plan->point);
+  const bool sees_goal = view_.same_node >= spec_.policy.goal_seen;
+  approach_.See(sees_goal ? std::optional(RelativePoseOf(view_)) : std::nullopt, navigator_);
 }
 
 std::optional<sim::Action> NtsAgent::Travel(const PanoramaCode& code) {
   constexpr int kTries = 8;
-  DropSeenGhosts();
+  DropKnownGhosts();
   for (int i = 0; i < kTries; ++i) {
     policy_.Read(&update_.graph());
-    subgoal_ = policy_.Choose(update_.graph(), update_.localisation(), navigator_.here());
+    subgoal_ =
+        policy_.Choose(update_.graph(), update_.localisation(), navigator_.here(), approach_);
     if (TakeView(code, subgoal_)) continue;
     if (!subgoal_) return std::nullopt;
     if (IsGhostReached(*subgoal_)) {
@@ -171,10 +159,11 @@ Opening NtsAgent::SeenFromBody(const Point& point) const {
   return {sim::WrapAngle(heading - pose.yaw), Distance(point, navigator_.here())};
 }
 
-void NtsAgent::DropSeenGhosts() {
+void NtsAgent::DropKnownGhosts() {
   const std::vector<GhostNode> ghosts = update_.graph().ghosts();
   for (const GhostNode& ghost : ghosts) {
-    if (IsSeen(update_.graph().GhostPoint(ghost))) update_.graph().RemoveGhost(ghost.id);
+    const Point point = update_.graph().GhostPoint(ghost);
+    if (IsSeen(point) || IsGivenUp(point)) update_.graph().RemoveGhost(ghost.id);
   }
 }
 
@@ -221,9 +210,12 @@ std::optional<sim::Action> NtsAgent::Walk(const Subgoal& subgoal) {
     plan = navigator_.Plan(subgoal.point, true);
   }
   if (!plan || Distance(plan->point, navigator_.here()) < kNowhereToGo) return std::nullopt;
-  const int number = subgoal.ghost.value_or(subgoal.path.back() + kFirstNode);
-  const double left = subgoal.is_last() ? plan->distance : subgoal.way;
-  if (watch_.IsStuck(number, left)) return std::nullopt;
+  if (is_goal && approach_.Misses(subgoal.point, plan->distance, navigator_)) return std::nullopt;
+  // Ways over the graph and over the map are not measured alike.
+  const int number = 2 * subgoal.ghost.value_or(subgoal.path.back() + kFirstNode);
+  const bool is_stuck = subgoal.is_last() ? watch_.IsStuck(number, plan->distance)
+                                          : watch_.IsStuck(number + 1, subgoal.way);
+  if (is_stuck) return std::nullopt;
   return navigator_.Steer(plan->point);
 }
 
@@ -235,6 +227,7 @@ void NtsAgent::GiveUp(const Subgoal& subgoal) {
     update_.graph().RemoveGhost(*subgoal.ghost);
   } else {
     policy_.Refute(subgoal.path[0]);
+    approach_.RefuteAt(subgoal.point);
   }
 }
 
@@ -244,8 +237,12 @@ sim::Action NtsAgent::Wander() {
   if (target_) {
     if (const auto plan = navigator_.Plan(*target_, false)) return navigator_.Steer(plan->point);
   }
+  // Nothing is left to explore: something that was done away with on the way was wrong.
   target_.reset();
-  navigator_.ForgetFeltWalls();
+  navigator_.ForgetMap();
+  given_up_.clear();
+  policy_.Reconsider();
+  approach_.Reconsider();
   return rng_.Chance(0.5) ? sim::Action::kMoveForward : sim::Action::kTurnLeft;
 }
 

@@ -5,12 +5,12 @@
 #include <string_view>
 
 #include "agent/agent.h"
-#include "agent/mapping/goal_track.h"
+#include "agent/mapping/goal_approach.h"
 #include "agent/mapping/map_navigator.h"
+#include "agent/mapping/progress_watch.h"
 #include "agent/nts/global_policy.h"
 #include "agent/nts/graph_update.h"
 #include "agent/nts/nts_spec.h"
-#include "agent/nts/progress_watch.h"
 #include "agent/nts/view_ghosts.h"
 
 namespace bulletnav::agent {
@@ -48,15 +48,14 @@ class NtsAgent : public Agent {
   /// direction meets 3 m away, not of a door beside the body.
   std::vector<Point> NewOpenings();
   Opening SeenFromBody(const Point& point) const;
-  /// Takes ghosts off the graph around which the local map has no end of known floor.
-  void DropSeenGhosts();
+  /// Takes ghosts off the graph around which the local map has no end of known floor, or where the
+  /// body could not get.
+  void DropKnownGhosts();
   bool IsSeen(const Point& ghost) const;
   /// Whether going there would be no news: it has been visited, seen or given up.
   bool IsKnown(const Point& point) const;
   bool IsVisited(const Point& point, double radius) const;
   bool IsGivenUp(const Point& point) const;
-  /// To where the goal was seen last; absent if that proves wrong.
-  std::optional<sim::Action> Approach();
   /// Along the graph; absent if it leads nowhere.
   std::optional<sim::Action> Travel(const PanoramaCode& code);
   std::optional<sim::Action> Walk(const Subgoal& subgoal);
@@ -72,9 +71,8 @@ class NtsAgent : public Agent {
   ProgressWatch watch_;
   sim::Rng rng_{0, "nts agent"};
   GhostChoice choice_;
-  PairPrediction view_;     // of the goal, in this step
-  bool sees_goal_ = false;  // in this step
-  GoalTrack goal_;
+  PairPrediction view_;  // of the goal, in this step
+  GoalApproach approach_;
   std::vector<Point> given_up_;     // where ghosts were that could not be walked to
   std::optional<Point> target_;     // in this step
   std::optional<Subgoal> subgoal_;  // walked to in this step; absent off the graph

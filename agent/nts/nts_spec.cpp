@@ -26,8 +26,8 @@ void PolicySpec::Validate() const {
   RequireProbability(goal_seen, "goal_seen");
   RequireProbability(stop_certainty, "stop_certainty");
   if (sightings < 1) throw sim::Error("sightings must be at least 1");
-  if (!(path_weight >= 0.0 && change_margin >= 0.0)) {
-    throw sim::Error("path_weight and change_margin must not be negative");
+  if (!(path_weight >= 0.0 && doubt_weight >= 0.0 && change_margin >= 0.0)) {
+    throw sim::Error("path_weight, doubt_weight and change_margin must not be negative");
   }
   if (!(ghost_frontier >= 0.0)) throw sim::Error("ghost_frontier must not be negative");
   if (!(opening_reach >= 0.0 && opening_clearance > 0.0 && near_reached > 0.0)) {
@@ -35,6 +35,9 @@ void PolicySpec::Validate() const {
   }
   if (!(ghost_reached > 0.0 && node_reached > 0.0 && stop_distance > 0.0)) {
     throw sim::Error("ghost_reached, node_reached and stop_distance must be positive");
+  }
+  if (!(miss_within >= 0.0) || misses < 1) {
+    throw sim::Error("miss_within must not be negative and misses at least 1");
   }
   if (patience < 1 || !(least_progress > 0.0)) {
     throw sim::Error("patience must be at least 1 and least_progress positive");

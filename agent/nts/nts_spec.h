@@ -31,6 +31,7 @@ struct GraphSpec {
 /// How the place to go is chosen. Metres and probabilities.
 struct PolicySpec {
   double goal_seen = 0.5;       // probability from which the goal belongs to a place
+  double doubt_weight = 10.0;   // metres of way that a node's doubt whether it has the goal counts
   int sightings = 2;            // of the goal from the body that must agree
   double path_weight = 1.5;     // metres of score that a metre of way to a ghost counts
   double change_margin = 1.0;   // better by this another ghost takes over from the chosen one
@@ -45,10 +46,13 @@ struct PolicySpec {
   double stop_certainty = 0.95;    // probability that it is the goal, to stop there
   int patience = 30;               // steps without coming nearer until something is given up
   double least_progress = 0.25;    // what counts as coming nearer
+  double miss_within = 1.5;        // this near the goal, in the open, it would be seen; 0: any
+  int misses = 3;                  // steps in a row that it is not, until it is not there
 
   template <class V>
   void Visit(V& v) {
     v("goal_seen", goal_seen);
+    v("doubt_weight", doubt_weight);
     v("sightings", sightings);
     v("path_weight", path_weight);
     v("change_margin", change_margin);
@@ -63,6 +67,8 @@ struct PolicySpec {
     v("stop_certainty", stop_certainty);
     v("patience", patience);
     v("least_progress", least_progress);
+    v("miss_within", miss_within);
+    v("misses", misses);
   }
   void Validate() const;
 };

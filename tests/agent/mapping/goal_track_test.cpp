@@ -89,5 +89,36 @@ TEST(GoalTrack, WhatWasRefutedTwiceMustBeSeenFromBeside) {
   EXPECT_TRUE(track.point());
 }
 
+TEST(GoalTrack, SaysWhenTheGoalIsTakenToBeElsewhere) {
+  GoalTrack track(1, 0.9);
+  EXPECT_TRUE(track.Add({0, 0}, 2.0, 0.6));
+  EXPECT_FALSE(track.Add({0.1, 0}, 2.0, 0.6));
+  EXPECT_FALSE(track.Add({4, 0}, 2.0, 0.6));
+  EXPECT_FALSE(track.Add({4, 0}, 2.0, 0.6));
+  EXPECT_TRUE(track.Add({4, 0}, 2.0, 0.6));
+}
+
+TEST(GoalTrack, APlaceCanBeRefutedThatItDoesNotTakeForTheGoals) {
+  GoalTrack track(1, 0.9);
+  track.Add({4, 0}, 2.0, 0.6);
+  track.RefuteAt({0, 0});
+  EXPECT_TRUE(track.point());
+  EXPECT_FALSE(track.IsNews({0.5, 0}, 2.0, 0.6));
+  EXPECT_TRUE(track.IsNews({0.5, 0}, 2.0, 0.95));
+  track.RefuteAt({4.5, 0});
+  EXPECT_FALSE(track.point());
+}
+
+TEST(GoalTrack, NothingIsNewsAroundAStopInVainUntilTheNextGoal) {
+  GoalTrack track(1, 0.9);
+  track.Add({0, 0}, 0.3, 0.99);
+  track.RefuteForGood();
+  EXPECT_FALSE(track.point());
+  EXPECT_FALSE(track.IsNews({0.5, 0}, 0.1, 0.999));
+  EXPECT_TRUE(track.IsNews({0.8, 0}, 0.3, 0.99));
+  track.Reset();
+  EXPECT_TRUE(track.IsNews({0.5, 0}, 2.0, 0.6));
+}
+
 }  // namespace
 }  // namespace bulletnav::agent

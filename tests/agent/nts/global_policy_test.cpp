@@ -24,7 +24,7 @@ class GlobalPolicyTest : public testing::Test {
 
   std::optional<Subgoal> Choose(GlobalPolicy* policy, const Point& at = {}) {
     policy->Read(&graph_);
-    return policy->Choose(graph_, here_, at);
+    return policy->Choose(graph_, here_, at, approach_);
   }
   GlobalPolicy Policy(const Point& goal, GhostChoice choice = GhostChoice::kScore,
                       std::uint64_t seed = 1) {
@@ -37,6 +37,7 @@ class GlobalPolicyTest : public testing::Test {
   std::shared_ptr<ScriptedModel> model_ = std::make_shared<ScriptedModel>();
   TopologicalGraph graph_;
   Localisation here_;
+  GoalApproach approach_{ApproachSpec{}};
 };
 
 TEST_F(GlobalPolicyTest, LeadsToTheNodeThatKnowsTheGoalNodeByNode) {
@@ -68,6 +69,25 @@ TEST_F(GlobalPolicyTest, DoesNotBelieveANodeThatWasWrong) {
   EXPECT_FALSE(Choose(&policy));
   policy.NewGoal(CodeAt(10.0, 0), 1);
   EXPECT_TRUE(Choose(&policy));
+}
+
+TEST_F(GlobalPolicyTest, BelievesNoNodeAboutAPlaceThatWasLookedAtInVain) {
+  GlobalPolicy policy = Policy({10.0, 0});
+  ASSERT_TRUE(Choose(&policy));
+  for (int i = 0; i < 2; ++i) approach_.RefuteAt({10.2, 0.1});
+  EXPECT_FALSE(Choose(&policy));
+  graph_.AddNode({CodeAt(9.0, 1.0), {9.0, 1.0, 0}});
+  graph_.AddEdge(3, 4);
+  EXPECT_FALSE(Choose(&policy)) << "a node that was not asked before says the same";
+}
+
+TEST_F(GlobalPolicyTest, AGhostOfThePresentNodeIsAsFarOffAsItIsEvenIfTheNodeIsNotSeen) {
+  const int ghost = graph_.AddGhost(0, 0);
+  GlobalPolicy policy = Policy({30.0, 0});
+  here_.visible = {};
+  const auto subgoal = Choose(&policy, {2.5, 0});
+  ASSERT_EQ(subgoal->ghost, ghost);
+  EXPECT_NEAR(subgoal->way, 0.5, 1e-6);
 }
 
 TEST_F(GlobalPolicyTest, ExploresTheGhostOverWhichTheWholeWayIsShortest) {

@@ -1,11 +1,21 @@
 // SPDX-License-Identifier: MIT
-#include "agent/nts/progress_watch.h"
+#include "agent/mapping/progress_watch.h"
+
+#include <algorithm>
+#include <utility>
 
 namespace bulletnav::agent {
 
+void ProgressWatch::Forget(int target) {
+  targets_.erase(target);
+}
+
 bool ProgressWatch::IsStuck(int target, double distance) {
+  const bool is_resumed = std::exchange(last_, target) != target;
   const auto [found, is_new] = targets_.try_emplace(target, Target{distance, 0});
   if (is_new) return false;
+  // Meanwhile the body may have gone farther away; its steps back are steps towards the target.
+  if (is_resumed) found->second.nearest = std::max(found->second.nearest, distance);
   if (distance <= found->second.nearest - least_) {
     found->second = {distance, 0};
     return false;

@@ -5,13 +5,15 @@
 namespace bulletnav::agent {
 
 /// Notices that something that is walked to does not come nearer. Targets are told apart by number
-/// and remembered when another is walked to for a while, so that wavering is noticed too.
+/// and remembered when another is walked to for a while, so that wavering is noticed too; the way
+/// back counts as coming nearer.
 class ProgressWatch {
  public:
   /// `patience`: steps; `least`: metres that count as coming nearer.
   ProgressWatch(int patience, double least) : patience_(patience), least_(least) {}
 
   void Reset() { targets_.clear(); }
+  void Forget(int target);
 
   /// To be called every step with what is walked to and how far off it is. True if patience with it
   /// is at an end; then it begins anew.
@@ -26,6 +28,7 @@ class ProgressWatch {
   int patience_;
   double least_;
   std::map<int, Target> targets_;
+  int last_ = 0;
 };
 
 }  // namespace bulletnav::agent

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "agent/nts/progress_watch.h"
+#include "agent/mapping/progress_watch.h"
 
 #include <gtest/gtest.h>
 
@@ -25,6 +25,23 @@ TEST(ProgressWatch, NoticesWaveringBetweenTwoTargets) {
   int stuck = 0;
   for (int i = 0; i < 8; ++i) stuck += watch.IsStuck(i % 2, 5.0) ? 1 : 0;
   EXPECT_EQ(stuck, 2);
+}
+
+TEST(ProgressWatch, TheWayBackToATargetIsProgress) {
+  ProgressWatch watch(3, 0.2);
+  EXPECT_FALSE(watch.IsStuck(1, 1.0));
+  for (int i = 0; i < 10; ++i) watch.IsStuck(2, 5.0 - 0.5 * i);
+  for (int i = 0; i < 20; ++i) EXPECT_FALSE(watch.IsStuck(1, 6.0 - 0.25 * i)) << i;
+}
+
+TEST(ProgressWatch, ForgetsOneTarget) {
+  ProgressWatch watch(2, 0.2);
+  watch.IsStuck(1, 5.0);
+  watch.IsStuck(1, 5.0);
+  watch.Forget(1);
+  EXPECT_FALSE(watch.IsStuck(1, 5.0));
+  EXPECT_FALSE(watch.IsStuck(1, 5.0));
+  EXPECT_TRUE(watch.IsStuck(1, 5.0));
 }
 
 TEST(ProgressWatch, ForgetsOnReset) {

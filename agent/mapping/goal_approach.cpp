@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "agent/mapping/goal_approach.h"
+
+#include <utility>
+
+namespace bulletnav::agent {
+namespace {
+
+constexpr int kGoal = 0;              // for the watch
+constexpr double kSlack = 0.3;        // metres that a way may be longer than straight
+constexpr double kNearEnough = 0.8;   // metres to stop in where one cannot come nearer
+constexpr double kNowhereToGo = 0.1;  // metres to a waypoint
+constexpr double kVainly = 0.2;       // metres to a goal that is not there
+
+}  // namespace
+
+GoalApproach::GoalApproach(const ApproachSpec& spec)
+    : spec_(spec),
+      track_(spec.sightings, spec.stop_certainty),
+      watch_(spec.patience, spec.least_progress) {}
+
+void GoalApproach::Reset() {
+  track_.Reset();
+  watch_.Reset();
+  seen_.reset();
+  missed_ = 0;
+  asked_ = false;
+  stopped_ = false;
+  was_vain_ = false;
+}
+
+void GoalApproach::See(const std::optional<RelativeGoal>& goal, const MapNavigator& navigator) {
+  was_vain_ = was_vain_ || std::exchange(stopped_, false);
+  seen_ = goal;
+  if (!std::exchange(asked_, false) || goal) missed_ = 0;
+  if (!goal) return;
+  const bool is_elsewhere =
+      track_.Add(navigator.PointAt(goal->distance, goal->bearing), goal->distance, goal->certainty);
+  if (!is_elsewhere) return;
+  watch_.Forget(kGoal);
+  was_vain_ = false;
+}
+
+std::optional<sim::Action> GoalApproach::Act(MapNavigator* navigator) {
+  const std::optional<Point> target = track_.point();
+  if (!target) return std::nullopt;
+  const double distance = Distance(*target, navigator->here());
+  const bool is_certain = seen_ && seen_->certainty >= spec_.stop_certainty && !was_vain_;
+  auto plan = navigator->Plan(*target, true);
+  // A sight of the goal across something that has to be gone round is no arrival.
+  const bool is_open = plan && plan->distance <= distance + kSlack;
+  if (is_certain && distance <= spec_.stop_distance && is_open) return Stop();
+  if (distance <= (was_vain_ ? kVainly : kAtGoal) && !is_certain) return Refute();
+  if (IsNowhere(plan, *navigator)) {
+    // Odometry may have smeared the map until it left no way.
+    navigator->ForgetMap();
+    plan = navigator->Plan(*target, true);
+    if (IsNowhere(plan, *navigator)) {
+      return is_certain && distance <= kNearEnough ? Stop() : Refute();
+    }
+  }
+  if (watch_.IsStuck(kGoal, plan->distance)) {
+    navigator->ForgetMap();
+    if (!is_certain) return Refute();
+    if (distance <= kNearEnough) return Stop();
+  }
+  if (Misses(*target, plan->distance, *navigator)) return Refute();
+  return navigator->Steer(plan->point);
+}
+
+bool GoalApproach::Misses(const Point& point, double way, const MapNavigator& navigator) {
+  asked_ = true;
+  const double distance = Distance(point, navigator.here());
+  const bool is_beside = distance <= spec_.miss_within && way <= distance + kSlack;
+  missed_ = is_beside && !seen_ ? missed_ + 1 : 0;
+  return missed_ >= spec_.misses;
+}
+
+bool GoalApproach::IsNowhere(const std::optional<Waypoint>& plan,
+                             const MapNavigator& navigator) const {
+  return !plan || Distance(plan->point, navigator.here()) < kNowhereToGo;
+}
+
+std::optional<sim::Action> GoalApproach::Stop() {
+  stopped_ = true;
+  return sim::Action::kStop;
+}
+
+std::optional<sim::Action> GoalApproach::Refute() {
+  if (was_vain_) {
+    track_.RefuteForGood();
+  } else {
+    track_.Refute();
+  }
+  watch_.Forget(kGoal);
+  missed_ = 0;
+  was_vain_ = false;
+  return std::nullopt;
+}
+
+}  // namespace bulletnav::agent

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "agent/mapping/goal_approach.h"
+
+#include <cmath>
+#include <functional>
+
+#include <gtest/gtest.h>
+
+namespace bulletnav::agent {
+namespace {
+
+using sim::Action;
+
+Rig SmallRig() {
+  Rig rig;
+  rig.panorama.rows = 8;
+  rig.panorama.cols = 32;
+  return rig;
+}
+
+/// A body on an endless floor whose odometry is exact, with somebody who tells it of a goal.
+class GoalApproachTest : public testing::Test {
+ protected:
+  /// Steps while the approach knows where to go; at most 100. `certainty`: of a sighting from so
+  /// many metres away; 0: none.
+  void Run(const Point& goal, const std::function<double(double)>& certainty) {
+    for (steps_ = 0; steps_ < 100; ++steps_) {
+      navigator_.Observe({{{}, depth_}, motion_, false, steps_});
+      const double distance = Distance(goal, navigator_.here());
+      const double heading = std::atan2(goal.y - navigator_.here().y, goal.x - navigator_.here().x);
+      const RelativeGoal seen{distance, sim::WrapAngle(heading - navigator_.pose().yaw),
+                              certainty(distance)};
+      approach_.See(seen.certainty > 0.0 ? std::optional(seen) : std::nullopt, navigator_);
+      last_ = approach_.Act(&navigator_);
+      motion_ = {};
+      if (!last_ || last_ == Action::kStop) return;
+      navigator_.Took(*last_);
+      constexpr double kTurn = sim::DegToRad(10.0);
+      if (last_ == Action::kMoveForward) motion_.x = 0.25;
+      if (last_ == Action::kTurnLeft) motion_.yaw = kTurn;
+      if (last_ == Action::kTurnRight) motion_.yaw = -kTurn;
+    }
+  }
+  double Left(const Point& goal) const { return Distance(goal, navigator_.here()); }
+
+  ApproachSpec spec_ = {.sightings = 1};
+  GoalApproach approach_{spec_};
+  MapNavigator navigator_{SmallRig(), {}};
+  std::vector<float> depth_ = std::vector<float>(8 * 32, 0.0f);
+  sim::PlanarPose motion_;
+  std::optional<Action> last_;
+  int steps_ = 0;
+};
+
+TEST_F(GoalApproachTest, WalksToAGoalAndStopsNearIt) {
+  const Point goal{2.0, 2.0};
+  Run(goal, [](double) {
+    return 0.99;
+  });
+  EXPECT_EQ(last_, Action::kStop);
+  EXPECT_LE(Left(goal), 0.5);
+  EXPECT_GT(Left(goal), 0.2);
+  EXPECT_LT(steps_, 20);
+}
+
+TEST_F(GoalApproachTest, KnowsNowhereToGoBeforeTheGoalIsSeenAndAfterReset) {
+  Run({3.0, 0.0}, [](double) {
+    return 0.0;
+  });
+  EXPECT_EQ(steps_, 0);
+  EXPECT_FALSE(last_);
+  Run({3.0, 0.0}, [](double distance) {
+    return distance > 2.0 ? 0.6 : 0.0;
+  });
+  approach_.Reset();
+  EXPECT_FALSE(approach_.target());
+  EXPECT_TRUE(approach_.MayBeAt({3.0, 0.0}, 2.0, 0.6));
+}
+
+TEST_F(GoalApproachTest, RemembersWhereTheGoalWas) {
+  const Point goal{4.0, 0.0};
+  Run(goal, [](double distance) {
+    return distance > 3.0 ? 0.6 : distance > 1.4 ? 0.0 : 0.99;
+  });
+  EXPECT_EQ(last_, Action::kStop);
+  EXPECT_LE(Left(goal), 0.5);
+}
+
+TEST_F(GoalApproachTest, WhatIsNotCertainThereIsNotTheGoal) {
+  const Point goal{3.0, 0.0};
+  Run(goal, [](double) {
+    return 0.8;
+  });
+  EXPECT_FALSE(last_);
+  EXPECT_LE(Left(goal), kAtGoal);
+  EXPECT_FALSE(approach_.target());
+  EXPECT_FALSE(approach_.MayBeAt(goal, 2.0, 0.8));
+  EXPECT_TRUE(approach_.MayBeAt(goal, 2.0, 0.99));
+}
+
+TEST_F(GoalApproachTest, WhatWouldBeSeenFromNearButIsNotIsGivenUpOnTheWay) {
+  const Point goal{4.0, 0.0};
+  Run(goal, [](double distance) {
+    return distance > 3.0 ? 0.6 : 0.0;
+  });
+  EXPECT_FALSE(last_);
+  EXPECT_NEAR(Left(goal), spec_.miss_within - 0.25 * (spec_.misses - 1), 0.26);
+  EXPECT_FALSE(approach_.MayBeAt(goal, 2.0, 0.6));
+}
+
+TEST_F(GoalApproachTest, AfterAStopInVainItGoesNearerAndThenLooksElsewhere) {
+  const Point goal{2.0, 0.0};
+  const auto lie = [](double) {
+    return 0.99;
+  };
+  Run(goal, lie);
+  ASSERT_EQ(last_, Action::kStop);
+  const double left = Left(goal);
+  navigator_.Took(Action::kStop);
+  Run(goal, lie);
+  EXPECT_FALSE(last_) << "not another stop";
+  EXPECT_LT(Left(goal), left);
+  EXPECT_FALSE(approach_.MayBeAt(goal, 0.3, 0.999)) << "whatever is said";
+  const Point other{-2.0, 0.0};
+  Run(other, lie);
+  EXPECT_EQ(last_, Action::kStop);
+  EXPECT_LE(Left(other), 0.5);
+}
+
+}  // namespace
+}  // namespace bulletnav::agent
