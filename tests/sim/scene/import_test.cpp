@@ -454,7 +454,8 @@ TEST(Import, RandomDamageEndsInAnError) {
     }
     const std::string error = ErrorOf(folder.Write(name, bytes));
     EXPECT_THAT(error, testing::Not(HasSubstr("\n")));
-    EXPECT_THAT(error, testing::Not(HasSubstr("reading it fails"))) << "the child crashed on\n" << bytes;
+    EXPECT_THAT(error, testing::Not(HasSubstr("reading it fails"))) << "the child crashed on\n"
+                                                                    << bytes;
   }
 }
 
