@@ -17,12 +17,12 @@ constexpr std::uint64_t kMostElements = 1'000'000'000;
 constexpr std::size_t kLongestHeader = 1 << 20;
 
 std::optional<std::uint64_t> SizeOfType(const std::string& type) {
-  static const std::map<std::string, std::uint64_t, std::less<>> kSizes = {
+  static const std::map<std::string, std::uint64_t, std::less<>> sizes = {
       {"char", 1},  {"uchar", 1},   {"int8", 1},   {"uint8", 1},  {"short", 2}, {"ushort", 2},
       {"int16", 2}, {"uint16", 2},  {"int", 4},    {"uint", 4},   {"int32", 4}, {"uint32", 4},
       {"float", 4}, {"float32", 4}, {"double", 8}, {"float64", 8}};
-  const auto found = kSizes.find(type);
-  return found == kSizes.end() ? std::nullopt : std::optional(found->second);
+  const auto found = sizes.find(type);
+  return found == sizes.end() ? std::nullopt : std::optional(found->second);
 }
 
 class PlyChecker {
