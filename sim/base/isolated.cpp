@@ -1,17 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include "sim/base/isolated.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
 #include <exception>
 #include <fstream>
 #include <new>
+#include <optional>
+#include <sstream>
+#include <string>
 #include <string_view>
 
+#include <poll.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -112,6 +118,58 @@ std::uint64_t AddressSpace() {
   ::_exit(code);
 }
 
+/// How far a process is.
+struct Activity {
+  bool is_waiting = false;  // for something that is no disk
+  long ticks = 0;           // of processor time
+};
+
+Activity ActivityOf(pid_t process) {
+  std::ifstream file("/proc/" + std::to_string(process) + "/stat");
+  std::string line;
+  std::getline(file, line);
+  const std::size_t name_end = line.rfind(')');
+  if (name_end == std::string::npos) return {};
+  std::istringstream rest(line.substr(name_end + 1));
+  std::string state;
+  rest >> state;
+  constexpr int kBetween = 10;  // numbers between the state and the times, proc(5)
+  std::string skipped;
+  for (int i = 0; i < kBetween; ++i) rest >> skipped;
+  long user = 0;
+  long system = 0;
+  rest >> user >> system;
+  return {state == "S", user + system};
+}
+
+/// The child's status, or nothing if it waits without end; it goes on then.
+std::optional<int> StatusUnlessStuck(pid_t child) {
+  constexpr int kPeriodMs = 250;
+  constexpr int kPatience = 8;  // periods
+  int status = 0;
+  const auto handle = static_cast<int>(::syscall(SYS_pidfd_open, child, 0));
+  if (handle >= 0) {
+    pollfd events = {handle, POLLIN, 0};
+    long ticks = -1;
+    for (int idle = 0; idle < kPatience;) {
+      const int ended = ::poll(&events, 1, kPeriodMs);
+      if (ended > 0) break;
+      if (ended < 0 && errno != EINTR) break;
+      const Activity now = ActivityOf(child);
+      idle = now.is_waiting && now.ticks == ticks ? idle + 1 : 0;
+      ticks = now.ticks;
+      if (idle == kPatience) {
+        ::close(handle);
+        return std::nullopt;
+      }
+    }
+    ::close(handle);
+  }
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return status;
+}
+
 IsolatedResult::End EndOf(int status) {
   using End = IsolatedResult::End;
   if (WIFSIGNALED(status)) {
@@ -134,24 +192,30 @@ IsolatedResult::End EndOf(int status) {
 
 IsolatedResult RunIsolated(const std::function<std::vector<std::uint8_t>()>& work, int cpu_seconds,
                            std::uint64_t memory_bytes) {
-  const SharedFile file;
-  const std::uint64_t held = AddressSpace();
-  const pid_t child = ::fork();
-  if (child < 0) throw Error(std::string("no process can be made: ") + std::strerror(errno));
-  if (child == 0) {
-    Limit(RLIMIT_CPU, static_cast<rlim_t>(cpu_seconds));
+  constexpr int kTries = 20;
+  for (int i = 0; i < kTries; ++i) {
+    const SharedFile file;
+    const std::uint64_t held = AddressSpace();
+    const pid_t child = ::fork();
+    if (child < 0) throw Error(std::string("no process can be made: ") + std::strerror(errno));
+    if (child == 0) {
+      Limit(RLIMIT_CPU, static_cast<rlim_t>(cpu_seconds));
 #ifndef __SANITIZE_ADDRESS__  // its shadow memory is larger than any limit
-    Limit(RLIMIT_AS, held + memory_bytes);
+      Limit(RLIMIT_AS, held + memory_bytes);
 #else
-    (void)held;
-    (void)memory_bytes;
+      (void)held;
+      (void)memory_bytes;
 #endif
-    RunChild(file, work);
+      RunChild(file, work);
+    }
+    if (const std::optional<int> status = StatusUnlessStuck(child)) {
+      return {EndOf(*status), file.Read()};
+    }
+    // It waits for a lock that another thread held when it was made; the next one may not.
+    ::kill(child, SIGKILL);
+    ::waitpid(child, nullptr, 0);
   }
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  return {EndOf(status), file.Read()};
+  return {IsolatedResult::End::kTimedOut, {}};
 }
 
 void AllowCpuSeconds(int more) {

@@ -21,8 +21,10 @@ struct IsolatedResult {
 
 /// Runs `work` in a child process and returns what it returned: for libraries that may crash, hang
 /// or eat all memory on hostile input. The child is a copy of the calling thread alone; `work` must
-/// not wait for other threads. Costs about a millisecond and a copy of the bytes. Throws Error if
-/// no process can be made.
+/// not wait for other threads. A lock that one of them holds at that moment (an allocator's: glibc
+/// and tcmalloc take care, sanitizers do not) stays held in the child: one that waits for two
+/// seconds without using the processor is ended and made anew. Costs about a millisecond and a copy
+/// of the bytes. Throws Error if no process can be made.
 IsolatedResult RunIsolated(const std::function<std::vector<std::uint8_t>()>& work, int cpu_seconds,
                            std::uint64_t memory_bytes);
 

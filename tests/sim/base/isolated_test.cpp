@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "sim/base/isolated.h"
 
+#include <chrono>
 #include <csignal>
+#include <future>
+#include <mutex>
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <thread>
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -40,6 +44,24 @@ TEST(RunIsolated, AnExceptionAlwaysHasAText) {
     const std::string said(result.bytes.begin(), result.bytes.end());
     EXPECT_EQ(said, text.empty() ? "fails without saying why" : text);
   }
+}
+
+TEST(RunIsolated, ALockThatAnotherThreadHeldDoesNotStopIt) {
+  std::mutex lock;
+  std::promise<void> is_held;
+  std::thread other([&] {
+    const std::lock_guard guard(lock);
+    is_held.set_value();
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  });
+  is_held.get_future().wait();
+  const IsolatedResult result = RunApart([&] {
+    const std::lock_guard guard(lock);
+    return Bytes{7};
+  });
+  other.join();
+  EXPECT_EQ(result.end, End::kDone);
+  EXPECT_EQ(result.bytes, Bytes{7});
 }
 
 TEST(RunIsolated, RunningOutOfMemoryIsTold) {
