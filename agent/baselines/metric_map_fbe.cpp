@@ -88,14 +88,6 @@ class MetricMapFbeAgent final : public Agent {
   }
 
  private:
-  static ApproachSpec ApproachOf(const Config& config) {
-    ApproachSpec spec;
-    spec.sightings = config.sightings;
-    spec.stop_distance = config.stop_distance;
-    spec.stop_certainty = config.stop_certainty;
-    return spec;
-  }
-
   sim::Action Explore() {
     if (const auto action = GoToFrontier()) return *action;
     navigator_.ForgetFeltWalls();

@@ -90,14 +90,6 @@ class NtsWithoutGraph final : public Agent {
  private:
   static constexpr double kLeastProgress = 0.25;  // metres
 
-  static ApproachSpec ApproachOf(const Config& config) {
-    ApproachSpec spec;
-    spec.sightings = config.sightings;
-    spec.stop_distance = config.stop_distance;
-    spec.stop_certainty = config.stop_certainty;
-    return spec;
-  }
-
   sim::Action Decide(const PanoramaCode& here) {
     const std::array<const PanoramaCode*, 1> source = {&here};
     const PairPrediction view = model_->Compare(source, goal_).front();

@@ -20,6 +20,16 @@ struct ApproachSpec {
   int misses = 3;                // steps in a row that it is not seen there until it is given up
 };
 
+/// What the configs of all agents that approach goals have; the rest as it is.
+template <class Config>
+ApproachSpec ApproachOf(const Config& config) {
+  ApproachSpec spec;
+  spec.sightings = config.sightings;
+  spec.stop_distance = config.stop_distance;
+  spec.stop_certainty = config.stop_certainty;
+  return spec;
+}
+
 /// Walks to where the goal was seen and stops there, or finds out that it is not there. The same
 /// for all agents that look for the goal with F_L and F_R; what they differ in is how they explore.
 /// Source: the stop and the local policy of Neural Topological SLAM, section 4.1; what happens when

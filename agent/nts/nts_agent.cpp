@@ -15,11 +15,8 @@ namespace {
 constexpr int kFirstNode = 1 << 20;   // nodes' numbers for the watch, which has ghosts' below
 constexpr double kNowhereToGo = 0.1;  // metres to a waypoint
 
-ApproachSpec ApproachOf(const PolicySpec& policy) {
-  ApproachSpec spec;
-  spec.sightings = policy.sightings;
-  spec.stop_distance = policy.stop_distance;
-  spec.stop_certainty = policy.stop_certainty;
+ApproachSpec ApproachBy(const PolicySpec& policy) {
+  ApproachSpec spec = ApproachOf(policy);
   spec.patience = policy.patience;
   spec.least_progress = policy.least_progress;
   spec.miss_within = policy.miss_within;
@@ -45,7 +42,7 @@ NtsAgent::NtsAgent(const Config& config, const AgentContext& context, std::strin
       policy_(config.policy, model_, choice),
       watch_(config.policy.patience, config.policy.least_progress),
       choice_(choice),
-      approach_(ApproachOf(config.policy)) {}
+      approach_(ApproachBy(config.policy)) {}
 
 void NtsAgent::Reset(const Panorama& goal, std::uint64_t seed) {
   navigator_.Reset();

@@ -33,7 +33,7 @@ struct PolicySpec {
   double goal_seen = 0.5;       // probability from which the goal belongs to a place
   double doubt_weight = 10.0;   // metres of way that a node's doubt whether it has the goal counts
   int sightings = 2;            // of the goal from the body that must agree
-  double path_weight = 1.5;     // metres of score that a metre of way to a ghost counts
+  double path_weight = 0.5;     // metres of score that a metre of way to a ghost counts
   double change_margin = 1.0;   // better by this another ghost takes over from the chosen one
   double view_margin = 2.5;     // better by this the present view becomes a node
   double ghost_frontier = 1.5;  // ghosts with no end of known floor this near are no news; 0: all

@@ -63,6 +63,15 @@ std::vector<HouseEntry> Plan(const HouseSetSpec& spec) {
   return entries;
 }
 
+/// Those of the planned houses that are not there yet; fills in the others.
+std::vector<HouseEntry*> Unmade(const UnfinishedHouses& left, std::vector<HouseEntry>* planned) {
+  std::vector<HouseEntry*> unmade;
+  for (HouseEntry& house : *planned) {
+    if (!left.Find(&house)) unmade.push_back(&house);
+  }
+  return unmade;
+}
+
 }  // namespace
 
 bool HasHouseSet(const std::filesystem::path& folder, const HouseSetSpec& spec) {
@@ -84,9 +93,7 @@ int CountUnmade(const std::filesystem::path& folder, const HouseSetSpec& spec) {
   HasHouseSet(folder, spec);
   const UnfinishedHouses left(folder, spec.made_by, spec.first_seed);
   std::vector<HouseEntry> planned = Plan(spec);
-  return static_cast<int>(std::count_if(planned.begin(), planned.end(), [&](HouseEntry& house) {
-    return !left.Find(&house);
-  }));
+  return static_cast<int>(Unmade(left, &planned).size());
 }
 
 std::vector<HouseEntry> WriteHouseSet(const std::filesystem::path& folder, const HouseSetSpec& spec,
@@ -96,10 +103,7 @@ std::vector<HouseEntry> WriteHouseSet(const std::filesystem::path& folder, const
   MakeFolder(folder);
   UnfinishedHouses left(folder, spec.made_by, spec.first_seed);
   left.Begin();
-  std::vector<HouseEntry*> unmade;
-  for (HouseEntry& entry : entries) {
-    if (!left.Find(&entry)) unmade.push_back(&entry);
-  }
+  const std::vector<HouseEntry*> unmade = Unmade(left, &entries);
   WorkerPool pool(spec.workers);
   std::vector<TextureCache> textures(static_cast<std::size_t>(pool.workers()));
   pool.ForEach(static_cast<int>(unmade.size()), [&](int task, int worker) {

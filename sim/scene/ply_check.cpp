@@ -2,11 +2,13 @@
 #include "sim/scene/ply_check.h"
 
 #include <algorithm>
+#include <charconv>
 #include <map>
 #include <optional>
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "sim/base/error.h"
 
@@ -46,10 +48,17 @@ class PlyChecker {
     if (least_bytes_ > all_.size() - at_) {
       Fail("announces more data than the file holds; it is cut off or damaged");
     }
-    if (is_ascii_) CheckNumbers();
+    if (!is_ascii_) return;
+    CheckText();
+    CheckNumbers();
   }
 
  private:
+  struct Element {
+    std::uint64_t count = 0;
+    std::vector<bool> is_list;  // of its properties
+  };
+
   [[noreturn]] void Fail(const std::string& what) const {
     throw FileError(file_, std::to_string(line_), what);
   }
@@ -65,13 +74,48 @@ class PlyChecker {
   }
 
   /// A library that reads text as numbers may lose its way in anything else.
-  void CheckNumbers() {
+  void CheckText() {
     const std::size_t odd = all_.find_first_not_of("0123456789+-.eEnNaAiIfFtTyY \t\r\n", at_);
     if (odd == std::string_view::npos) return;
-    line_ +=
-        1 + static_cast<int>(std::count(all_.begin() + static_cast<std::ptrdiff_t>(at_),
-                                        all_.begin() + static_cast<std::ptrdiff_t>(odd), '\n'));
-    Fail("holds what is no number; it is damaged");
+    FailAt(odd, "holds what is no number; it is damaged");
+  }
+
+  /// Nor does it look where the numbers end.
+  void CheckNumbers() {
+    for (const Element& element : elements_) {
+      if (element.is_list.empty()) continue;
+      for (std::uint64_t item = 0; item < element.count; ++item) {
+        for (const bool is_list : element.is_list) {
+          const std::string_view number = Number();
+          if (is_list) SkipNumbers(number);
+        }
+      }
+    }
+  }
+
+  void SkipNumbers(std::string_view count) {
+    std::uint64_t numbers = 0;
+    const auto [end, error] = std::from_chars(count.data(), count.data() + count.size(), numbers);
+    if (error != std::errc() || end != count.data() + count.size()) {
+      FailAt(at_, "has a list without a length; it is damaged");
+    }
+    for (std::uint64_t i = 0; i < numbers; ++i) Number();
+  }
+
+  std::string_view Number() {
+    constexpr std::string_view kSpace = " \t\r\n";
+    const std::size_t begin = all_.find_first_not_of(kSpace, at_);
+    if (begin == std::string_view::npos) {
+      FailAt(all_.size(), "holds fewer numbers than it announces; it is cut off or damaged");
+    }
+    at_ = std::min(all_.find_first_of(kSpace, begin), all_.size());
+    return all_.substr(begin, at_ - begin);
+  }
+
+  [[noreturn]] void FailAt(std::size_t position, const std::string& what) {
+    const auto end = all_.begin() + static_cast<std::ptrdiff_t>(position);
+    line_ = 1 + static_cast<int>(std::count(all_.begin(), end, '\n'));
+    Fail(what);
   }
 
   void ReadFormat(std::istringstream* words) {
@@ -86,23 +130,30 @@ class PlyChecker {
   void ReadElement(std::istringstream* words) {
     FinishElement();
     std::string name;
-    if (!(*words >> name >> count_) || count_ > kMostElements) Fail("has no sane element count");
+    Element element;
+    if (!(*words >> name >> element.count) || element.count > kMostElements) {
+      Fail("has no sane element count");
+    }
+    elements_.push_back(element);
   }
 
   void ReadProperty(std::istringstream* words) {
     std::string type;
     *words >> type;
-    if (type == "list") *words >> type;  // at least the list's length
+    const bool is_list = type == "list";
+    if (is_list) *words >> type;  // at least the list's length
     const auto size = SizeOfType(type);
     if (!size) Fail("'" + type + "' is not a type of ply");
     // In text, a digit and a space; the last line may lack its end.
     bytes_an_item_ += is_ascii_ ? 2 : *size;
+    if (elements_.empty()) Fail("has a property before the first element");
+    elements_.back().is_list.push_back(is_list);
   }
 
   void FinishElement() {
-    const std::uint64_t total = count_ * bytes_an_item_;
+    if (elements_.empty()) return;
+    const std::uint64_t total = elements_.back().count * bytes_an_item_;
     least_bytes_ += is_ascii_ && total > 0 ? total - 1 : total;
-    count_ = 0;
     bytes_an_item_ = 0;
   }
 
@@ -112,7 +163,7 @@ class PlyChecker {
   std::size_t at_ = 0;
   int line_ = 0;
   bool is_ascii_ = false;
-  std::uint64_t count_ = 0;
+  std::vector<Element> elements_;
   std::uint64_t bytes_an_item_ = 0;
   std::uint64_t least_bytes_ = 0;
 };

@@ -6,17 +6,12 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/rigs.h"
+
 namespace bulletnav::agent {
 namespace {
 
 using sim::Action;
-
-Rig SmallRig() {
-  Rig rig;
-  rig.panorama.rows = 8;
-  rig.panorama.cols = 32;
-  return rig;
-}
 
 /// A body on an endless floor whose odometry is exact, with somebody who tells it of a goal.
 class GoalApproachTest : public testing::Test {
@@ -45,7 +40,7 @@ class GoalApproachTest : public testing::Test {
 
   ApproachSpec spec_ = {.sightings = 1};
   GoalApproach approach_{spec_};
-  MapNavigator navigator_{SmallRig(), {}};
+  MapNavigator navigator_{tests::SmallRig(), {}};
   std::vector<float> depth_ = std::vector<float>(8 * 32, 0.0f);
   sim::PlanarPose motion_;
   std::optional<Action> last_;

@@ -7,18 +7,12 @@
 
 #include "sim/base/error.h"
 #include "tests/support/corridor.h"
+#include "tests/support/rigs.h"
 
 namespace bulletnav::agent {
 namespace {
 
 using sim::Action;
-
-Rig SmallRig() {
-  Rig rig;
-  rig.panorama.rows = 8;
-  rig.panorama.cols = 32;
-  return rig;
-}
 
 /// A navigator in the dark, fed with odometry alone.
 class Blind {
@@ -32,7 +26,7 @@ class Blind {
   bool IsWall(double x, double y) const {
     return navigator.map().IsFeltWall(navigator.map().CellAt({x, y}));
   }
-  MapNavigator navigator{SmallRig(), {}};
+  MapNavigator navigator{tests::SmallRig(), {}};
 
  private:
   std::vector<float> depth_ = std::vector<float>(8 * 32, 0.0f);

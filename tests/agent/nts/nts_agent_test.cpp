@@ -9,16 +9,10 @@
 #include "sim/base/error.h"
 #include "tests/agent/nts/scripted_model.h"
 #include "tests/support/corridor.h"
+#include "tests/support/rigs.h"
 
 namespace bulletnav::agent {
 namespace {
-
-Rig SmallRig() {
-  Rig rig;
-  rig.panorama.rows = 8;
-  rig.panorama.cols = 32;
-  return rig;
-}
 
 /// A body on an endless floor that sees nothing but what the model says; moves as it is told.
 class NtsAgentTest : public testing::Test {
@@ -31,7 +25,7 @@ class NtsAgentTest : public testing::Test {
       return true;
     };
     AgentContext context;
-    context.rig = SmallRig();
+    context.rig = tests::SmallRig();
     context.semantic_model = model_;
     NtsSpec spec;
     spec.policy.opening_reach = 0.0;  // known floor ends all around a body that sees nothing
@@ -145,7 +139,7 @@ TEST(NtsAgent, GoesWhereKnownFloorEndsIfNoDirectionIsExplorable) {
 
 TEST(NtsAgent, WithoutAModelSaysWhereToNameOne) {
   AgentContext context;
-  context.rig = SmallRig();
+  context.rig = tests::SmallRig();
   try {
     const NtsAgent agent(NtsSpec{}, context, "nts", GhostChoice::kScore);
     FAIL();
