@@ -65,7 +65,7 @@ void PlayConfig(const RunCommandOptions& options) {
   progress.End();
   fmt::print("{}\nresults: {}\n", outcome.table, folder.string());
   if (!options.no_plots) DrawWorst(folder);
-  fmt::print("to draw others: bulletnav plot {}\n", folder.string());
+  fmt::print("to draw others: ./bulletnav plot {}\n", folder.string());
   if (outcome.versions > 1) {
     fmt::print(
         stderr,
