@@ -142,29 +142,31 @@ Activity ActivityOf(pid_t process) {
   return {state == "S", user + system};
 }
 
-/// The child's status, or nothing if it waits without end; it goes on then.
-std::optional<int> StatusUnlessStuck(pid_t child) {
+/// Until the child ends, or waits without end. False: the latter.
+bool WatchTillEnd(int handle, pid_t child) {
   constexpr int kPeriodMs = 250;
   constexpr int kPatience = 8;  // periods
-  int status = 0;
+  pollfd events = {handle, POLLIN, 0};
+  long ticks = -1;
+  for (int idle = 0; idle < kPatience;) {
+    const int ended = ::poll(&events, 1, kPeriodMs);
+    if (ended > 0 || (ended < 0 && errno != EINTR)) return true;
+    const Activity now = ActivityOf(child);
+    idle = now.is_waiting && now.ticks == ticks ? idle + 1 : 0;
+    ticks = now.ticks;
+  }
+  return false;
+}
+
+/// The child's status, or nothing if it waits without end; it goes on then.
+std::optional<int> StatusUnlessStuck(pid_t child) {
   const auto handle = static_cast<int>(::syscall(SYS_pidfd_open, child, 0));
   if (handle >= 0) {
-    pollfd events = {handle, POLLIN, 0};
-    long ticks = -1;
-    for (int idle = 0; idle < kPatience;) {
-      const int ended = ::poll(&events, 1, kPeriodMs);
-      if (ended > 0) break;
-      if (ended < 0 && errno != EINTR) break;
-      const Activity now = ActivityOf(child);
-      idle = now.is_waiting && now.ticks == ticks ? idle + 1 : 0;
-      ticks = now.ticks;
-      if (idle == kPatience) {
-        ::close(handle);
-        return std::nullopt;
-      }
-    }
+    const bool is_ended = WatchTillEnd(handle, child);
     ::close(handle);
+    if (!is_ended) return std::nullopt;
   }
+  int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
   return status;

@@ -84,12 +84,14 @@ class PlyChecker {
   void CheckNumbers() {
     for (const Element& element : elements_) {
       if (element.is_list.empty()) continue;
-      for (std::uint64_t item = 0; item < element.count; ++item) {
-        for (const bool is_list : element.is_list) {
-          const std::string_view number = Number();
-          if (is_list) SkipNumbers(number);
-        }
-      }
+      for (std::uint64_t item = 0; item < element.count; ++item) CheckItem(element);
+    }
+  }
+
+  void CheckItem(const Element& element) {
+    for (const bool is_list : element.is_list) {
+      const std::string_view number = Number();
+      if (is_list) SkipNumbers(number);
     }
   }
 
