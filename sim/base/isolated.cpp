@@ -158,6 +158,14 @@ bool WatchTillEnd(int handle, pid_t child) {
   return false;
 }
 
+/// Waits for the child's end.
+int StatusOf(pid_t child) {
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return status;
+}
+
 /// The child's status, or nothing if it waits without end; it goes on then.
 std::optional<int> StatusUnlessStuck(pid_t child) {
   const auto handle = static_cast<int>(::syscall(SYS_pidfd_open, child, 0));
@@ -166,10 +174,7 @@ std::optional<int> StatusUnlessStuck(pid_t child) {
     ::close(handle);
     if (!is_ended) return std::nullopt;
   }
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  return status;
+  return StatusOf(child);
 }
 
 IsolatedResult::End EndOf(int status) {
@@ -215,7 +220,7 @@ IsolatedResult RunIsolated(const std::function<std::vector<std::uint8_t>()>& wor
     }
     // It waits for a lock that another thread held when it was made; the next one may not.
     ::kill(child, SIGKILL);
-    ::waitpid(child, nullptr, 0);
+    StatusOf(child);
   }
   return {IsolatedResult::End::kTimedOut, {}};
 }
