@@ -4,10 +4,26 @@
 #include <algorithm>
 #include <cmath>
 
-#include "agent/nts/view_ghosts.h"
 #include "agent/perception/relative_pose.h"
 
 namespace bulletnav::agent {
+namespace {
+
+// Metres from a node to a place of which it says something: nearer, its direction means little,
+// farther off other places lie in it as well.
+constexpr double kNeighbourFrom = 1.0;
+constexpr double kNeighbourTo = 4.5;
+
+std::vector<int> NeighboursOf(const TopologicalGraph& graph, int node) {
+  std::vector<int> neighbours;
+  for (const GraphEdge& edge : graph.edges()) {
+    if (edge.a == node) neighbours.push_back(edge.b);
+    if (edge.b == node) neighbours.push_back(edge.a);
+  }
+  return neighbours;
+}
+
+}  // namespace
 
 GlobalPolicy::GlobalPolicy(const PolicySpec& spec, std::shared_ptr<SemanticModel> model,
                            GhostChoice choice)
@@ -19,6 +35,8 @@ void GlobalPolicy::NewGoal(PanoramaCode goal, std::uint64_t seed) {
   views_.clear();
   refuted_.clear();
   chosen_.reset();
+  seen_at_.clear();
+  known_ways_.Clear();
 }
 
 void GlobalPolicy::Read(TopologicalGraph* graph) {
@@ -32,20 +50,50 @@ void GlobalPolicy::Read(TopologicalGraph* graph) {
   const std::vector<GhostNode> ghosts = graph->ghosts();
   for (const GhostNode& ghost : ghosts) {
     const PairPrediction& view = views_[static_cast<std::size_t>(ghost.owner)];
-    graph->SetScore(ghost.id, view.score[static_cast<std::size_t>(ghost.direction)]);
+    const double own = view.score[static_cast<std::size_t>(ghost.direction)];
+    const std::vector<int> neighbours = NeighboursOf(*graph, ghost.owner);
+    graph->SetScore(ghost.id, MeanScore(*graph, graph->GhostPoint(ghost), own, neighbours));
   }
+}
+
+double GlobalPolicy::MeanScore(const TopologicalGraph& graph, const Point& point, double own,
+                               std::span<const int> neighbours) const {
+  double sum = own;
+  double weights = 1.0;
+  for (const int node : neighbours) {
+    const double distance = Distance(graph.NodePoint(node), point);
+    if (distance < kNeighbourFrom || distance > kNeighbourTo) continue;
+    const auto direction = static_cast<std::size_t>(DirectionOf(graph.BearingFrom(node, point)));
+    sum += spec_.neighbour_weight * views_[static_cast<std::size_t>(node)].score[direction];
+    weights += spec_.neighbour_weight;
+  }
+  return sum / weights;
+}
+
+double GlobalPolicy::AllOfView(const TopologicalGraph& graph, const Localisation& localisation,
+                               const Point& here, const ViewGhost& ghost,
+                               const Point& point) const {
+  std::vector<int> neighbours;  // if the view were a node
+  for (const Localisation::Sight& sight : localisation.visible) neighbours.push_back(sight.node);
+  const double way = std::max(ghost.distance, known_ways_.Least(here, point));
+  return WayByGhost(spec_, way, MeanScore(graph, point, ghost.score, neighbours));
+}
+
+void GlobalPolicy::Remember(const Localisation& localisation, const Point& here) {
+  for (const Localisation::Sight& sight : localisation.visible) seen_at_[sight.node] = here;
+  std::erase_if(seen_at_, [&](const auto& seen) {
+    return !localisation.Sees(seen.first) && Distance(seen.second, here) >= spec_.sight_memory;
+  });
+  if (seen_at_.empty() && localisation.current >= 0) seen_at_[localisation.current] = here;
 }
 
 std::optional<Subgoal> GlobalPolicy::Choose(const TopologicalGraph& graph,
                                             const Localisation& localisation, const Point& here,
                                             const GoalApproach& approach) {
+  Remember(localisation, here);
   std::vector<std::pair<int, double>> starts;
-  for (const Localisation::Sight& sight : localisation.visible) {
-    starts.emplace_back(sight.node, Distance(graph.NodePoint(sight.node), here));
-  }
-  if (starts.empty() && localisation.current >= 0) {
-    const int current = localisation.current;
-    starts.emplace_back(current, Distance(graph.NodePoint(current), here));
+  for (const auto& [node, at] : seen_at_) {
+    starts.emplace_back(node, Distance(graph.NodePoint(node), here));
   }
   const Place place{graph, localisation, here, graph.Routes(starts), approach};
   if (auto subgoal = ToGoal(place)) return subgoal;
@@ -65,7 +113,11 @@ Point GlobalPolicy::GoalPoint(const TopologicalGraph& graph, int node) const {
   return {pose.x + goal.distance * std::cos(heading), pose.y + goal.distance * std::sin(heading)};
 }
 
-std::optional<Subgoal> GlobalPolicy::ToGoal(const Place& place) const {
+void GlobalPolicy::Follow(const Subgoal& subgoal) {
+  if (subgoal.ghost) chosen_ = subgoal.ghost;
+}
+
+std::optional<Subgoal> GlobalPolicy::ToGoal(const Place& place) {
   std::optional<int> best;
   double best_all = 0.0;
   double best_way = 0.0;
@@ -87,11 +139,7 @@ std::optional<Subgoal> GlobalPolicy::ToGoal(const Place& place) const {
 
 std::optional<Subgoal> GlobalPolicy::ToGhost(const Place& place) {
   const GhostNode* ghost = choice_ == GhostChoice::kScore ? BestGhost(place) : RandomGhost(place);
-  if (ghost == nullptr) {
-    chosen_.reset();
-    return std::nullopt;
-  }
-  chosen_ = ghost->id;
+  if (ghost == nullptr) return std::nullopt;
   Subgoal subgoal = Lead(place, ghost->owner, place.graph.GhostPoint(*ghost));
   subgoal.ghost = ghost->id;
   subgoal.way = WayTo(place, *ghost);
@@ -99,11 +147,14 @@ std::optional<Subgoal> GlobalPolicy::ToGhost(const Place& place) {
   return subgoal;
 }
 
-/// Metres from the body to a ghost; infinite if it cannot be reached.
 double GlobalPolicy::WayTo(const Place& place, const GhostNode& ghost) const {
+  const double least = known_ways_.Least(place.here, place.graph.GhostPoint(ghost));
+  return std::max(WayOverGraph(place, ghost), least);
+}
+
+double GlobalPolicy::WayOverGraph(const Place& place, const GhostNode& ghost) const {
   // What hangs on a node that sees the body need not be gone to by way of that node.
-  const bool is_current = ghost.owner == place.localisation.current;
-  if (is_current || place.localisation.Sees(ghost.owner)) {
+  if (ghost.owner == place.localisation.current || seen_at_.contains(ghost.owner)) {
     return Distance(place.here, place.graph.GhostPoint(ghost));
   }
   return place.routes.cost[static_cast<std::size_t>(ghost.owner)] + ghost.distance;
@@ -137,14 +188,15 @@ const GhostNode* GlobalPolicy::RandomGhost(const Place& place) {
   return reachable.empty() ? nullptr : rng_.Pick(reachable);
 }
 
-Subgoal GlobalPolicy::Lead(const Place& place, int node, const Point& last) const {
+Subgoal GlobalPolicy::Lead(const Place& place, int node, const Point& last) {
   Subgoal subgoal;
   subgoal.path = place.routes.To(node);
   subgoal.point = last;
-  // A node that is reached although it does not know the body is behind.
+  // A node that is reached although it does not know the body.
   while (subgoal.path.size() > 1) {
     subgoal.point = place.graph.NodePoint(subgoal.path[1]);
     if (Distance(subgoal.point, place.here) > spec_.node_reached) break;
+    seen_at_[subgoal.path[1]] = place.here;
     subgoal.path.erase(subgoal.path.begin());
     subgoal.point = last;
   }

@@ -13,6 +13,7 @@ namespace bulletnav::agent {
 namespace {
 
 constexpr int kFirstNode = 1 << 20;   // nodes' numbers for the watch, which has ghosts' below
+constexpr double kSurprise = 0.5;     // metres that the map's way is longer than was believed
 constexpr double kNowhereToGo = 0.1;  // metres to a waypoint
 
 ApproachSpec ApproachBy(const PolicySpec& policy) {
@@ -89,8 +90,7 @@ std::optional<sim::Action> NtsAgent::Travel(const PanoramaCode& code) {
   DropKnownGhosts();
   for (int i = 0; i < kTries; ++i) {
     policy_.Read(&update_.graph());
-    subgoal_ =
-        policy_.Choose(update_.graph(), update_.localisation(), navigator_.here(), approach_);
+    const std::optional<Waypoint> plan = Choose();
     if (TakeView(code, subgoal_)) continue;
     if (!subgoal_) return std::nullopt;
     if (IsGhostReached(*subgoal_)) {
@@ -98,10 +98,27 @@ std::optional<sim::Action> NtsAgent::Travel(const PanoramaCode& code) {
       MakeNode(code);
       continue;
     }
-    if (const auto action = Walk(*subgoal_)) return action;
+    if (const auto action = Walk(*subgoal_, plan)) {
+      policy_.Follow(*subgoal_);
+      return action;
+    }
     GiveUp(*subgoal_);
   }
   return std::nullopt;
+}
+
+std::optional<Waypoint> NtsAgent::Choose() {
+  constexpr int kQuestions = 12;
+  for (int i = 0;; ++i) {
+    subgoal_ =
+        policy_.Choose(update_.graph(), update_.localisation(), navigator_.here(), approach_);
+    if (!subgoal_) return std::nullopt;
+    const std::optional<Waypoint> plan = navigator_.Plan(subgoal_->point, true);
+    if (!plan || !subgoal_->ghost || !subgoal_->is_last()) return plan;
+    if (choice_ == GhostChoice::kRandom) return plan;
+    policy_.known_ways().Learn(navigator_.here(), subgoal_->point, plan->distance);
+    if (plan->distance <= subgoal_->way + kSurprise || i == kQuestions) return plan;
+  }
 }
 
 bool NtsAgent::TakeView(const PanoramaCode& code, const std::optional<Subgoal>& known) {
@@ -111,8 +128,10 @@ bool NtsAgent::TakeView(const PanoramaCode& code, const std::optional<Subgoal>& 
   for (const Point& point : NewOpenings()) openings.push_back(SeenFromBody(point));
   for (const ViewGhost& ghost :
        GhostsOfView(spec_, model_->Explorable(code), view_.score, openings)) {
-    if (known && ghost.way >= known->all - spec_.policy.view_margin) return false;
     const Point point = navigator_.PointAt(ghost.distance, ghost.bearing);
+    const double all =
+        policy_.AllOfView(update_.graph(), update_.localisation(), navigator_.here(), ghost, point);
+    if (known && all >= known->all - spec_.policy.view_margin) continue;
     const bool is_opening = ghost.distance < kNodeRadius;
     if (!is_opening && IsKnown(point)) continue;
     MakeNode(code);
@@ -195,15 +214,15 @@ bool NtsAgent::IsGhostReached(const Subgoal& subgoal) const {
 }
 
 /// Absent if it cannot be walked to, or the goal is not there.
-std::optional<sim::Action> NtsAgent::Walk(const Subgoal& subgoal) {
+std::optional<sim::Action> NtsAgent::Walk(const Subgoal& subgoal, std::optional<Waypoint> plan) {
   target_ = subgoal.point;
   const bool is_goal = !subgoal.ghost && subgoal.is_last();
   if (is_goal && Distance(subgoal.point, navigator_.here()) <= spec_.policy.node_reached) {
     return std::nullopt;
   }
-  auto plan = navigator_.Plan(subgoal.point, true);
   if (!plan) {
     navigator_.ForgetMap();
+    policy_.known_ways().Clear();
     plan = navigator_.Plan(subgoal.point, true);
   }
   if (!plan || Distance(plan->point, navigator_.here()) < kNowhereToGo) return std::nullopt;
@@ -237,6 +256,7 @@ sim::Action NtsAgent::Wander() {
   // Nothing is left to explore: something that was done away with on the way was wrong.
   target_.reset();
   navigator_.ForgetMap();
+  policy_.known_ways().Clear();
   given_up_.clear();
   policy_.Reconsider();
   approach_.Reconsider();

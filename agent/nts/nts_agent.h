@@ -58,7 +58,10 @@ class NtsAgent : public Agent {
   bool IsGivenUp(const Point& point) const;
   /// Along the graph; absent if it leads nowhere.
   std::optional<sim::Action> Travel(const PanoramaCode& code);
-  std::optional<sim::Action> Walk(const Subgoal& subgoal);
+  /// Sets `subgoal_`, and asks the map how far ghosts really are until none is nearer. Absent if
+  /// there is none, or the map knows no way there.
+  std::optional<Waypoint> Choose();
+  std::optional<sim::Action> Walk(const Subgoal& subgoal, std::optional<Waypoint> plan);
   bool IsGhostReached(const Subgoal& subgoal) const;
   void GiveUp(const Subgoal& subgoal);
   sim::Action Wander();

@@ -29,6 +29,9 @@ void PolicySpec::Validate() const {
   if (!(path_weight >= 0.0 && doubt_weight >= 0.0 && change_margin >= 0.0)) {
     throw sim::Error("path_weight, doubt_weight and change_margin must not be negative");
   }
+  if (!(neighbour_weight >= 0.0 && std::isfinite(neighbour_weight) && sight_memory >= 0.0)) {
+    throw sim::Error("neighbour_weight and sight_memory must not be negative");
+  }
   if (!(ghost_frontier >= 0.0)) throw sim::Error("ghost_frontier must not be negative");
   if (!(opening_reach >= 0.0 && opening_clearance > 0.0 && near_reached > 0.0)) {
     throw sim::Error("expected opening_reach >= 0, opening_clearance and near_reached > 0");

@@ -30,14 +30,16 @@ struct GraphSpec {
 
 /// How the place to go is chosen. Metres and probabilities.
 struct PolicySpec {
-  double goal_seen = 0.5;       // probability from which the goal belongs to a place
-  double doubt_weight = 10.0;   // metres of way that a node's doubt whether it has the goal counts
-  int sightings = 2;            // of the goal from the body that must agree
-  double path_weight = 0.5;     // metres of score that a metre of way to a ghost counts
-  double change_margin = 1.0;   // better by this another ghost takes over from the chosen one
-  double view_margin = 2.5;     // better by this the present view becomes a node
-  double ghost_frontier = 1.5;  // ghosts with no end of known floor this near are no news; 0: all
-  double opening_reach = 3.0;   // ends of known floor this near to a new node get a ghost; 0: none
+  double goal_seen = 0.5;      // probability from which the goal belongs to a place
+  double doubt_weight = 10.0;  // metres of way that a node's doubt whether it has the goal counts
+  int sightings = 2;           // of the goal from the body that must agree
+  double path_weight = 0.5;    // metres of score that a metre of way to a ghost counts
+  double neighbour_weight = 0.5;  // of what nodes near a ghost's owner say of it; the owner's is 1
+  double sight_memory = 1.0;      // metres to walk until a node that saw the body counts no more
+  double change_margin = 1.0;     // better by this another ghost takes over from the chosen one
+  double view_margin = 2.5;       // better by this the present view becomes a node
+  double ghost_frontier = 1.5;    // ghosts with no end of known floor this near are no news; 0: all
+  double opening_reach = 3.0;  // ends of known floor this near to a new node get a ghost; 0: none
   double opening_clearance = 1.0;  // unless a ghost this near stands for them
   double ghost_reached = 0.5;      // this near a ghost is visited
   double near_reached = 0.3;       // the same for a ghost less than 3 m from its node
@@ -55,6 +57,8 @@ struct PolicySpec {
     v("doubt_weight", doubt_weight);
     v("sightings", sightings);
     v("path_weight", path_weight);
+    v("neighbour_weight", neighbour_weight);
+    v("sight_memory", sight_memory);
     v("change_margin", change_margin);
     v("view_margin", view_margin);
     v("ghost_frontier", ghost_frontier);

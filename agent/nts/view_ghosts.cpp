@@ -17,8 +17,8 @@ std::vector<ViewGhost> GhostsOfView(const NtsSpec& spec,
                                     std::span<const Opening> openings) {
   std::vector<ViewGhost> ghosts;
   const auto add = [&](double bearing, double distance) {
-    const auto direction = static_cast<std::size_t>(DirectionOf(bearing));
-    ghosts.push_back({bearing, distance, WayByGhost(spec.policy, distance, score[direction])});
+    const double says = score[static_cast<std::size_t>(DirectionOf(bearing))];
+    ghosts.push_back({bearing, distance, says, WayByGhost(spec.policy, distance, says)});
   };
   for (int i = 0; i < kDirections; ++i) {
     if (explorable[static_cast<std::size_t>(i)] < spec.graph.explorable) continue;

@@ -17,6 +17,7 @@ double WayByGhost(const PolicySpec& spec, double way, double score);
 struct ViewGhost {
   double bearing = 0.0;   // radians from straight ahead
   double distance = 0.0;  // metres
+  double score = 0.0;     // of its direction
   double way = 0.0;       // WayByGhost
 };
 

@@ -33,8 +33,8 @@ void MakeHouses(const HousesSpec& houses, const std::string& made_by, int worker
 std::vector<std::filesystem::path> FilesOf(const HousesSpec& houses) {
   const std::filesystem::path folder = houses.folder;
   if (!sim::HasHouseSet(folder, SetOf(houses))) {
-    throw sim::FileError(folder, "",
-                         "holds no houses yet; bulletnav train and bulletnav dataset make them");
+    throw sim::FileError(
+        folder, "", "holds no houses yet; ./bulletnav train and ./bulletnav dataset make them");
   }
   std::vector<std::filesystem::path> files;
   for (const sim::HouseEntry& house : sim::ReadHouseIndex(folder / "index.json")) {

@@ -234,7 +234,8 @@ ModelLoaders WeightsCheck() {
 
 fs::path FindWeights(const std::string& weights) {
   if (const auto file = FindIfThere(weights)) return *file;
-  throw sim::FileError(weights, "", "does not exist; train it: bulletnav train configs/train/...");
+  throw sim::FileError(weights, "",
+                       "does not exist; train it: ./bulletnav train configs/train/...");
 }
 
 std::map<std::string, fs::path> UsedWeights(const RunConfig& config) {

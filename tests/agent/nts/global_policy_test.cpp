@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "agent/nts/global_policy.h"
 
+#include <cmath>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -25,6 +26,11 @@ class GlobalPolicyTest : public testing::Test {
   std::optional<Subgoal> Choose(GlobalPolicy* policy, const Point& at = {}) {
     policy->Read(&graph_);
     return policy->Choose(graph_, here_, at, approach_);
+  }
+  std::optional<Subgoal> Follow(GlobalPolicy* policy, const Point& at = {}) {
+    const auto subgoal = Choose(policy, at);
+    if (subgoal) policy->Follow(*subgoal);
+    return subgoal;
   }
   GlobalPolicy Policy(const Point& goal, GhostChoice choice = GhostChoice::kScore,
                       std::uint64_t seed = 1) {
@@ -58,8 +64,9 @@ TEST_F(GlobalPolicyTest, SkipsNodesOnTheWayThatSeeTheBodyOrAreReached) {
   GlobalPolicy policy = Policy({10.0, 0});
   here_.visible = {{0, 1.0}, {1, 1.5}};
   EXPECT_EQ(Choose(&policy, {1.0, 0})->path, (std::vector<int>{1, 2, 3}));
+  GlobalPolicy other = Policy({10.0, 0});
   here_.visible = {{0, 2.3}};
-  EXPECT_EQ(Choose(&policy, {2.3, 0})->path, (std::vector<int>{1, 2, 3}));
+  EXPECT_EQ(Choose(&other, {2.3, 0})->path, (std::vector<int>{1, 2, 3}));
 }
 
 TEST_F(GlobalPolicyTest, DoesNotBelieveANodeThatWasWrong) {
@@ -88,6 +95,92 @@ TEST_F(GlobalPolicyTest, AGhostOfThePresentNodeIsAsFarOffAsItIsEvenIfTheNodeIsNo
   const auto subgoal = Choose(&policy, {2.5, 0});
   ASSERT_EQ(subgoal->ghost, ghost);
   EXPECT_NEAR(subgoal->way, 0.5, 1e-6);
+}
+
+TEST_F(GlobalPolicyTest, ANodeThatSawTheBodyAMomentAgoStillDoes) {
+  graph_.AddGhostAt(1, {1.5, 1.0});
+  GlobalPolicy policy = Policy({30.0, 0});
+  here_.visible = {{0, 1.5}, {1, 1.5}};
+  ASSERT_TRUE(Choose(&policy, {1.0, 0.5})->is_last());
+  here_.visible = {{0, 1.5}};
+  const auto subgoal = Choose(&policy, {1.2, 0.6});
+  EXPECT_TRUE(subgoal->is_last()) << "not by way of node 1";
+  EXPECT_NEAR(subgoal->way, 0.5, 1e-6);
+  EXPECT_FALSE(Choose(&policy, {1.0, 1.6})->is_last()) << "it has moved 1.1 m since";
+  GlobalPolicy other = Policy({30.0, 0});
+  EXPECT_FALSE(Choose(&other, {1.2, 0.6})->is_last()) << "it was never seen from there";
+}
+
+TEST_F(GlobalPolicyTest, DoesNotTurnBackToANodeThatItHasPassed) {
+  GlobalPolicy policy = Policy({10.0, 0});
+  here_.visible = {{1, 2.2}};
+  const std::vector<int> rest = {2, 3};
+  ASSERT_EQ(Choose(&policy, {4.7, 0})->path, rest) << "node 2 is reached";
+  EXPECT_EQ(Choose(&policy, {5.6, 0})->path, rest) << "and behind";
+  here_.visible = {{0, 2.9}};
+  EXPECT_EQ(Choose(&policy, {5.65, 0})->path, rest);
+}
+
+TEST_F(GlobalPolicyTest, TakesUpTheWayFromWhicheverNodeSeesTheBodyNow) {
+  GlobalPolicy policy = Policy({10.0, 0});
+  here_.visible = {{0, 1.0}};
+  ASSERT_EQ(Choose(&policy, {1.0, 0})->path, (std::vector<int>{0, 1, 2, 3}));
+  here_.visible = {{0, 1.2}, {1, 1.3}};
+  EXPECT_EQ(Choose(&policy, {1.2, 0})->path, (std::vector<int>{1, 2, 3}));
+}
+
+TEST_F(GlobalPolicyTest, GoesElsewhereIfTheWayToAGhostTurnsOutToBeLong) {
+  const int ahead = graph_.AddGhost(0, 0);
+  const int aside = graph_.AddGhost(0, 3);
+  spec_.path_weight = 1.0;
+  GlobalPolicy policy = Policy({20.0, 0});
+  ASSERT_EQ(Choose(&policy)->ghost, ahead);
+  policy.known_ways().Learn({}, {3.0, 0}, 11.0);
+  EXPECT_EQ(Choose(&policy)->ghost, aside);
+  policy.known_ways().Learn({}, {3.0, 0}, 3.0);
+  EXPECT_EQ(Choose(&policy)->ghost, ahead) << "there is a shorter way now";
+}
+
+TEST_F(GlobalPolicyTest, AsksNeighboursOfTheOwnerThatAreNeitherNearNorFar) {
+  graph_.AddNode({CodeAt(6.0, 1.5), {6.0, 1.5, 0}});  // not joined to the owner
+  graph_.AddNode({CodeAt(5.0, 2.5), {5.0, 2.5, 0}});  // too near
+  graph_.AddNode({CodeAt(5.0, 7.6), {5.0, 7.6, 0}});  // too far
+  graph_.AddEdge(2, 5);
+  graph_.AddEdge(6, 2);
+  model_->score = [](const Point& from, double heading, const Point& /*goal*/) {
+    if (from.x == 7.5) return std::cos(heading) < -0.4 ? 0.3 : 0.0;  // towards the ghost
+    if (from.x == 2.5) return 0.6;
+    return from.y == 0.0 ? 0.9 : 0.1;
+  };
+  const int ghost = graph_.AddGhost(2, 3);
+  for (const double weight : {0.0, 0.5, 1.0}) {
+    spec_.neighbour_weight = weight;
+    GlobalPolicy policy = Policy({30.0, 0});
+    policy.Read(&graph_);
+    // Nodes 1 and 3 are joined to the owner and 3.9 m from the ghost.
+    const double mean = (0.9 + weight * (0.6 + 0.3)) / (1.0 + 2.0 * weight);
+    EXPECT_NEAR(*graph_.FindGhost(ghost)->score, mean, 1e-6) << weight;
+  }
+}
+
+TEST_F(GlobalPolicyTest, PricesAGhostOfTheViewAsIfTheViewWereANode) {
+  spec_.path_weight = 1.0;
+  model_->score = [](const Point& /*from*/, double /*heading*/, const Point& /*goal*/) {
+    return 0.5;
+  };
+  GlobalPolicy policy = Policy({30.0, 0});
+  const Point here{2.5, 0.5};
+  here_.visible = {{1, 0.5}};
+  Choose(&policy, here);
+  const ViewGhost seen{0.0, 3.0, 0.8, 0.0};
+  const Point point{3.5, 3.3};
+  const double mean = (0.8 + 0.5 * 0.5) / 1.5;
+  const auto all = [&] {
+    return policy.AllOfView(graph_, here_, here, seen, point);
+  };
+  EXPECT_NEAR(all(), WayByGhost(spec_, 3.0, mean), 1e-6);
+  policy.known_ways().Learn(here, point, 7.0);
+  EXPECT_NEAR(all(), WayByGhost(spec_, 7.0, mean), 1e-6);
 }
 
 TEST_F(GlobalPolicyTest, ExploresTheGhostOverWhichTheWholeWayIsShortest) {
@@ -120,7 +213,7 @@ TEST_F(GlobalPolicyTest, KeepsAGhostUnlessAnotherIsBetterByTheMargin) {
     spec_.change_margin = margin;
     GlobalPolicy policy = Policy({20.0, 0});
     const int first = graph_.AddGhost(0, 11);
-    ASSERT_EQ(Choose(&policy)->ghost, first);
+    ASSERT_EQ(Follow(&policy)->ghost, first);
     const int better = graph_.AddGhost(0, 0);  // by 0.47 m
     EXPECT_EQ(Choose(&policy)->ghost, margin > 0.47 ? first : better);
     graph_.RemoveGhost(first);
@@ -133,7 +226,7 @@ TEST_F(GlobalPolicyTest, RandomGhostsComeFromTheSeedAndAreKept) {
   std::set<int> chosen;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     GlobalPolicy policy = Policy({30.0, 0}, GhostChoice::kRandom, seed);
-    const int ghost = *Choose(&policy)->ghost;
+    const int ghost = *Follow(&policy)->ghost;
     EXPECT_EQ(Choose(&policy)->ghost, ghost);
     GlobalPolicy same = Policy({30.0, 0}, GhostChoice::kRandom, seed);
     EXPECT_EQ(Choose(&same)->ghost, ghost);

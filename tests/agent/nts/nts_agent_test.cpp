@@ -137,6 +137,33 @@ TEST(NtsAgent, GoesWhereKnownFloorEndsIfNoDirectionIsExplorable) {
   EXPECT_NEAR(ghost.x, 3.0, 0.3) << "the end of what is seen of the corridor";
 }
 
+TEST(NtsAgent, AsksTheMapBeforeItWalksToAGhostBehindAWall) {
+  for (const bool has_walls : {false, true}) {
+    const auto model = std::make_shared<ScriptedModel>();
+    model->encode = [](const Panorama& panorama) {
+      return panorama.depth.empty() ? CodeAt(0, 6) : CodeAt(0, 0);
+    };
+    model->is_open = [](const Point& /*from*/, double heading) {
+      return std::cos(heading) > 0.9 || std::sin(heading) > 0.9;
+    };
+    AgentContext context;
+    context.semantic_model = model;
+    NtsSpec spec;
+    spec.policy.opening_reach = 0.0;
+    spec.policy.path_weight = 1.0;
+    NtsAgent agent(spec, context, "nts", GhostChoice::kScore);
+    agent.Reset({}, 3);
+    const auto corridor = tests::CorridorDepth(0.0);
+    const std::vector<float> nothing(corridor.size(), 0.0f);
+    agent.Act({{{}, has_walls ? corridor : nothing}, {}, false, 0});
+    const Belief belief = agent.belief();
+    ASSERT_TRUE(belief.graph && belief.target);
+    ASSERT_EQ(belief.graph->path.size(), 2u);
+    EXPECT_NEAR(belief.target->x, has_walls ? 3.0 : 0.0, 0.1);
+    EXPECT_NEAR(belief.target->y, has_walls ? 0.0 : 3.0, 0.1);
+  }
+}
+
 TEST(NtsAgent, WithoutAModelSaysWhereToNameOne) {
   AgentContext context;
   context.rig = tests::SmallRig();
