@@ -64,6 +64,9 @@ void PlayConfig(const RunCommandOptions& options) {
       RunBenchmark(std::move(config), folder, options.run, MakeHooks(&progress));
   progress.End();
   fmt::print("{}\nresults: {}\n", outcome.table, folder.string());
+  for (const std::string& missing : outcome.missing) {
+    fmt::print(stderr, "bulletnav: warning: not played: {}\n", missing);
+  }
   if (!options.no_plots) DrawWorst(folder);
   fmt::print("to draw others: ./bulletnav plot {}\n", folder.string());
   if (outcome.versions > 1) {

@@ -39,9 +39,11 @@ CLI::Option* AddEnumOption(CLI::App* command, const std::string& name, E* value,
   }
   return command->add_option_function<std::string>(
       name,
-      [value, names, shown](const std::string& text) {
+      [name, value, names, shown](const std::string& text) {
         const auto found = names.find(text);
-        if (found == names.end()) throw CLI::ValidationError(text, "is not one of " + shown);
+        if (found == names.end()) {
+          throw CLI::ValidationError(name, "'" + text + "' is not one of " + shown);
+        }
         *value = found->second;
       },
       help + ": " + shown);

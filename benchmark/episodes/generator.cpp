@@ -40,6 +40,10 @@ std::vector<std::string> Labels(const std::vector<std::string>& scenes) {
     });
     const std::string stem = file.stem().string();
     labels.push_back(alike == 1 ? stem : file.parent_path().filename().string() + "-" + stem);
+    if (std::count(labels.begin(), labels.end(), labels.back()) == 1) continue;
+    throw sim::FileError(scene, "",
+                         "another scene's episodes would be called '" + labels.back() +
+                             "' as well; name each scene once, or rename one");
   }
   return labels;
 }

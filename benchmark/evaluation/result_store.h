@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "benchmark/evaluation/episode_result.h"
-#include "benchmark/evaluation/folder_lock.h"
+#include "sim/base/folder_lock.h"
 
 namespace bulletnav::bench {
 
@@ -44,7 +44,7 @@ class ResultStore {
                   const std::function<bool(const std::string&)>& can_go_on) const;
 
   std::filesystem::path folder_;
-  FolderLock lock_;
+  sim::FolderLock lock_;
   mutable std::mutex mutex_;
   std::map<ResultKey, EpisodeResult> results_;
   int fd_ = -1;

@@ -6,6 +6,8 @@
 #include <exception>
 #include <optional>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <yaml-cpp/yaml.h>
 
 #include "agent/perception/model_file.h"
@@ -54,18 +56,6 @@ class PrivilegedLanes final : public agent::BatchAgent {
 
 bool IsIn(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-/// Why the agent cannot be built; empty if it can.
-std::string WhyNot(const RunAgent& agent, const agent::Rig& rig) {
-  const GroundTruth nowhere;
-  const std::array<const GroundTruth*, 1> truths = {&nowhere};
-  try {
-    Build(agent, rig, truths);
-  } catch (const sim::Error& e) {
-    return e.what();
-  }
-  return "";
 }
 
 constexpr const char* kWithoutTorch = "this program was built without the learned functions";
@@ -184,6 +174,27 @@ void NoteFrames(const RunConfig& config, Setting setting, RunAgent* agent) {
   agent->frames_trained[key] = sum;
 }
 
+bool HasWeights(const RunAgent& agent, Setting setting) {
+  return (!agent.is_learned() || FindIfThere(agent.weights.of(setting))) &&
+         (!TakesMapper(agent.entry, setting) || FindIfThere(agent.weights.mapper));
+}
+
+/// Why the agent cannot be built; empty if it can. Weights that are there but cannot be used also
+/// go into `damage`.
+std::string WhyNot(const RunAgent& agent, const agent::Rig& rig, std::string* damage) {
+  const GroundTruth nowhere;
+  const std::array<const GroundTruth*, 1> truths = {&nowhere};
+  try {
+    Build(agent, rig, truths);
+  } catch (const sim::FileError& e) {
+    if (HasWeights(agent, SettingOf(rig))) *damage = e.what();
+    return e.what();
+  } catch (const sim::Error& e) {
+    return e.what();
+  }
+  return "";
+}
+
 RunAgent FindAgent(const RunConfig& config, const AgentEntry& entry, const ModelLoaders& loaders) {
   RunAgent agent;
   agent.entry = entry;
@@ -202,7 +213,7 @@ RunAgent FindAgent(const RunConfig& config, const AgentEntry& entry, const Model
   if (!agent.is_privileged) agent.maker = agent::ConfigureAgent(entry.agent, entry.parameters);
   const auto& wanted = entry.settings.empty() ? config.settings : entry.settings;
   for (const Setting setting : wanted) {
-    const std::string why = WhyNot(agent, RigOf(config, setting));
+    const std::string why = WhyNot(agent, RigOf(config, setting), &agent.damage);
     if (why.empty()) {
       agent.settings.push_back(setting);
       if (agent.is_learned()) NoteFrames(config, setting, &agent);
@@ -281,13 +292,29 @@ std::vector<RunAgent> FindAgents(const RunConfig& config, const ModelLoaders& lo
   return agents;
 }
 
-void RequireAll(std::span<const RunAgent> agents) {
-  std::string missing;
+std::vector<std::string> MissingAgents(std::span<const RunAgent> agents) {
+  std::vector<std::string> missing;
   for (const RunAgent& agent : agents) {
-    if (agent.missing.empty()) continue;
-    missing += (missing.empty() ? "" : "; ") + agent.entry.name + ": " + agent.missing;
+    if (!agent.missing.empty()) missing.push_back(agent.entry.name + ": " + agent.missing);
   }
-  if (!missing.empty()) throw sim::Error("not all agents can run: " + missing);
+  return missing;
+}
+
+void RequireSome(std::span<const RunAgent> agents) {
+  for (const RunAgent& agent : agents) {
+    if (!agent.damage.empty()) throw sim::Error(agent.damage);
+  }
+  const bool can_run = std::any_of(agents.begin(), agents.end(), [](const RunAgent& agent) {
+    return !agent.settings.empty();
+  });
+  if (can_run) return;
+  throw sim::Error(fmt::format("no agent can run: {}", fmt::join(MissingAgents(agents), "; ")));
+}
+
+void RequireAll(std::span<const RunAgent> agents) {
+  const std::vector<std::string> missing = MissingAgents(agents);
+  if (missing.empty()) return;
+  throw sim::Error(fmt::format("not all agents can run: {}", fmt::join(missing, "; ")));
 }
 
 agent::Rig RigOf(const RunConfig& config, Setting setting) {

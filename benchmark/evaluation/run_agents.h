@@ -47,6 +47,7 @@ struct RunAgent {
   AgentEntry entry;
   std::vector<Setting> settings;  // in which it can run
   std::string missing;            // why it cannot run in the others, or at all; empty if it can
+  std::string damage;             // of weights that are there but cannot be used
   bool is_privileged = false;
   std::string parameters;   // YAML text: nodes are not to be shared between threads
   agent::AgentMaker maker;  // of those that are not privileged
@@ -64,6 +65,12 @@ struct RunAgent {
 /// Finds out, by building each agent once in each of its settings, what can run.
 std::vector<RunAgent> FindAgents(const RunConfig& config,
                                  const ModelLoaders& loaders = WeightsCheck());
+
+/// Names and reasons of those that cannot run in all of their settings.
+std::vector<std::string> MissingAgents(std::span<const RunAgent> agents);
+
+/// Throws sim::Error if none can run, or the weights of one are damaged.
+void RequireSome(std::span<const RunAgent> agents);
 
 /// Throws sim::Error that names every agent that cannot run in all of its settings.
 void RequireAll(std::span<const RunAgent> agents);

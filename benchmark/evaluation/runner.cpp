@@ -153,6 +153,7 @@ Work PlanWork(RunConfig config, const RunOptions& options, int workers, const Ru
   plan.agents = options.loaders ? FindAgents(config, options.loaders) : FindAgents(config);
   if (!options.loaders) RequireNoneNeedsTorch(plan.agents);
   if (options.require_all) RequireAll(plan.agents);
+  RequireSome(plan.agents);
   const StartProgress quiet = [](const std::string& /*what*/, int /*total*/) {
     return [] {};
   };
@@ -229,6 +230,7 @@ RunOutcome RunBenchmark(RunConfig config, const fs::path& folder, const RunOptio
   RunOutcome outcome;
   outcome.hung = Play(work, folder, workers, hooks, &store);
   outcome.versions = CountVersions(folder);
+  outcome.missing = MissingAgents(work.plan->agents);
   outcome.table = WriteTables(folder, store.results(), AgentRows(work.plan->agents));
   return outcome;
 }

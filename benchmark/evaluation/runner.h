@@ -34,7 +34,8 @@ struct RunOutcome {
   /// Threads of agents that never came back. They can only be ended with the process, which must
   /// then leave by _Exit.
   int hung = 0;
-  int versions = 0;  // of the program, that have played in the folder
+  int versions = 0;                  // of the program, that have played in the folder
+  std::vector<std::string> missing;  // see MissingAgents
 };
 
 /// Plays every episode of a config that `folder` has no result of yet, and writes there config.yaml
@@ -42,7 +43,7 @@ struct RunOutcome {
 /// the config alone: not on workers, on other episodes, or on how often the run was killed and
 /// started again. An agent that throws, answers with no action or exceeds its time budget fails
 /// that episode, with the reason in its result.
-/// Throws sim::Error: see PrepareEpisodes, RequireAll and ResultStore.
+/// Throws sim::Error: see PrepareEpisodes, RequireSome, RequireAll and ResultStore.
 RunOutcome RunBenchmark(RunConfig config, const std::filesystem::path& folder,
                         const RunOptions& options, const RunHooks& hooks = {});
 

@@ -11,7 +11,6 @@
 #include <fmt/core.h>
 
 #include "agent/perception/one_thread.h"
-#include "benchmark/evaluation/folder_lock.h"
 #include "benchmark/training/adam.h"
 #include "benchmark/training/checkpoint.h"
 #include "benchmark/training/curves.h"
@@ -21,6 +20,7 @@
 #include "benchmark/training/train_task.h"
 #include "sim/base/error.h"
 #include "sim/base/files.h"
+#include "sim/base/folder_lock.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -83,7 +83,7 @@ class Trainer {
   /// One step of the optimiser; its loss.
   double Step() {
     const double loss = lanes_.Pass(*train_, state_.step);
-    RequireNumber(loss, "training");
+    RequireNumber(loss, "training", state_.step + 1);
     adam_.Step(plan_.optimiser.RateAt(state_.step, plan_.steps), plan_.optimiser.weight_decay);
     ++state_.step;
     observer_->Stepped(state_.step, loss);
@@ -98,7 +98,7 @@ class Trainer {
     learner_->net().eval();
     point.validation = learner_->Validate(*validation_, plan_.validation_batches, &pool_);
     const double loss = point.validation.at("loss");
-    RequireNumber(loss, "validation");
+    RequireNumber(loss, "validation", state_.step);
     if (loss < state_.best_loss) {
       state_.best_loss = loss;
       Save("weights_best.safetensors");
@@ -107,13 +107,15 @@ class Trainer {
     return point;
   }
 
-  void RequireNumber(double loss, const std::string& which) const {
+  void RequireNumber(double loss, const std::string& which, std::int64_t step) const {
     if (std::isfinite(loss)) return;
     const std::string kept = fs::exists(checkpoints_.newest())
                                  ? "the last good checkpoint is " + checkpoints_.newest().string()
                                  : "there is no checkpoint yet";
-    throw sim::Error(fmt::format("the {} loss is {} at step {}; {}; lower the learning_rate", which,
-                                 loss, state_.step + 1, kept));
+    throw sim::Error(fmt::format(
+        "the {} loss is {} at step {}; {}; lower the learning_rate and train in another "
+        "folder (out)",
+        which, loss, step, kept));
   }
 
   void Save(const std::string& name) const {
@@ -127,7 +129,7 @@ class Trainer {
   const BatchSource* validation_;
   TrainObserver* observer_;
   fs::path folder_;
-  FolderLock lock_;
+  sim::FolderLock lock_;
   sim::WorkerPool pool_;
   std::unique_ptr<Learner> learner_;
   TrainLanes lanes_;

@@ -37,9 +37,31 @@ std::string Reason() {
   return std::strerror(errno);
 }
 
+/// A name that no file has. One may be left of a killed process that had our number.
 fs::path TemporaryName(const fs::path& file) {
   static std::atomic<unsigned> counter{0};
-  return file.string() + ".tmp" + std::to_string(::getpid()) + "-" + std::to_string(counter++);
+  fs::path name;
+  std::error_code ignored;
+  do {
+    name = file.string() + ".tmp" + std::to_string(::getpid()) + "-" + std::to_string(counter++);
+  } while (fs::exists(name, ignored));
+  return name;
+}
+
+/// The file that is to be replaced: what `file` points to, if it is a link. Throws FileError if
+/// that is there and no file.
+fs::path RequireReplaceable(const fs::path& file) {
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  if (error && status.type() != fs::file_type::not_found) {
+    throw FileError(file, "", "cannot be written: " + error.message() + "; choose another place");
+  }
+  if (fs::is_directory(status)) throw FileError(file, "", "is a directory; name a file in it");
+  if (!fs::exists(status)) return file;
+  if (!fs::is_regular_file(status)) {
+    throw FileError(file, "", "is not a regular file, and would be replaced; name another");
+  }
+  return fs::is_symlink(fs::symlink_status(file)) ? fs::canonical(file) : file;
 }
 
 void SyncFile(const fs::path& temporary, const fs::path& file) {
@@ -101,13 +123,13 @@ std::string ReadTextFile(const fs::path& file) {
 }
 
 void WriteFileAtomically(const fs::path& file, const std::function<void(const fs::path&)>& write) {
-  if (fs::is_directory(file)) throw FileError(file, "", "is a directory; name a file in it");
+  const fs::path target = RequireReplaceable(file);
   if (file.has_parent_path()) MakeFolder(file.parent_path());
-  const fs::path temporary = TemporaryName(file);
+  const fs::path temporary = TemporaryName(target);
   try {
     write(temporary);
     SyncFile(temporary, file);
-    fs::rename(temporary, file);
+    fs::rename(temporary, target);
   } catch (const fs::filesystem_error& e) {
     std::error_code ignored;
     fs::remove(temporary, ignored);

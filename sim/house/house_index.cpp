@@ -23,8 +23,8 @@ nlohmann::ordered_json ToJson(const std::vector<HouseEntry>& houses) {
 }
 
 std::vector<HouseEntry> ReadHouseIndex(const std::filesystem::path& index) {
-  const JsonNode root = JsonNode::Parse(ReadTextFile(index), index,
-                                        "write it again with ./bulletnav scenes generate");
+  const JsonNode root =
+      JsonNode::Parse(ReadTextFile(index), index, "remove it and make the houses again");
   const JsonNode houses = root["houses"];
   std::vector<HouseEntry> entries;
   for (std::size_t i = 0; i < houses.size(1); ++i) {

@@ -9,6 +9,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/files.h"
+#include "sim/base/folder_lock.h"
 #include "sim/house/house.h"
 #include "sim/house/house_json.h"
 #include "sim/house/unfinished_houses.h"
@@ -76,7 +77,8 @@ std::vector<HouseEntry*> Unmade(const UnfinishedHouses& left, std::vector<HouseE
 
 bool HasHouseSet(const std::filesystem::path& folder, const HouseSetSpec& spec) {
   const std::filesystem::path index = folder / kIndex;
-  if (!std::filesystem::exists(index)) return false;
+  std::error_code ignored;  // who writes there will say it
+  if (!std::filesystem::exists(index, ignored)) return false;
   const std::vector<HouseEntry> old = ReadHouseIndex(index);
   const std::vector<HouseEntry> planned = Plan(spec);
   const auto same_seed = [](const HouseEntry& a, const HouseEntry& b) {
@@ -85,8 +87,9 @@ bool HasHouseSet(const std::filesystem::path& folder, const HouseSetSpec& spec) 
   if (std::equal(old.begin(), old.end(), planned.begin(), planned.end(), same_seed)) return true;
   throw FileError(
       index, "",
-      fmt::format("lists {} other houses; name another folder, or remove this one first",
-                  old.size()));
+      fmt::format("lists {} houses, not the {} that are asked for; name another folder, or remove "
+                  "this one first",
+                  old.size(), planned.size()));
 }
 
 int CountUnmade(const std::filesystem::path& folder, const HouseSetSpec& spec) {
@@ -99,8 +102,8 @@ int CountUnmade(const std::filesystem::path& folder, const HouseSetSpec& spec) {
 std::vector<HouseEntry> WriteHouseSet(const std::filesystem::path& folder, const HouseSetSpec& spec,
                                       const std::function<void()>& advance) {
   std::vector<HouseEntry> entries = Plan(spec);
+  const FolderLock lock(folder);
   HasHouseSet(folder, spec);
-  MakeFolder(folder);
   UnfinishedHouses left(folder, spec.made_by, spec.first_seed);
   left.Begin();
   const std::vector<HouseEntry*> unmade = Unmade(left, &entries);

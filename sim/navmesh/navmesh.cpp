@@ -8,6 +8,7 @@
 #include <limits>
 #include <numeric>
 
+#include <fmt/core.h>
 #include <recastnavigation/DetourNavMesh.h>
 #include <recastnavigation/DetourNavMeshQuery.h>
 
@@ -41,9 +42,23 @@ int Root(std::vector<int>* parent, int i) {
 }  // namespace
 
 void NavmeshSpec::Validate() const {
-  if (!(cell_size > 0.0f && cell_height > 0.0f && agent_height > 0.0f && agent_radius >= 0.0f)) {
-    throw Error("navmesh cell sizes and agent height must be positive");
-  }
+  constexpr float kMostCells = 120.0f;  // in the body's radius: Recast counts twice that in a byte
+  const auto require = [](const char* name, float value, float least, float most) {
+    if (value >= least && value <= most) return;
+    throw Error(fmt::format("{} is {}; it must be in {}..{}", name, value, least, most));
+  };
+  require("cell_size", cell_size, 0.005f, 1.0f);
+  require("cell_height", cell_height, 0.005f, 1.0f);
+  require("agent_height", agent_height, 0.05f, 10.0f);
+  require("agent_radius", agent_radius, 0.0f, kMostCells * cell_size);
+  require("max_climb", max_climb, 0.0f, 10.0f);
+  require("max_slope_deg", max_slope_deg, 0.0f, 90.0f);
+  require("region_min_size", region_min_size, 0.0f, 1000.0f);
+  require("region_merge_size", region_merge_size, 0.0f, 1000.0f);
+  require("edge_max_length", edge_max_length, 0.0f, 1000.0f);
+  require("edge_max_error", edge_max_error, 0.1f, 100.0f);
+  require("detail_sample_distance", detail_sample_distance, 0.0f, 100.0f);
+  require("detail_sample_max_error", detail_sample_max_error, 0.0f, 100.0f);
   if (verts_per_poly < 3 || verts_per_poly > DT_VERTS_PER_POLYGON) {
     throw Error("verts_per_poly must lie between 3 and 6");
   }

@@ -16,6 +16,7 @@ namespace bulletnav::sim {
 namespace {
 
 constexpr std::int64_t kMaxCells = 64'000'000;
+constexpr int kMaxSpans = 1 << 24;  // what rcCompactCell can count
 constexpr float kLayer = 0.1f;
 constexpr std::uint16_t kWalkableFlag = 1;
 
@@ -102,7 +103,7 @@ class RecastBuilder {
     if (std::int64_t{config_.width} * config_.height > kMaxCells) {
       throw Error(
           fmt::format("the scene is {:.0f} x {:.0f} m, too large for a navmesh of {} m cells; "
-                      "cut it up or use larger cells",
+                      "cut it up, or give --scale if it is not in metres",
                       box.sizes().x(), box.sizes().z(), cs));
     }
   }
@@ -136,6 +137,12 @@ class RecastBuilder {
                                       *heights_, *compact_),
             "compact its grid");
     heights_.reset();
+    if (compact_->spanCount >= kMaxSpans) {
+      throw Error(
+          fmt::format("the scene has more floor than one navmesh of {} m cells holds ({}); "
+                      "cut it up, or give --scale if it is not in metres",
+                      config_.cs, kMaxSpans));
+    }
     Require(rcErodeWalkableArea(&context_, config_.walkableRadius, *compact_), "erode");
     Require(rcBuildDistanceField(&context_, *compact_), "measure distances");
     Require(rcBuildRegions(&context_, *compact_, 0, config_.minRegionArea, config_.mergeRegionArea),

@@ -168,19 +168,18 @@ void CheckExtent(const std::filesystem::path& file, const SceneMesh& mesh) {
   const Eigen::AlignedBox3f box = mesh.Bounds();
   const float extent = box.sizes().maxCoeff();
   const float offset = box.center().cwiseAbs().maxCoeff();
-  if (offset > kMaxOffset) {
+  if (extent < kMinExtent || extent > kMaxExtent) {
     throw FileError(
         file, "",
-        fmt::format("lies {:.3g} m from the origin, where single precision cannot place "
-                    "a wall; move it there",
-                    offset));
+        fmt::format("is {:.3g} m wide, which no building is; if it is not in metres, give "
+                    "--scale (0.001 for millimetres)",
+                    extent));
   }
-  if (extent >= kMinExtent && extent <= kMaxExtent) return;
-  throw FileError(
-      file, "",
-      fmt::format("is {:.3g} m wide, which no building is; if it is not in metres, give "
-                  "--scale (0.001 for millimetres)",
-                  extent));
+  if (offset <= kMaxOffset) return;
+  throw FileError(file, "",
+                  fmt::format("lies {:.3g} m from the origin, where single precision cannot place "
+                              "a wall; move it there",
+                              offset));
 }
 
 }  // namespace

@@ -48,15 +48,24 @@ class PlyChecker {
     if (least_bytes_ > all_.size() - at_) {
       Fail("announces more data than the file holds; it is cut off or damaged");
     }
-    if (!is_ascii_) return;
-    CheckText();
-    CheckNumbers();
+    if (is_ascii_) {
+      CheckText();
+      CheckNumbers();
+    } else {
+      CheckLists();
+    }
   }
 
  private:
+  struct Property {
+    std::uint64_t size = 0;   // bytes of a number
+    std::uint64_t count = 0;  // bytes of a list's length; 0: no list
+    bool is_index = false;    // of vertices
+  };
   struct Element {
+    std::string name;
     std::uint64_t count = 0;
-    std::vector<bool> is_list;  // of its properties
+    std::vector<Property> properties;
   };
 
   [[noreturn]] void Fail(const std::string& what) const {
@@ -83,25 +92,40 @@ class PlyChecker {
   /// Nor does it look where the numbers end.
   void CheckNumbers() {
     for (const Element& element : elements_) {
-      if (element.is_list.empty()) continue;
+      if (element.properties.empty()) continue;
       for (std::uint64_t item = 0; item < element.count; ++item) CheckItem(element);
     }
   }
 
   void CheckItem(const Element& element) {
-    for (const bool is_list : element.is_list) {
+    for (const Property& property : element.properties) {
       const std::string_view number = Number();
-      if (is_list) SkipNumbers(number);
+      if (property.count > 0) SkipNumbers(number, property);
     }
   }
 
-  void SkipNumbers(std::string_view count) {
+  void SkipNumbers(std::string_view count, const Property& property) {
     std::uint64_t numbers = 0;
     const auto [end, error] = std::from_chars(count.data(), count.data() + count.size(), numbers);
     if (error != std::errc() || end != count.data() + count.size()) {
       FailAt(at_, "has a list without a length; it is damaged");
     }
-    for (std::uint64_t i = 0; i < numbers; ++i) Number();
+    for (std::uint64_t i = 0; i < numbers; ++i) {
+      const std::string_view number = Number();
+      if (!property.is_index) continue;
+      std::uint64_t index = 0;
+      const auto read = std::from_chars(number.data(), number.data() + number.size(), index);
+      if (read.ec == std::errc() && index < VertexCount()) continue;
+      FailAt(at_ - number.size(), "has a face with vertex " + std::string(number) + " of " +
+                                      std::to_string(VertexCount()) + "; export the mesh again");
+    }
+  }
+
+  std::uint64_t VertexCount() const {
+    for (const Element& element : elements_) {
+      if (element.name == "vertex") return element.count;
+    }
+    return 0;
   }
 
   std::string_view Number() {
@@ -124,6 +148,7 @@ class PlyChecker {
     std::string format;
     *words >> format;
     is_ascii_ = format == "ascii";
+    is_big_endian_ = format == "binary_big_endian";
     if (!is_ascii_ && format != "binary_little_endian" && format != "binary_big_endian") {
       Fail("'" + format + "' is not a format of ply");
     }
@@ -131,10 +156,9 @@ class PlyChecker {
 
   void ReadElement(std::istringstream* words) {
     FinishElement();
-    std::string name;
     Element element;
-    if (!(*words >> name >> element.count) || element.count > kMostElements) {
-      Fail("has no sane element count");
+    if (!(*words >> element.name >> element.count) || element.count > kMostElements) {
+      Fail("has no sane element count; it is damaged");
     }
     elements_.push_back(element);
   }
@@ -142,14 +166,65 @@ class PlyChecker {
   void ReadProperty(std::istringstream* words) {
     std::string type;
     *words >> type;
-    const bool is_list = type == "list";
-    if (is_list) *words >> type;  // at least the list's length
+    Property property;
+    if (type == "list") {
+      *words >> type;
+      property.count = RequireType(type);
+      *words >> type;
+    }
+    property.size = RequireType(type);
+    std::string name;
+    *words >> name;
+    property.is_index = property.count > 0 && name.starts_with("vertex_ind");
+    // In text, a digit and a space; the last line may lack its end. Of a list, at least its length.
+    bytes_an_item_ += is_ascii_ ? 2 : property.count > 0 ? property.count : property.size;
+    if (elements_.empty()) Fail("has a property before the first element");
+    elements_.back().properties.push_back(property);
+  }
+
+  std::uint64_t RequireType(const std::string& type) {
     const auto size = SizeOfType(type);
     if (!size) Fail("'" + type + "' is not a type of ply");
-    // In text, a digit and a space; the last line may lack its end.
-    bytes_an_item_ += is_ascii_ ? 2 : *size;
-    if (elements_.empty()) Fail("has a property before the first element");
-    elements_.back().is_list.push_back(is_list);
+    return *size;
+  }
+
+  /// Goes through binary data, for their lists: a library that reads one does not look where the
+  /// file ends.
+  void CheckLists() {
+    for (const Element& element : elements_) {
+      for (std::uint64_t item = 0; item < element.count; ++item) {
+        for (const Property& property : element.properties) SkipBinary(element, item, property);
+      }
+    }
+  }
+
+  void SkipBinary(const Element& element, std::uint64_t item, const Property& property) {
+    const auto fail = [&](const std::string& what) {
+      throw FileError(file_, element.name + " " + std::to_string(item), what);
+    };
+    const std::uint64_t head = property.count;
+    const std::uint64_t left = all_.size() - at_;
+    const std::uint64_t numbers = head == 0 ? 1 : left < head ? 0 : NumberAt(at_, head);
+    if (left < head || numbers > (left - head) / property.size) {
+      fail("has more data than the file holds; it is cut off or damaged");
+    }
+    for (std::uint64_t i = 0; property.is_index && i < numbers; ++i) {
+      const std::uint64_t index = NumberAt(at_ + head + i * property.size, property.size);
+      if (index < VertexCount()) continue;
+      fail("has vertex " + std::to_string(index) + " of " + std::to_string(VertexCount()) +
+           "; export the mesh again");
+    }
+    at_ += head + numbers * property.size;
+  }
+
+  /// A whole number that is not negative; others are larger than any count.
+  std::uint64_t NumberAt(std::uint64_t place, std::uint64_t bytes) const {
+    std::uint64_t number = 0;
+    for (std::uint64_t i = 0; i < bytes; ++i) {
+      const std::uint64_t from = is_big_endian_ ? i : bytes - 1 - i;
+      number = number << 8 | static_cast<std::uint8_t>(all_[place + from]);
+    }
+    return number;
   }
 
   void FinishElement() {
@@ -165,6 +240,7 @@ class PlyChecker {
   std::size_t at_ = 0;
   int line_ = 0;
   bool is_ascii_ = false;
+  bool is_big_endian_ = false;
   std::vector<Element> elements_;
   std::uint64_t bytes_an_item_ = 0;
   std::uint64_t least_bytes_ = 0;

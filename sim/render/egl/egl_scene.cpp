@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include <fmt/core.h>
+
 #include "sim/base/error.h"
 #include "sim/render/egl/id_pass.h"
 #include "sim/render/egl/scene_buffers.h"
@@ -30,7 +32,10 @@ double Oversampling(const SceneBuffers& scene, const PanoramaSpec& spec) {
 
 void CheckTarget(const ViewLayout& layout) {
   if (layout.width > kMaxTarget || layout.height > kMaxTarget) {
-    throw RenderError("the panorama is too large for this OpenGL driver");
+    throw RenderError(
+        fmt::format("the panorama needs a picture of {} x {} pixels, and OpenGL draws {} at most; "
+                    "make it smaller, or use the backend embree",
+                    layout.width, layout.height, kMaxTarget));
   }
 }
 

@@ -100,6 +100,11 @@ TEST_F(GeneratorTest, ScenesOfOneNameInTwoFoldersAreToldApart) {
   EXPECT_EQ(episodes[1].id, "b-scene-easy-0000");
 }
 
+TEST_F(GeneratorTest, RefusesASceneThatIsNamedTwice) {
+  spec_.scenes.push_back(spec_.scenes[0]);
+  EXPECT_THROW(GenerateEpisodes(spec_, spec_.scenes, 1), sim::FileError);
+}
+
 TEST_F(GeneratorTest, NamesASceneThatIsMissing) {
   spec_.scenes.emplace_back("no_such.glb");
   EXPECT_THROW(GenerateEpisodes(spec_, spec_.scenes, 1), sim::FileError);

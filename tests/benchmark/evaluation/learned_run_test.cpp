@@ -145,6 +145,29 @@ TEST_F(LearnedRunTest, RowsSayWhatIsWrongWithWeights) {
   EXPECT_THAT(note(Config()), AllOf(HasSubstr("does not exist"), HasSubstr("train")));
 }
 
+TEST_F(LearnedRunTest, PlaysNothingWithDamagedWeights) {
+  RunOptions options;
+  options.loaders = Load();
+  const RunConfig config = Config("{agent: random}, {agent: nts, semantic_model: learned}");
+  const std::string bytes = sim::ReadTextFile(weights());
+  sim::WriteFileAtomically(weights(), bytes.substr(0, bytes.size() / 2));
+  EXPECT_THAT(Complaint(config, options), HasSubstr("tiny.safetensors"));
+  WriteMapper(1);
+  fs::copy_file(mapper(), weights(), fs::copy_options::overwrite_existing);
+  EXPECT_THAT(Complaint(config, options), HasSubstr("tiny.safetensors"));
+  EXPECT_FALSE(fs::exists(folder_.path() / "complaint"));
+}
+
+TEST_F(LearnedRunTest, SaysWhyNothingCanBePlayed) {
+  RunOptions options;
+  options.loaders = Load();
+  const RunConfig config = Config("{agent: nts, semantic_model: learned}");
+  fs::remove(weights());
+  EXPECT_THAT(Complaint(config, options),
+              AllOf(HasSubstr("no agent can run: nts"), HasSubstr("does not exist; train it")));
+  EXPECT_FALSE(fs::exists(folder_.path() / "complaint"));
+}
+
 TEST_F(LearnedRunTest, WithoutDepthAgentsMapByColour) {
   WriteWeights(1, agent::DepthFusion::kNone);
   const RunConfig config = Config(

@@ -301,7 +301,7 @@ TEST_F(RunnerTest, RefusesAFolderOfAnotherConfigOrRun) {
   EXPECT_THAT(complaint(Config("{agent: random, parameters: {stop: 0.02}}")),
               AllOf(HasSubstr("of another config"), HasSubstr("stop: 0.02")));
   EXPECT_THAT(complaint(Config("{agent: random}", "seeds: [5]")), HasSubstr("of another config"));
-  const FolderLock other(folder("taken"));
+  const sim::FolderLock other(folder("taken"));
   EXPECT_THAT(complaint(Config("{agent: random}")), HasSubstr("another run"));
 }
 

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "sim/base/error.h"
 #include "tests/support/temporary_folder.h"
@@ -113,6 +114,40 @@ TEST(Files, APipeIsNotWaitedFor) {
               ReadFile(pipe);
             }).find("pipe: is not a regular file"),
             std::string::npos);
+}
+
+TEST(Files, OnlyFilesAreReplaced) {
+  const TemporaryFolder folder;
+  const fs::path pipe = folder.path() / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_NE(ErrorOf([&] {
+              WriteFileAtomically(pipe, std::string_view("x"));
+            }).find("pipe: is not a regular file"),
+            std::string::npos);
+  EXPECT_TRUE(fs::is_fifo(pipe));
+  EXPECT_NE(ErrorOf([&] {
+              WriteFileAtomically(folder.path() / std::string(300, 'n'), std::string_view("x"));
+            }).find("choose another place"),
+            std::string::npos);
+}
+
+TEST(Files, ALinkIsWrittenThrough) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.Write("file", "old");
+  fs::create_symlink("file", folder.path() / "link");
+  WriteFileAtomically(folder.path() / "link", std::string_view("new"));
+  EXPECT_TRUE(fs::is_symlink(folder.path() / "link"));
+  EXPECT_EQ(ReadTextFile(file), "new");
+}
+
+TEST(Files, WhatAKilledProcessLeftIsNotInTheWay) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.path() / "file";
+  for (int i = 0; i < 1000; ++i) {
+    folder.Write("file.tmp" + std::to_string(::getpid()) + "-" + std::to_string(i), "rubbish");
+  }
+  WriteFileAtomically(file, std::string_view("x"));
+  EXPECT_EQ(ReadTextFile(file), "x");
 }
 
 TEST(Files, ErrorsAreOneLine) {

@@ -5,6 +5,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/files.h"
+#include "sim/base/folder_lock.h"
 #include "tests/support/temporary_folder.h"
 
 namespace bulletnav::sim {
@@ -43,7 +44,7 @@ TEST_F(HouseSetTest, OtherHousesAreRefused) {
   for (const HouseSetSpec& spec :
        {HouseSetSpec{.count = 2, .first_seed = 6}, HouseSetSpec{.count = 1, .first_seed = 5},
         HouseSetSpec{.count = 3, .first_seed = 5}}) {
-    EXPECT_THAT(Complaint(spec), HasSubstr("index.json: lists 2 other houses; name another"));
+    EXPECT_THAT(Complaint(spec), HasSubstr("index.json: lists 2 houses, not the"));
     EXPECT_THROW(WriteHouseSet(folder_.path(), spec, [] {}), FileError);
   }
 }
@@ -59,6 +60,17 @@ TEST_F(HouseSetTest, NoHouseIsBegunAfterOneCannotBeWritten) {
                FileError);
   EXPECT_EQ(advanced, 0);
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "house_001.glb"));
+}
+
+TEST_F(HouseSetTest, OneProcessWritesAFolder) {
+  const FolderLock other(folder_.path());
+  try {
+    WriteHouseSet(folder_.path(), {.count = 1, .first_seed = 0}, [] {});
+    ADD_FAILURE() << "wrote beside another";
+  } catch (const Error& e) {
+    EXPECT_THAT(e.what(), HasSubstr("is writing here"));
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "house_000.glb"));
 }
 
 TEST_F(HouseSetTest, CountsOutOfRangeAreRefused) {

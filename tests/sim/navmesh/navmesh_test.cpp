@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <string>
 
 #include <Eigen/Geometry>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "sim/base/error.h"
@@ -162,6 +165,36 @@ TEST(Navmesh, ScenesTooLargeForItsGridAreRefused) {
   SceneMesh mesh;
   AddQuad({0, 0, 0}, {1500, 0, 0}, {1500, 0, -1500}, {0, 0, -1500}, kGrey, &mesh);
   EXPECT_THROW(Navmesh(mesh, {}), Error);
+}
+
+TEST(Navmesh, SettingsThatRecastCannotHoldAreNamed) {
+  const auto complaint = [](const std::function<void(NavmeshSpec*)>& change) -> std::string {
+    NavmeshSpec spec;
+    change(&spec);
+    try {
+      spec.Validate();
+    } catch (const Error& e) {
+      return e.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(complaint([](NavmeshSpec* /*spec*/) {}), "");
+  EXPECT_THAT(complaint([](NavmeshSpec* spec) {
+                spec->detail_sample_distance = -1.0f;
+              }),
+              testing::StartsWith("detail_sample_distance is -1"));
+  EXPECT_THAT(complaint([](NavmeshSpec* spec) {
+                spec->agent_radius = 13.0f;
+              }),
+              testing::StartsWith("agent_radius is 13"));
+  EXPECT_THAT(complaint([](NavmeshSpec* spec) {
+                spec->max_slope_deg = NAN;
+              }),
+              testing::StartsWith("max_slope_deg"));
+  EXPECT_THAT(complaint([](NavmeshSpec* spec) {
+                spec->region_min_size = -1e6f;
+              }),
+              testing::StartsWith("region_min_size"));
 }
 
 TEST(Navmesh, PointsThatAreNotFiniteAreNowhere) {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "sim/scene/import.h"
 
+#include <algorithm>
 #include <array>
 #include <cstring>
+#include <sstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -107,6 +109,14 @@ TEST(Import, ABrokenTextureIsGreyAndNamed) {
   }
 }
 
+TEST(Import, AMaterialLibraryThatIsMissingIsNamed) {
+  const TemporaryFolder folder;
+  folder.Write("a b.mtl", "newmtl m\nKd 1 0 0\n");
+  const auto file =
+      folder.Write("room.obj", "mtllib a b.mtl\r\nmtllib gone.mtl \n# mtllib no.mtl\n" + kRoomObj);
+  EXPECT_THAT(ImportScene(file).report.skipped, ElementsAre(HasSubstr("gone.mtl, which is not")));
+}
+
 std::string PlyText(const std::string& format, const std::string& body) {
   return "ply\nformat " + format +
          " 1.0\nelement vertex 8\nproperty float x\nproperty float y\nproperty float z\n"
@@ -121,9 +131,40 @@ const std::string kAsciiPly = PlyText(
     "0 0 0 255 0 0\n4 0 0 0 255 0\n4 6 0 0 0 255\n0 6 0 9 9 9\n0 0 3 9 9 9\n4 0 3 9 9 9\n"
     "4 6 3 9 9 9\n0 6 3 9 9 9\n4 0 1 2 3\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n4 4 5 6 7\n");
 
-TEST(Import, PlyWithVertexColoursIsTurnedUpright) {
+/// The same in binary.
+std::string BinaryPly(bool is_big_endian) {
+  std::string body;
+  const auto add = [&](auto value) {
+    std::array<char, sizeof(value)> bytes{};
+    std::memcpy(bytes.data(), &value, sizeof(value));
+    if (is_big_endian) std::reverse(bytes.begin(), bytes.end());
+    body.append(bytes.begin(), bytes.end());
+  };
+  std::istringstream text(kAsciiPly.substr(kAsciiPly.find("0 0 0 255")));
+  for (int i = 0; i < 8 * 6; ++i) {
+    float number = 0.0f;
+    text >> number;
+    i % 6 < 3 ? add(number) : add(static_cast<std::uint8_t>(number));
+  }
+  for (int i = 0; i < 6 * 5; ++i) {
+    std::int32_t number = 0;
+    text >> number;
+    i % 5 == 0 ? add(static_cast<std::uint8_t>(number)) : add(number);
+  }
+  return PlyText(is_big_endian ? "binary_big_endian" : "binary_little_endian", body);
+}
+
+/// The last byte but `from_end` is another.
+std::string Replaced(std::string bytes, std::size_t from_end, char other) {
+  bytes[bytes.size() - 1 - from_end] = other;
+  return bytes;
+}
+
+class PlyTest : public testing::TestWithParam<std::string> {};
+
+TEST_P(PlyTest, WithVertexColoursIsTurnedUpright) {
   const TemporaryFolder folder;
-  const ImportedScene scene = ImportScene(folder.Write("room.ply", kAsciiPly));
+  const ImportedScene scene = ImportScene(folder.Write("room.ply", GetParam()));
   EXPECT_EQ(scene.report.up_axis, UpAxis::kZ);
   EXPECT_TRUE(scene.report.extent_m.isApprox(Vec(4, 3, 6)));
   EXPECT_EQ(scene.report.triangles, 12u);
@@ -131,6 +172,9 @@ TEST(Import, PlyWithVertexColoursIsTurnedUpright) {
   for (const Rgb8& c : scene.mesh.colors) has_red |= c == Rgb8{255, 0, 0};
   EXPECT_TRUE(has_red);
 }
+
+INSTANTIATE_TEST_SUITE_P(Import, PlyTest,
+                         testing::Values(kAsciiPly, BinaryPly(false), BinaryPly(true)));
 
 const std::string kColladaFloor =
     "<?xml version='1.0'?><COLLADA xmlns='http://www.collada.org/2005/11/COLLADASchema' "
@@ -298,6 +342,16 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{"ply_list", "a.ply",
                 PlyText("ascii", kAsciiPly.substr(kAsciiPly.find("0 0 0 255"), 113) + "1.5 0 1 2"),
                 "has a list without a length"},
+        BadFile{"ply_binary_cut", "a.ply", BinaryPly(false).substr(0, BinaryPly(false).size() - 3),
+                "a.ply:face 5: has more data than the file holds"},
+        BadFile{"ply_binary_list", "a.ply", Replaced(BinaryPly(true), 17 * 5 - 1, '\xff'),
+                "a.ply:face 1: has more data"},
+        BadFile{"ply_binary_index", "a.ply", Replaced(BinaryPly(false), 0, '\xff'),
+                "a.ply:face 5: has vertex 4278190087 of 8"},
+        BadFile{"ply_index", "a.ply", kAsciiPly.substr(0, kAsciiPly.size() - 2) + "8\n",
+                "a.ply:26: has a face with vertex 8 of 8"},
+        BadFile{"millimetres", "a.obj", "v 0 0 0\nv 22000 0 0\nv 22000 0 9000\nf 1 2 3\n",
+                "--scale"},
         BadFile{"ply_count", "a.ply", PlyText("binary_little_endian", std::string(20, 'x')),
                 "cut off or damaged"},
         BadFile{"ply_header", "a.ply", "ply\nformat ascii 1.0\n", "the header does not end"},
@@ -442,15 +496,14 @@ TEST(Import, IndicesOutOfRangeAreFoundInThemToo) {
 /// Whatever the bytes are, an import ends in a scene or in an error of one line, not in a crash
 /// that only the child process hides; a sanitizer's stop is one.
 TEST(Import, RandomDamageEndsInAnError) {
-  const std::pair<const char*, std::string> originals[] = {{"a.glb", Glb()},
-                                                           {"a.obj", kRoomObj},
-                                                           {"a.ply", kAsciiPly},
-                                                           {"a.dae", kColladaFloor},
-                                                           {"a.gltf", FloorGltf(FloorUri(3))}};
+  const std::pair<const char*, std::string> originals[] = {
+      {"a.glb", Glb()},         {"a.obj", kRoomObj},
+      {"a.ply", kAsciiPly},     {"a.ply", BinaryPly(false)},
+      {"a.dae", kColladaFloor}, {"a.gltf", FloorGltf(FloorUri(3))}};
   Rng rng(1, "damage");
   const TemporaryFolder folder;
-  for (int i = 0; i < 150; ++i) {
-    auto [name, bytes] = originals[i % 5];
+  for (int i = 0; i < 180; ++i) {
+    auto [name, bytes] = originals[i % 6];
     for (int k = 0; k <= rng.Below(5); ++k) {
       const auto at = static_cast<std::size_t>(rng.Below(static_cast<int>(bytes.size())));
       bytes[at] = static_cast<char>(rng.Next());

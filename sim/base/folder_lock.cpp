@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "benchmark/evaluation/folder_lock.h"
+#include "sim/base/folder_lock.h"
 
 #include <array>
 #include <cerrno>
@@ -13,7 +13,7 @@
 #include "sim/base/error.h"
 #include "sim/base/files.h"
 
-namespace bulletnav::bench {
+namespace bulletnav::sim {
 namespace {
 
 /// The process that wrote itself into the lock file, as a part of a sentence.
@@ -26,16 +26,16 @@ std::string Holder(int fd) {
 }  // namespace
 
 FolderLock::FolderLock(const std::filesystem::path& folder) {
-  sim::MakeFolder(folder);
+  MakeFolder(folder);
   const std::filesystem::path file = folder / "lock";
   fd_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
   if (fd_ < 0) {
-    throw sim::FileError(file, "", std::string("cannot be created: ") + std::strerror(errno));
+    throw FileError(file, "", std::string("cannot be created: ") + std::strerror(errno));
   }
   if (::flock(fd_, LOCK_EX | LOCK_NB) != 0) {
     const std::string holder = Holder(fd_);
     ::close(fd_);
-    throw sim::FileError(
+    throw FileError(
         folder, "",
         "another run" + holder + " is writing here; wait for it or choose another --out");
   }
@@ -49,4 +49,4 @@ FolderLock::~FolderLock() {
   ::close(fd_);
 }
 
-}  // namespace bulletnav::bench
+}  // namespace bulletnav::sim

@@ -2,13 +2,13 @@
 #pragma once
 #include <filesystem>
 
-namespace bulletnav::bench {
+namespace bulletnav::sim {
 
 /// Holds a folder for this process alone, by flock on the file `lock` in it: the kernel lets go
 /// when the process ends, however it ends, so no lock is ever left behind.
 class FolderLock {
  public:
-  /// Throws sim::Error, naming the other process, if another holds the folder.
+  /// Throws Error, naming the other process, if another holds the folder.
   explicit FolderLock(const std::filesystem::path& folder);
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;
@@ -20,4 +20,4 @@ class FolderLock {
   int fd_;
 };
 
-}  // namespace bulletnav::bench
+}  // namespace bulletnav::sim
