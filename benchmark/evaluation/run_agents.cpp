@@ -100,6 +100,27 @@ std::optional<fs::path> FindIfThere(const std::string& weights) {
   return std::nullopt;
 }
 
+/// What an agent needs in a setting, whether it is there or not: by its key in `weights`.
+std::map<std::string, std::string> WeightsOf(const AgentEntry& entry, const WeightsSpec& weights,
+                                             Setting setting) {
+  std::map<std::string, std::string> needed;
+  if (TakesMapper(entry, setting)) needed["mapper"] = weights.mapper;
+  if (entry.semantic_model == SemanticModelKind::kLearned) {
+    needed[std::string(sim::NameOf(setting))] = weights.of(setting);
+  }
+  return needed;
+}
+
+/// The files of those that are there.
+std::map<std::string, fs::path> WeightsThere(const AgentEntry& entry, const WeightsSpec& weights,
+                                             Setting setting) {
+  std::map<std::string, fs::path> there;
+  for (const auto& [key, name] : WeightsOf(entry, weights, setting)) {
+    if (const auto file = FindIfThere(name)) there[key] = *file;
+  }
+  return there;
+}
+
 /// The functions that an agent asks the ground truth for.
 void AddOracles(const AgentEntry& entry, const GroundTruth& truth, agent::AgentContext* context) {
   const auto oracle = std::make_shared<OracleSemanticModel>(truth);
@@ -160,23 +181,18 @@ bool IsOfTheseWeights(const RunConfig& config, const std::string& key, const fs:
 
 /// Those of the semantic functions and of the mapper, where it is used.
 void NoteFrames(const RunConfig& config, Setting setting, RunAgent* agent) {
-  const std::string key(sim::NameOf(setting));
-  std::map<std::string, fs::path> used = {{key, FindWeights(agent->weights.of(setting))}};
-  if (TakesMapper(agent->entry, setting)) {
-    if (const auto mapper = FindIfThere(agent->weights.mapper)) used["mapper"] = *mapper;
-  }
   std::int64_t sum = 0;
-  for (const auto& [name, weights] : used) {
-    const auto frames = FramesTrained(weights);
-    if (!frames || !IsOfTheseWeights(config, name, weights)) return;
+  for (const auto& [name, file] : WeightsThere(agent->entry, agent->weights, setting)) {
+    const auto frames = FramesTrained(file);
+    if (!frames || !IsOfTheseWeights(config, name, file)) return;
     sum += *frames;
   }
-  agent->frames_trained[key] = sum;
+  agent->frames_trained[std::string(sim::NameOf(setting))] = sum;
 }
 
 bool HasWeights(const RunAgent& agent, Setting setting) {
-  return (!agent.is_learned() || FindIfThere(agent.weights.of(setting))) &&
-         (!TakesMapper(agent.entry, setting) || FindIfThere(agent.weights.mapper));
+  return WeightsThere(agent.entry, agent.weights, setting).size() ==
+         WeightsOf(agent.entry, agent.weights, setting).size();
 }
 
 /// Why the agent cannot be built; empty if it can. Weights that are there but cannot be used also
@@ -251,14 +267,9 @@ fs::path FindWeights(const std::string& weights) {
 
 std::map<std::string, fs::path> UsedWeights(const RunConfig& config) {
   std::map<std::string, fs::path> used;
-  const auto use = [&](const std::string& key, const std::string& weights) {
-    if (const auto file = FindIfThere(weights)) used[key] = *file;  // else the agent's row says so
-  };
   for (const AgentEntry& entry : config.agents) {
     for (const Setting setting : entry.settings.empty() ? config.settings : entry.settings) {
-      if (TakesMapper(entry, setting)) use("mapper", config.weights.mapper);
-      if (entry.semantic_model != SemanticModelKind::kLearned) continue;
-      use(std::string(sim::NameOf(setting)), config.weights.of(setting));
+      used.merge(WeightsThere(entry, config.weights, setting));
     }
   }
   return used;

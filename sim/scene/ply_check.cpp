@@ -115,17 +115,10 @@ class PlyChecker {
       if (!property.is_index) continue;
       std::uint64_t index = 0;
       const auto read = std::from_chars(number.data(), number.data() + number.size(), index);
-      if (read.ec == std::errc() && index < VertexCount()) continue;
+      if (read.ec == std::errc() && index < vertices_) continue;
       FailAt(at_ - number.size(), "has a face with vertex " + std::string(number) + " of " +
-                                      std::to_string(VertexCount()) + "; export the mesh again");
+                                      std::to_string(vertices_) + "; export the mesh again");
     }
-  }
-
-  std::uint64_t VertexCount() const {
-    for (const Element& element : elements_) {
-      if (element.name == "vertex") return element.count;
-    }
-    return 0;
   }
 
   std::string_view Number() {
@@ -160,6 +153,7 @@ class PlyChecker {
     if (!(*words >> element.name >> element.count) || element.count > kMostElements) {
       Fail("has no sane element count; it is damaged");
     }
+    if (element.name == "vertex") vertices_ = element.count;
     elements_.push_back(element);
   }
 
@@ -192,6 +186,7 @@ class PlyChecker {
   /// file ends.
   void CheckLists() {
     for (const Element& element : elements_) {
+      if (element.properties.empty()) continue;
       for (std::uint64_t item = 0; item < element.count; ++item) {
         for (const Property& property : element.properties) SkipBinary(element, item, property);
       }
@@ -210,8 +205,8 @@ class PlyChecker {
     }
     for (std::uint64_t i = 0; property.is_index && i < numbers; ++i) {
       const std::uint64_t index = NumberAt(at_ + head + i * property.size, property.size);
-      if (index < VertexCount()) continue;
-      fail("has vertex " + std::to_string(index) + " of " + std::to_string(VertexCount()) +
+      if (index < vertices_) continue;
+      fail("has vertex " + std::to_string(index) + " of " + std::to_string(vertices_) +
            "; export the mesh again");
     }
     at_ += head + numbers * property.size;
@@ -242,6 +237,7 @@ class PlyChecker {
   bool is_ascii_ = false;
   bool is_big_endian_ = false;
   std::vector<Element> elements_;
+  std::uint64_t vertices_ = 0;
   std::uint64_t bytes_an_item_ = 0;
   std::uint64_t least_bytes_ = 0;
 };
