@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An agent added the way CONTRIBUTING says: one file, nothing else touched. Up to the line of
+// An agent added the way docs/extending.md says: one file, nothing else touched. Up to the line of
 // slashes this is what would stand in agent/baselines/spinner.cpp.
 #include "agent/registry.h"
 #include "sim/base/error.h"
