@@ -30,7 +30,7 @@ class EmbreeRenderer final : public PanoramaRenderer {
   EmbreeRenderer(const EmbreeData& data, const Kernels& kernels, const PanoramaSpec& spec)
       : scene_(data.kernel()), kernels_(kernels), sampling_(spec) {
     tile_farthest_.resize(std::size_t{kTileRows} * kTileColumns);
-    dirty_.resize(kTileRows);
+    dirty_.resize(kTileColumns);
     entries_.resize(data.bvh.nodes.size() + data.bvh.leaves.size());
     buckets_.resize(kBuckets);
   }
@@ -56,7 +56,7 @@ class EmbreeRenderer final : public PanoramaRenderer {
   const Kernels& kernels_;
   Sampling sampling_;
   std::vector<float> tile_farthest_;
-  std::vector<std::uint32_t> dirty_;
+  std::vector<std::uint16_t> dirty_;
   std::vector<QueueEntry> entries_;
   std::vector<std::int32_t> buckets_;
 };

@@ -79,8 +79,9 @@ struct KernelHits {
 
 /// Working memory of find_visible.
 struct KernelScratch {
-  float* tile_farthest;   // [kTileRows, kTileColumns] least inverse_t in a tile
-  std::uint32_t* dirty;   // [kTileRows] tiles whose farthest pixel may have come nearer
+  float* tile_farthest;  // [kTileRows, kTileColumns] least inverse_t in a tile
+  std::uint16_t*
+      dirty;  // [kTileColumns] a bit for each tile whose farthest pixel may have come nearer
   QueueEntry* entries;    // room for every node and leaf
   std::int32_t* buckets;  // [kBuckets] first entry, -1 = none
 };

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // Kernels::shade. A vector of pixels at a time; neighbours mostly see the same triangle, so its
-// record is read once for all lanes that do, and only the texels are gathered lane by lane.
+// record is read once for all lanes that do, and only the texels are gathered lane by lane. Where
+// they see many, each lane reads a record of its own.
 #include "sim/render/kernels/kernels.h"
 #include "sim/render/kernels/simd.h"
+#include "sim/render/kernels/triangle_shadings.h"
 
 namespace bulletnav::sim {
 namespace {
@@ -20,8 +22,15 @@ struct Fragment {
   IW log2_side = {};
 };
 
-inline float Channel(std::uint32_t packed, int c) {
-  return static_cast<float>((packed >> (8 * c)) & 255u);
+using Bytes4 = std::uint8_t __attribute__((vector_size(4)));
+
+/// Red, green, blue and what is above them.
+inline F4 Channels(const std::uint32_t& packed) {
+  return __builtin_convertvector(__builtin_convertvector(Load<Bytes4>(&packed), I4), F4);
+}
+
+inline FW Channel(UW packed, int c) {
+  return ToFloat(reinterpret_cast<IW>((packed >> (8 * c)) & 255u));
 }
 
 inline FW Clamp(FW v, FW low, FW high) {
@@ -39,10 +48,11 @@ inline void Interpolate(const TriangleShading& t, const TextureInfo& info, const
       Clamp(point[0] * t.g2[0] + point[1] * t.g2[1] + point[2] * t.g2[2] + t.h2, zero, one - b1);
   out->u = mask ? t.uv0[0] + b1 * t.duv1[0] + b2 * t.duv2[0] : out->u;
   out->v = mask ? t.uv0[1] + b1 * t.duv1[1] + b2 * t.duv2[1] : out->v;
+  const F4 c0 = Channels(t.color[0]);
+  const F4 dc1 = Channels(t.color[1]) - c0;
+  const F4 dc2 = Channels(t.color[2]) - c0;
   for (int c = 0; c < 3; ++c) {
-    const float c0 = Channel(t.color[0], c);
-    const FW value = c0 + b1 * (Channel(t.color[1], c) - c0) + b2 * (Channel(t.color[2], c) - c0);
-    out->color[c] = mask ? value : out->color[c];
+    out->color[c] = mask ? c0[c] + b1 * dc1[c] + b2 * dc2[c] : out->color[c];
   }
   out->texels = mask ? footprint * (t.texel_density / height) : out->texels;
   out->first = mask ? Splat<IW>(info.first) : out->first;
@@ -140,7 +150,27 @@ class Shader {
                          frame_.origin[2] + t * Load<FW>(frame_.z + column)};
     const FW footprint = t * t * t * grid_.area[row];
     Fragment fragment;
-    std::uint32_t left = Bits(ids >= 0) & ((2u << (lanes - 1)) - 1u);
+    if (__builtin_popcount(Bits(ids != Rotated(ids))) > kManyTriangles) {
+      InterpolateEach(ids, point, footprint, &fragment);
+    } else {
+      InterpolateRuns(ids, Bits(ids >= 0), point, footprint, &fragment);
+    }
+    const Samples samples = SampleTextures(scene_, fragment);
+    const UW red = Product(samples.red_blue & 0xffffu, fragment.color[0]);
+    const UW green = Product(samples.green, fragment.color[1]);
+    const UW blue = Product(samples.red_blue >> 16, fragment.color[2]);
+    WriteRgb(red | green << 8 | blue << 16, lanes, out);
+  }
+
+  static IW Rotated(IW v) {
+    IW place;
+    for (int i = 0; i < kWidth; ++i) place[i] = (i + 1) % kWidth;
+    return __builtin_shuffle(v, place);
+  }
+
+  /// One triangle after the other, for all lanes that see it.
+  void InterpolateRuns(IW ids, std::uint32_t left, const FW (&point)[3], FW footprint,
+                       Fragment* fragment) const {
     while (left != 0) {
       const std::int32_t id = ids[__builtin_ctz(left)];
       const IW mask = ids == id;
@@ -151,13 +181,36 @@ class Shader {
                                              triangle.normal[2] * frame_.origin[2]);
       const float height = offset < 0.0f ? -offset : offset;
       Interpolate(triangle, scene_.textures[triangle.texture], point, footprint,
-                  height > kNearestPlane ? height : kNearestPlane, mask, &fragment);
+                  height > kNearestPlane ? height : kNearestPlane, mask, fragment);
     }
-    const Samples samples = SampleTextures(scene_, fragment);
-    const UW red = Product(samples.red_blue & 0xffffu, fragment.color[0]);
-    const UW green = Product(samples.green, fragment.color[1]);
-    const UW blue = Product(samples.red_blue >> 16, fragment.color[2]);
-    WriteRgb(red | green << 8 | blue << 16, lanes, out);
+  }
+
+  /// A triangle of its own for each lane.
+  void InterpolateEach(IW ids, const FW (&point)[3], FW footprint, Fragment* out) const {
+    const IW mask = ids >= 0;
+    const TriangleShadings t(scene_.shading, ids & mask);
+    const FW zero = {};
+    const FW one = Splat<FW>(1.0f);
+    const FW offset = t.plane() - (t.normal(0) * frame_.origin[0] + t.normal(1) * frame_.origin[1] +
+                                   t.normal(2) * frame_.origin[2]);
+    const FW height = offset < 0.0f ? -offset : offset;
+    const FW b1 =
+        Clamp(point[0] * t.g1(0) + point[1] * t.g1(1) + point[2] * t.g1(2) + t.h1(), zero, one);
+    const FW b2 = Clamp(point[0] * t.g2(0) + point[1] * t.g2(1) + point[2] * t.g2(2) + t.h2(), zero,
+                        one - b1);
+    out->u = mask ? t.uv0(0) + b1 * t.duv1(0) + b2 * t.duv2(0) : zero;
+    out->v = mask ? t.uv0(1) + b1 * t.duv1(1) + b2 * t.duv2(1) : zero;
+    for (int c = 0; c < 3; ++c) {
+      const FW c0 = Channel(t.color(0), c);
+      const FW value = c0 + b1 * (Channel(t.color(1), c) - c0) + b2 * (Channel(t.color(2), c) - c0);
+      out->color[c] = mask ? value : zero;
+    }
+    out->texels =
+        mask ? footprint * (t.texel_density() / Max(height, Splat<FW>(kNearestPlane))) : zero;
+    const auto* infos = reinterpret_cast<const std::uint32_t*>(scene_.textures);
+    const IW info = t.texture() * 2;
+    out->first = mask & reinterpret_cast<IW>(Gather(infos, info));
+    out->log2_side = mask & reinterpret_cast<IW>(Gather(infos, info + 1));
   }
 
   static UW Product(UW texel, FW color) {
@@ -183,6 +236,7 @@ class Shader {
   }
 
   static constexpr float kNearestPlane = 1e-6f;
+  static constexpr int kManyTriangles = 3 * kWidth / 16;
 
   const KernelScene& scene_;
   const KernelGrid& grid_;

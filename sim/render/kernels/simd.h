@@ -139,20 +139,26 @@ inline UW Gather(const std::uint32_t* table, IW index) {
 #endif
 }
 
+/// The least of two vectors of half as many lanes, and so on.
+inline float SmallestLane(F8 v) {
+  v = Min(v, __builtin_shuffle(v, I8{4, 5, 6, 7, 0, 1, 2, 3}));
+  v = Min(v, __builtin_shuffle(v, I8{2, 3, 0, 1, 6, 7, 4, 5}));
+  return v[0] < v[1] ? v[0] : v[1];
+}
+
+#if defined(__AVX512F__)
 inline float SmallestLane(FW v) {
-#ifdef __AVX512F__
   F8 half[2];
   std::memcpy(half, &v, sizeof(v));
-  const F8 m = Min(half[0], half[1]);
-  constexpr int kLeft = 8;
-#else
-  const FW m = v;
-  constexpr int kLeft = kWidth;
-#endif
-  float least = m[0];
-  for (int i = 1; i < kLeft; ++i) least = m[i] < least ? m[i] : least;
+  return SmallestLane(Min(half[0], half[1]));
+}
+#elif !defined(__AVX2__)
+inline float SmallestLane(FW v) {
+  float least = v[0];
+  for (int i = 1; i < kWidth; ++i) least = v[i] < least ? v[i] : least;
   return least;
 }
+#endif
 
 }  // namespace
 }  // namespace bulletnav::sim

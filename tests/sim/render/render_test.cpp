@@ -168,10 +168,27 @@ SceneMesh Clutter(std::uint64_t seed) {
   return mesh;
 }
 
-TEST(Render, TheSweepFindsWhatEmbreesRaysFind) {
-  const SceneMesh mesh = Clutter(1);
+/// Pixels of a picture that are off the depth along Embree's rays.
+int WrongPixels(const SceneMesh& mesh, const RenderScene& scene, const PanoramaSpec& spec,
+                const CameraPose& camera) {
   const RenderMesh triangles(mesh);
   const Raycaster raycaster(triangles.corners);
+  const Panorama picture = RenderPanorama(scene, spec, camera);
+  int wrong = 0;
+  for (int r = 0; r < spec.rows; ++r) {
+    for (int c = 0; c < spec.cols; ++c) {
+      const RayHit hit =
+          raycaster.Cast(camera.position, tests::RayDirection(spec, r, c, camera.yaw));
+      const float expected = hit.triangle < 0 ? 0.0f : std::min(hit.t, spec.max_depth_m);
+      const float error = std::abs(picture.depth_at(r, c) - expected);
+      wrong += error > 1e-3f * expected + 1e-3f ? 1 : 0;
+    }
+  }
+  return wrong;
+}
+
+TEST(Render, TheSweepFindsWhatEmbreesRaysFind) {
+  const SceneMesh mesh = Clutter(1);
   const auto scene = MakeEmbreeScene(mesh);
   Rng rng(2, "cameras");
   for (const Projection projection : kProjections) {
@@ -182,19 +199,62 @@ TEST(Render, TheSweepFindsWhatEmbreesRaysFind) {
       const CameraPose camera{{static_cast<float>(rng.Uniform(0.1, 5.9)), 1.25f,
                                static_cast<float>(-rng.Uniform(0.1, 7.9))},
                               static_cast<float>(rng.Uniform(-3, 3))};
-      const Panorama picture = RenderPanorama(*scene, spec, camera);
-      for (int r = 0; r < spec.rows; ++r) {
-        for (int c = 0; c < spec.cols; ++c) {
-          const RayHit hit =
-              raycaster.Cast(camera.position, tests::RayDirection(spec, r, c, camera.yaw));
-          const float expected = hit.triangle < 0 ? 0.0f : hit.t;
-          const float error = std::abs(picture.depth_at(r, c) - expected);
-          wrong += error > 1e-3f * expected + 1e-3f ? 1 : 0;
-        }
-      }
+      wrong += WrongPixels(mesh, *scene, spec, camera);
     }
     // Rays that graze an edge may fall on either side of it.
     EXPECT_LT(wrong, 40) << "of " << 6 * spec.pixels();
+  }
+}
+
+SceneMesh Soup(const std::vector<std::array<Vec, 3>>& triangles) {
+  SceneMesh mesh;
+  mesh.materials.emplace_back();
+  for (const auto& corners : triangles) {
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    for (const Vec& corner : corners) mesh.positions.push_back(corner);
+    mesh.uvs.resize(mesh.positions.size(), Eigen::Vector2f::Zero());
+    mesh.colors.resize(mesh.positions.size(), kWhite);
+    mesh.triangles.push_back({first, first + 1, first + 2});
+    mesh.triangle_materials.push_back(0);
+  }
+  return mesh;
+}
+
+TEST(Render, AFloorOfOneTriangleIsSeenToTheFeet) {
+  // Acute, with the camera over its middle: all of it is nearer than its edges.
+  const SceneMesh mesh = Soup({{Vec(0, 0, -11), Vec(-10, 0, 6), Vec(10, 0, 6)}});
+  for (const auto& scene : AllScenes(mesh)) {
+    for (const Projection projection : kProjections) {
+      const PanoramaSpec spec = Spec(projection);
+      EXPECT_LT(WrongPixels(mesh, *scene, spec, {{0, 1.25f, 0}, 0.3f}), 20) << scene->description();
+    }
+  }
+}
+
+TEST(Render, TheSweepFindsTrianglesOfAnySizeAndShape) {
+  Rng rng(5, "soup");
+  for (int trial = 0; trial < 40; ++trial) {
+    std::vector<std::array<Vec, 3>> triangles;
+    for (int t = 0; t < 60; ++t) {
+      const double size = std::exp(rng.Uniform(std::log(0.01), std::log(20.0)));
+      const auto point = [&rng](double reach) {
+        const double x = rng.Uniform(-reach, reach);
+        const double y = rng.Uniform(-reach, reach);
+        const double z = rng.Uniform(-reach, reach);
+        return Vec(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
+      };
+      const Vec centre = point(4.0);
+      const Vec a = point(size);
+      const Vec b = point(size);
+      const Vec c = point(size);
+      triangles.push_back({centre + a, centre + b, centre + c});
+    }
+    const SceneMesh mesh = Soup(triangles);
+    const PanoramaSpec spec = Spec(kProjections[static_cast<std::size_t>(trial) % 3]);
+    const auto scene = MakeEmbreeScene(mesh);
+    // Rays that graze an edge may fall on either side of it.
+    EXPECT_LT(WrongPixels(mesh, *scene, spec, {Vec::Zero(), 0.1f * static_cast<float>(trial)}), 20)
+        << "trial " << trial;
   }
 }
 
