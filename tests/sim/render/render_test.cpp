@@ -233,21 +233,23 @@ TEST(Render, AFloorOfOneTriangleIsSeenToTheFeet) {
 
 TEST(Render, TheSweepFindsTrianglesOfAnySizeAndShape) {
   Rng rng(5, "soup");
-  for (int trial = 0; trial < 40; ++trial) {
+  for (int trial = 0; trial < 120; ++trial) {
     std::vector<std::array<Vec, 3>> triangles;
-    for (int t = 0; t < 60; ++t) {
+    for (int t = 0; t <= trial / 2; ++t) {
       const double size = std::exp(rng.Uniform(std::log(0.01), std::log(20.0)));
-      const auto point = [&rng](double reach) {
+      // Half of them lie almost level, as floors and tables do.
+      const double height = rng.Chance(0.5) ? 0.02 : 1.0;
+      const auto point = [&rng](double reach, double level) {
         const double x = rng.Uniform(-reach, reach);
-        const double y = rng.Uniform(-reach, reach);
+        const double y = rng.Uniform(-reach, reach) * level;
         const double z = rng.Uniform(-reach, reach);
         return Vec(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
       };
-      const Vec centre = point(4.0);
-      const Vec a = point(size);
-      const Vec b = point(size);
-      const Vec c = point(size);
-      triangles.push_back({centre + a, centre + b, centre + c});
+      const Vec centre = rng.Chance(0.3) ? Vec(0, point(4.0, 1.0).y(), 0) : point(4.0, 1.0);
+      const Vec a = centre + point(size, height);
+      const Vec b = centre + point(size, height);
+      const Vec c = centre + point(size, height);
+      triangles.push_back({a, b, c});
     }
     const SceneMesh mesh = Soup(triangles);
     const PanoramaSpec spec = Spec(kProjections[static_cast<std::size_t>(trial) % 3]);
