@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "agent/perception/weights.h"
 
+#include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <utility>
 
@@ -20,6 +22,15 @@ std::map<std::string, torch::Tensor> NamedWeights(const torch::nn::Module& net) 
   for (const auto& item : net.named_parameters()) weights[item.key()] = item.value();
   for (const auto& item : net.named_buffers()) weights[item.key()] = item.value();
   return weights;
+}
+
+void RequireFinite(const TensorFile::Tensor& tensor, const std::filesystem::path& file,
+                   const std::string& name) {
+  const auto is_finite = [](float value) {
+    return std::isfinite(value);
+  };
+  if (std::all_of(tensor.values.begin(), tensor.values.end(), is_finite)) return;
+  throw sim::FileError(file, name, "holds numbers that are NaN or infinite; train it again");
 }
 
 }  // namespace
@@ -57,6 +68,7 @@ void SetWeights(const TensorFile& content, const std::string& prefix,
                            "has shape " + ShapeText(found->second.shape) + ", but the model has " +
                                ShapeText(tensor.sizes()) + ": these are weights of another model");
     }
+    RequireFinite(found->second, file, prefix + name);
     torch::Tensor(tensor).copy_(FromStored(found->second));
   }
   for (const auto& [name, tensor] : content.tensors) {

@@ -12,8 +12,8 @@ namespace bulletnav::agent {
 /// All parameters and running means of a net, by name, after `prefix`.
 void AppendWeights(const torch::nn::Module& net, const std::string& prefix, TensorFile* content);
 
-/// Sets them; `file` is named in errors. Throws FileError if one is missing or of another shape, or
-/// if one too many starts with `prefix`.
+/// Sets them; `file` is named in errors. Throws FileError if one is missing or of another shape, if
+/// one holds a number that is not finite, or if one too many starts with `prefix`.
 void SetWeights(const TensorFile& content, const std::string& prefix,
                 const std::filesystem::path& file, torch::nn::Module* net);
 

@@ -46,17 +46,22 @@ void MakeLabels(const DataConfig& config, int workers) {
 }
 
 /// The scene of the config with this file name; the first one if the name is empty.
-fs::path FindScene(const DataConfig& config, const std::string& name) {
+fs::path FindScene(const DataConfig& config, const DatasetOptions& options) {
+  const std::string& name = options.scene;
   const std::vector<fs::path> scenes = ScenesOf(config);
   const auto found = std::find_if(scenes.begin(), scenes.end(), [&](const fs::path& scene) {
     return name.empty() || scene == name || scene.filename() == name;
   });
-  if (found == scenes.end()) throw sim::Error("the config names no scene '" + name + "'");
+  if (found == scenes.end()) {
+    throw sim::FileError(options.config, "data",
+                         fmt::format("has no scene '{}'; its {} scenes begin with {}", name,
+                                     scenes.size(), scenes.front().filename().string()));
+  }
   return *found;
 }
 
 void Draw(const DataConfig& config, const DatasetOptions& options) {
-  const fs::path scene = FindScene(config, options.scene);
+  const fs::path scene = FindScene(config, options);
   const LabelledScene labelled = LabelScene(scene, config);
   if (!labelled.note.empty()) fmt::print(stderr, "{}\n", labelled.note);
   const int count = std::min(options.count, labelled.samples.count());

@@ -37,6 +37,10 @@ std::vector<MapLabel> LabelsFor(const SceneOptions& scene) {
   }
 }
 
+std::string RequirePng(const std::string& file) {
+  return file.ends_with(".png") ? "" : file + " must end in .png";
+}
+
 void Inspect(const InspectOptions& options) {
   const sim::ImportedScene scene = sim::ImportScene(options.scene.file, options.scene.import());
   const sim::Navmesh navmesh(scene.mesh, {});
@@ -54,9 +58,11 @@ void AddInspect(CLI::App* scenes) {
       scenes->add_subcommand("inspect", "Say what a scene holds and where one can walk in it");
   options->scene.AddTo(command);
   command->add_flag("--json", options->json, "Print JSON");
-  command->add_option("--topdown", options->topdown,
-                      "Draw the floor plan with the walkable area into this PNG, with room names "
-                      "if the house's description is beside it (FILE's name with .json)");
+  command
+      ->add_option("--topdown", options->topdown,
+                   "Draw the floor plan with the walkable area into this PNG, with room names "
+                   "if the house's description is beside it (FILE's name with .json)")
+      ->check(RequirePng);
   command->callback([options] {
     Inspect(*options);
   });

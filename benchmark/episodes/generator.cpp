@@ -118,8 +118,10 @@ std::vector<std::string> ScenesOf(const GeneratorSpec& spec) {
     if (house.At("split").Text() != spec.houses->split) continue;
     scenes.push_back((file.parent_path() / house.At("file").Text()).string());
   }
-  if (scenes.size() == before)
-    houses.Fail("has no house of the split '" + spec.houses->split + "'");
+  if (scenes.size() == before) {
+    houses.Fail("has no house of the split '" + spec.houses->split +
+                "'; sets of eleven houses or more have all three");
+  }
   return scenes;
 }
 

@@ -13,9 +13,9 @@ using sim::FileError;
 
 constexpr int kDeepest = 64;
 
-std::string LineAndColumn(std::string_view text, std::size_t byte) {
+std::string LineAndColumn(std::string_view text, std::size_t byte, int first_line) {
   const std::string_view before = text.substr(0, std::min(byte, text.size()));
-  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+  const auto line = first_line + std::count(before.begin(), before.end(), '\n');
   const std::size_t last = before.rfind('\n');
   const std::size_t column = before.size() - (last == std::string_view::npos ? 0 : last + 1) + 1;
   return std::to_string(line) + ":" + std::to_string(column);
@@ -77,7 +77,7 @@ void JsonCursor::ExpectList(std::size_t size) const {
   }
 }
 
-Json ParseJson(std::string_view text, const std::filesystem::path& file) {
+Json ParseJson(std::string_view text, const std::filesystem::path& file, int first_line) {
   const auto limit_depth = [&](int depth, Json::parse_event_t /*event*/, Json& /*parsed*/) {
     if (depth > kDeepest) throw FileError(file, "", "nests more than 64 levels deep");
     return true;
@@ -86,7 +86,7 @@ Json ParseJson(std::string_view text, const std::filesystem::path& file) {
     return Json::parse(text, limit_depth);
   } catch (const Json::parse_error& e) {
     const std::size_t byte = e.byte > 0 ? e.byte - 1 : 0;
-    throw FileError(file, LineAndColumn(text, byte), WhyBad(text, byte));
+    throw FileError(file, LineAndColumn(text, byte, first_line), WhyBad(text, byte));
   } catch (const Json::exception&) {
     throw FileError(file, "", "holds a number too large for this program; mend it");
   }

@@ -47,7 +47,7 @@ class JsonCursor {
 };
 
 /// Parses JSON text. Throws sim::FileError with line:column and, for text that is cut off, holds
-/// NaN or nests too deeply, the remedy.
-Json ParseJson(std::string_view text, const std::filesystem::path& file);
+/// NaN or nests too deeply, the remedy. `first_line`: the file's line that `text` starts at.
+Json ParseJson(std::string_view text, const std::filesystem::path& file, int first_line = 1);
 
 }  // namespace bulletnav::bench

@@ -110,7 +110,7 @@ std::string ToJsonLine(const EpisodeResult& result) {
 EpisodeResult FromJsonLine(std::string_view line, const std::filesystem::path& file,
                            int line_number) {
   const std::filesystem::path place = file.string() + ":" + std::to_string(line_number);
-  const Json json = ParseJson(line, place);
+  const Json json = ParseJson(line, file, line_number);
   return FromJson({json, place, ""});
 }
 

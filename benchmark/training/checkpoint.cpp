@@ -30,6 +30,14 @@ T Number(const agent::TensorFile& content, const std::string& key, const fs::pat
   throw sim::FileError(file, key, "is missing: this is not a checkpoint; remove it");
 }
 
+agent::TensorFile ReadCheckpoint(const fs::path& file) {
+  try {
+    return agent::ReadTensorFile(file);
+  } catch (const sim::FileError& e) {
+    throw sim::Error(std::string(e.what()) + ", or remove the folder's checkpoints to begin anew");
+  }
+}
+
 }  // namespace
 
 Checkpoints::Checkpoints(const fs::path& folder, std::string essence)
@@ -57,13 +65,13 @@ std::optional<TrainState> Checkpoints::Read(torch::nn::Module* net, Adam* adam) 
   if (fs::exists(newest_)) {
     std::optional<agent::TensorFile> content;
     try {
-      content = agent::ReadTensorFile(newest_);
-    } catch (const sim::FileError&) {
+      content = ReadCheckpoint(newest_);
+    } catch (const sim::Error&) {
       if (!fs::exists(previous_)) throw;
     }
     if (content) return Restore(newest_, *content, net, adam);
   }
-  return Restore(previous_, agent::ReadTensorFile(previous_), net, adam);
+  return Restore(previous_, ReadCheckpoint(previous_), net, adam);
 }
 
 TrainState Checkpoints::Restore(const fs::path& file, const agent::TensorFile& content,

@@ -31,8 +31,8 @@ class Checkpoints {
   void Write(const TrainState& state, const torch::nn::Module& net, const Adam& adam) const;
 
   /// Sets `net` and `adam` as they were; none if there is no checkpoint. If the newest one is
-  /// damaged, takes the one before. Throws Error if it belongs to a training by another config,
-  /// FileError if no checkpoint can be read.
+  /// damaged, takes the one before. Throws Error if it belongs to a training by another config
+  /// or if no checkpoint can be read.
   std::optional<TrainState> Read(torch::nn::Module* net, Adam* adam) const;
 
  private:

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/core.h>
+
+#include "sim/base/check.h"
 #include "sim/base/error.h"
 #include "sim/math/pose.h"
 
@@ -48,7 +51,15 @@ void TrainPlan::Validate() const {
   RequireAtLeast(1, validate_every, "validate_every");
   RequireAtLeast(1, validation_batches, "validation_batches");
   RequireAtLeast(1, lanes, "lanes");
-  if (scenes % lanes != 0) throw sim::Error("lanes must divide scenes");
+  if (scenes % lanes != 0) {
+    throw sim::KeyError(
+        "scenes", fmt::format("scenes is {}; it must be a multiple of lanes, {}", scenes, lanes));
+  }
+  if (data && !validation && !data->houses) {
+    throw sim::KeyError("data",
+                        "names no 'houses' whose split 'val' would serve to validate; add "
+                        "a block 'validation'");
+  }
 }
 
 void ScoreContrast::Validate() const {
@@ -82,9 +93,7 @@ Trained TrainedBy(const std::filesystem::path& file) {
 
 DataConfig ValidationData(const TrainPlan& plan) {
   if (plan.validation) return *plan.validation;
-  if (!plan.data || !plan.data->houses) {
-    throw sim::Error("the config names no houses to validate on; give it a block 'validation'");
-  }
+  CHECK(plan.data && plan.data->houses);
   DataConfig validation = *plan.data;
   validation.scenes.clear();
   validation.more_houses.reset();

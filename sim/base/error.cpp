@@ -16,6 +16,7 @@ std::string OneLine(std::string text) {
 
 FileError::FileError(const std::filesystem::path& file, const std::string& place,
                      const std::string& what)
-    : Error(OneLine(file.string() + ":" + (place.empty() ? "" : place + ":") + " " + what)) {}
+    : Error(OneLine((file.empty() ? "an empty path" : file.string()) + ":" +
+                    (place.empty() ? "" : place + ":") + " " + what)) {}
 
 }  // namespace bulletnav::sim

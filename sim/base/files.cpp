@@ -3,7 +3,10 @@
 
 #include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
+#include <optional>
+#include <regex>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -46,6 +49,14 @@ fs::path TemporaryName(const fs::path& file) {
     name = file.string() + ".tmp" + std::to_string(::getpid()) + "-" + std::to_string(counter++);
   } while (fs::exists(name, ignored));
   return name;
+}
+
+/// The process that a name as of TemporaryName() belongs to; none if it is no such name.
+std::optional<pid_t> WriterOf(const std::string& name) {
+  static const std::regex pattern(R"(.+\.tmp([1-9][0-9]{0,8})-[0-9]+)");
+  std::smatch match;
+  if (!std::regex_match(name, match, pattern)) return std::nullopt;
+  return std::stoi(match[1].str());
 }
 
 /// The file that is to be replaced: what `file` points to, if it is a link. Throws FileError if
@@ -158,6 +169,15 @@ void MakeFolder(const fs::path& folder) {
   if (error || !fs::is_directory(folder)) {
     const std::string why = error ? error.message() : "a file of that name exists";
     throw FileError(folder, "", "folder cannot be made: " + why + "; choose another place");
+  }
+}
+
+void RemoveLeftovers(const fs::path& folder) {
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    const std::optional<pid_t> writer = WriterOf(entry.path().filename().string());
+    if (!writer || !entry.is_regular_file(ignored)) continue;
+    if (::kill(*writer, 0) != 0 && errno == ESRCH) fs::remove(entry.path(), ignored);
   }
 }
 

@@ -27,6 +27,10 @@ void WriteFileAtomically(const std::filesystem::path& file,
 /// Makes `folder` and its parents. Throws FileError if it is a file or cannot be made.
 void MakeFolder(const std::filesystem::path& folder);
 
+/// Removes from `folder` the temporary files that processes left which were killed while they
+/// wrote. Those of processes that run stay, as does what cannot be removed.
+void RemoveLeftovers(const std::filesystem::path& folder);
+
 /// 64-bit FNV-1a: stable names and cache keys, not security.
 std::uint64_t Hash64(std::span<const std::uint8_t> bytes);
 std::uint64_t Hash64(std::string_view text);

@@ -39,6 +39,7 @@ FolderLock::FolderLock(const std::filesystem::path& folder) {
         folder, "",
         "another run" + holder + " is writing here; wait for it or choose another --out");
   }
+  RemoveLeftovers(folder);
   const std::string pid = std::to_string(::getpid());
   // For people only: nothing depends on it.
   [[maybe_unused]] const bool is_told =

@@ -5,7 +5,8 @@
 namespace bulletnav::sim {
 
 /// Holds a folder for this process alone, by flock on the file `lock` in it: the kernel lets go
-/// when the process ends, however it ends, so no lock is ever left behind.
+/// when the process ends, however it ends, so no lock is ever left behind. What killed processes
+/// had half-written there is removed.
 class FolderLock {
  public:
   /// Throws Error, naming the other process, if another holds the folder.

@@ -34,6 +34,12 @@ std::size_t EditDistance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
+std::string Listed(const std::vector<std::string>& words) {
+  std::string list;
+  for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
+  return list;
+}
+
 }  // namespace
 
 std::string NearestWord(std::string_view word, const std::vector<std::string>& known) {
@@ -135,8 +141,9 @@ void YamlReader::Finish() const {
     if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
     const std::string nearest = NearestWord(key, known_);
     map_.Child(item.first)
-        .Fail("unknown key '" + key + "'" +
-              (nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
+        .Fail("unknown key '" + key + "'; " +
+              (nearest.empty() ? "known here: " + Listed(known_)
+                               : "did you mean '" + nearest + "'?"));
   }
   if (!missing_.empty()) map_.Fail("key '" + missing_ + "' is missing");
 }

@@ -73,6 +73,13 @@ std::vector<HouseEntry*> Unmade(const UnfinishedHouses& left, std::vector<HouseE
   return unmade;
 }
 
+std::string HousesText(const std::vector<HouseEntry>& houses) {
+  if (houses.empty()) return "no houses";
+  if (houses.size() == 1) return fmt::format("one house of seed {}", houses[0].seed);
+  return fmt::format("{} houses of seeds {} to {}", houses.size(), houses.front().seed,
+                     houses.back().seed);
+}
+
 }  // namespace
 
 bool HasHouseSet(const std::filesystem::path& folder, const HouseSetSpec& spec) {
@@ -87,9 +94,9 @@ bool HasHouseSet(const std::filesystem::path& folder, const HouseSetSpec& spec) 
   if (std::equal(old.begin(), old.end(), planned.begin(), planned.end(), same_seed)) return true;
   throw FileError(
       index, "",
-      fmt::format("lists {} houses, not the {} that are asked for; name another folder, or remove "
-                  "this one first",
-                  old.size(), planned.size()));
+      fmt::format(
+          "lists {}; asked for: {}; give its own count and first seed, or name another folder",
+          HousesText(old), HousesText(planned)));
 }
 
 int CountUnmade(const std::filesystem::path& folder, const HouseSetSpec& spec) {

@@ -2,6 +2,7 @@
 #include "agent/perception/semantic_net.h"
 
 #include <cmath>
+#include <limits>
 
 #include <gmock/gmock.h>
 
@@ -216,6 +217,18 @@ TEST(SemanticNet, RefusesWeightsOfAnotherModel) {
   TensorFile more = weights;
   more.tensors["stranger"] = {{1}, {0.0f}};
   EXPECT_THAT(Complaint(more, config), HasSubstr("stranger"));
+}
+
+TEST(SemanticNet, RefusesWeightsThatAreNoNumbers) {
+  const ModelConfig config = Tiny(EncoderForm::kPanorama);
+  for (const float bad :
+       {std::numeric_limits<float>::quiet_NaN(), -std::numeric_limits<float>::infinity()}) {
+    TensorFile weights;
+    AppendWeights(SemanticNet(config, 1), "", &weights);
+    weights.tensors.rbegin()->second.values.back() = bad;
+    EXPECT_THAT(Complaint(weights, config),
+                HasSubstr(weights.tensors.rbegin()->first + ": holds numbers that are NaN"));
+  }
 }
 
 TEST(SemanticNet, RefusesFilesWithoutAConfiguration) {

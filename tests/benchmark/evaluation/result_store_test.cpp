@@ -21,6 +21,7 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::StartsWith;
 
 constexpr const char* kConfig = "seed: 1\nagents: [random]\n";
 
@@ -76,6 +77,16 @@ TEST(EpisodeResult, LineComesBackBitForBit) {
     EXPECT_EQ(line.find('\n'), std::string::npos);
     EXPECT_EQ(FromJsonLine(line, "x", 1), result);
     EXPECT_EQ(ToJsonLine(FromJsonLine(line, "x", 1)), line);
+  }
+}
+
+TEST(EpisodeResult, DamagedLinesAreNamed) {
+  const std::string line = ToJsonLine(MakeResult(0, 1));
+  try {
+    FromJsonLine("{?" + line.substr(1), "x.jsonl", 12);
+    FAIL() << "read";
+  } catch (const sim::FileError& e) {
+    EXPECT_THAT(e.what(), StartsWith("x.jsonl:12:2: not valid JSON"));
   }
 }
 

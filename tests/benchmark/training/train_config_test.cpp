@@ -53,6 +53,28 @@ TEST(TrainConfig, ScoreContrastIsReadAndChecked) {
   }
 }
 
+std::string ErrorOf(const std::string& text) {
+  try {
+    sim::LoadYamlText<TrainConfig>(text, "c.yaml");
+  } catch (const sim::FileError& e) {
+    return e.what();
+  }
+  return "none";
+}
+
+TEST(TrainConfig, ScenesThatLanesDoNotDivideAreNamed) {
+  EXPECT_EQ(ErrorOf("out: x\nscenes: 3\n"),
+            "c.yaml:2:9: scenes is 3; it must be a multiple of lanes, 2");
+  EXPECT_EQ(ErrorOf("out: x\nscenes: 3\nlanes: 3\n"), "none");
+}
+
+TEST(TrainConfig, DataWithoutHousesNeedsABlockToValidateOn) {
+  const std::string data = "out: x\ndata:\n  scenes: [a.glb]\n  cache: c\n";
+  EXPECT_THAT(ErrorOf(data), HasSubstr("add a block 'validation'"));
+  EXPECT_THAT(ErrorOf(data), StartsWith("c.yaml:3:3: "));
+  EXPECT_EQ(ErrorOf(data + "validation: {scenes: [b.glb], cache: c}\n"), "none");
+}
+
 TEST(TrainConfig, RejectionIsReadAndChecked) {
   const tests::TemporaryFolder folder;
   const auto config = sim::LoadYaml<TrainConfig>(folder.Write("a.yaml", "out: x\nrejection: 10\n"));

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "sim/base/error.h"
@@ -150,9 +151,29 @@ TEST(Files, WhatAKilledProcessLeftIsNotInTheWay) {
   EXPECT_EQ(ReadTextFile(file), "x");
 }
 
+TEST(Files, OnlyWhatKilledProcessesLeftIsRemoved) {
+  const TemporaryFolder folder;
+  const pid_t killed = ::fork();
+  if (killed == 0) ::_exit(0);
+  ASSERT_EQ(::waitpid(killed, nullptr, 0), killed);
+  const fs::path left = folder.Write("a.bin.tmp" + std::to_string(killed) + "-7", "half");
+  const std::vector<fs::path> others = {
+      folder.Write("a.bin.tmp" + std::to_string(::getpid()) + "-7", "being written"),
+      folder.Write("a.bin", "whole"),
+      folder.Write("a.tmp", "of somebody else"),
+      folder.Write("a.tmp" + std::to_string(killed), "of somebody else"),
+      folder.Write("a.tmp0-1", "of nobody"),
+  };
+  RemoveLeftovers(folder.path());
+  EXPECT_FALSE(fs::exists(left));
+  for (const fs::path& other : others) EXPECT_TRUE(fs::exists(other)) << other;
+  EXPECT_NO_THROW(RemoveLeftovers(folder.path() / "none"));
+}
+
 TEST(Files, ErrorsAreOneLine) {
   const FileError error("a\nb", "3:4", "is\nbroken");
   EXPECT_EQ(std::string(error.what()), "a b:3:4: is broken");
+  EXPECT_EQ(std::string(FileError("", "", "is broken").what()), "an empty path: is broken");
 }
 
 TEST(Files, HashesAreThePublishedOnes) {

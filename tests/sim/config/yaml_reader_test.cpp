@@ -110,7 +110,9 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         BadInput{"typo", "name: x\ncuont: 3\n",
                  "c.yaml:2:1: unknown key 'cuont'; did you mean 'count'?"},
-        BadInput{"unknown", "zzzzzzzzzz: 3\n", "c.yaml:1:1: unknown key 'zzzzzzzzzz'"},
+        BadInput{"unknown", "zzzzzzzzzz: 3\n",
+                 "c.yaml:1:1: unknown key 'zzzzzzzzzz'; known here: count, small, flag, name, "
+                 "colour, list, pair, maybe, inners, inner"},
         BadInput{"twice", "count: 3\ncount: 4\n", "c.yaml:2:1: key 'count' is given twice"},
         BadInput{"missing", "inner: {}\n", "c.yaml:1:8: key 'width' is missing"},
         BadInput{"misspelt_required", "inner: {widht: 1}\n",
