@@ -33,7 +33,7 @@ double LayeredArea(const SceneMesh& mesh, int axis) {
 /// Buildings are lower than they are wide, which tells floors from walls where both are flat.
 double Score(const SceneMesh& mesh, int axis) {
   const float extent = mesh.Bounds().sizes()[axis];
-  return extent > 0.0f && std::isfinite(extent) ? LayeredArea(mesh, axis) / extent : 0.0;
+  return std::isfinite(extent) ? LayeredArea(mesh, axis) / std::max(extent, kLayer) : 0.0;
 }
 
 }  // namespace

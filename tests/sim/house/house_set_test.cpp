@@ -44,7 +44,8 @@ TEST_F(HouseSetTest, OtherHousesAreRefused) {
   for (const HouseSetSpec& spec :
        {HouseSetSpec{.count = 2, .first_seed = 6}, HouseSetSpec{.count = 1, .first_seed = 5},
         HouseSetSpec{.count = 3, .first_seed = 5}}) {
-    EXPECT_THAT(Complaint(spec), HasSubstr("index.json: lists 2 houses of seeds 5 to 6; asked for: "));
+    EXPECT_THAT(Complaint(spec),
+                HasSubstr("index.json: lists 2 houses of seeds 5 to 6; asked for: "));
     EXPECT_THROW(WriteHouseSet(folder_.path(), spec, [] {}), FileError);
   }
 }

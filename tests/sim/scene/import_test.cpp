@@ -517,6 +517,33 @@ TEST(Import, RandomDamageEndsInAnError) {
   }
 }
 
+/// One square metre of floor, `up` its normal's axis in the file.
+std::string FloorText(const std::string& extension, UpAxis up) {
+  const bool is_ply = extension == ".ply";
+  std::string text = is_ply ? "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\n"
+                              "property float y\nproperty float z\nelement face 1\n"
+                              "property list uchar int vertex_indices\nend_header\n"
+                            : "";
+  for (const char* xy : {"0 0", "1 0", "1 1", "0 1"}) {
+    const std::string x(1, xy[0]);
+    const std::string y(1, xy[2]);
+    text += (is_ply ? "" : "v ") + (up == UpAxis::kZ ? x + " " + y + " 0" : x + " 0 " + y) + "\n";
+  }
+  return text + (is_ply ? "4 0 1 2 3\n" : "f 1 2 3 4\n");
+}
+
+TEST(Import, BareFloorsLieFlatInAnyFormat) {
+  const TemporaryFolder folder;
+  for (const char* extension : {".ply", ".obj"}) {
+    for (const UpAxis up : {UpAxis::kY, UpAxis::kZ}) {
+      const ImportedScene scene =
+          ImportScene(folder.Write(std::string("floor") + extension, FloorText(extension, up)));
+      EXPECT_EQ(scene.report.up_axis, up) << extension;
+      EXPECT_EQ(scene.report.extent_m, Vec(1, 0, 1));
+    }
+  }
+}
+
 class SharedSceneTest : public testing::TestWithParam<const char*> {};
 
 TEST_P(SharedSceneTest, RealScenesLoad) {
