@@ -3,10 +3,11 @@
 
 #include <atomic>
 #include <cerrno>
+#include <charconv>
 #include <csignal>
 #include <cstring>
 #include <optional>
-#include <regex>
+#include <system_error>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -52,11 +53,18 @@ fs::path TemporaryName(const fs::path& file) {
 }
 
 /// The process that a name as of TemporaryName() belongs to; none if it is no such name.
-std::optional<pid_t> WriterOf(const std::string& name) {
-  static const std::regex pattern(R"(.+\.tmp([1-9][0-9]{0,8})-[0-9]+)");
-  std::smatch match;
-  if (!std::regex_match(name, match, pattern)) return std::nullopt;
-  return std::stoi(match[1].str());
+std::optional<pid_t> WriterOf(std::string_view name) {
+  constexpr std::string_view kMark = ".tmp";
+  const std::size_t at = name.rfind(kMark);
+  if (at == std::string_view::npos || at == 0) return std::nullopt;
+  const char* const end = name.data() + name.size();
+  pid_t writer = 0;
+  unsigned counter = 0;
+  const auto [dash, no_pid] = std::from_chars(name.data() + at + kMark.size(), end, writer);
+  if (no_pid != std::errc() || writer <= 0 || dash == end || *dash != '-') return std::nullopt;
+  const auto [stop, no_counter] = std::from_chars(dash + 1, end, counter);
+  if (no_counter != std::errc() || stop != end) return std::nullopt;
+  return writer;
 }
 
 /// The file that is to be replaced: what `file` points to, if it is a link. Throws FileError if
