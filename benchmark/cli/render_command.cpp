@@ -105,12 +105,18 @@ void WritePictures(const std::filesystem::path& folder, const std::string& stem,
                            sim::EncodePng16(millimetres, spec.cols, spec.rows));
 }
 
+std::shared_ptr<const sim::World> LoadWorld(const std::filesystem::path& file,
+                                            const sim::WorldOptions& options) {
+  const Progress loading("loading " + file.string());
+  return sim::World::Load(file, options);
+}
+
 void Render(RenderOptions options) {
   ParseSize(options.size, &options.panorama);
   sim::WorldOptions world_options;
   world_options.import = options.scene.import();
   world_options.backend = options.backend;
-  const auto world = sim::World::Load(options.scene.file, world_options);
+  const auto world = LoadWorld(options.scene.file, world_options);
   fmt::print(stderr, "{}", TextureWarnings(options.scene.file.string(), world->report()));
   const auto renderer = world->render_scene().MakeRenderer(options.panorama);
   const std::vector<BodyPose> poses =

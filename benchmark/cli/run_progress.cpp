@@ -36,10 +36,13 @@ void RunProgress::Begin(std::size_t total, std::span<const EpisodeResult> before
   for (const EpisodeResult& result : before) Count(result);
   start_ = Clock::now();
   shown_ = start_;
+  loading_.reset();
+  if (done_ < total_) loading_.emplace("until the first episode ends");
   if (before_ > 0) fmt::print(stderr, "going on after {} of {} episodes\n", before_, total_);
 }
 
 void RunProgress::Add(const EpisodeResult& result) {
+  loading_.reset();
   ++done_;
   Count(result);
   for (const GoalMetrics& goal : result.goals) steps_ += goal.steps;
@@ -50,6 +53,7 @@ void RunProgress::Add(const EpisodeResult& result) {
 }
 
 void RunProgress::End() {
+  loading_.reset();
   if (done_ > before_) Show();
 }
 

@@ -2,10 +2,12 @@
 #pragma once
 #include <chrono>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "benchmark/cli/progress.h"
 #include "benchmark/evaluation/episode_result.h"
 
 namespace bulletnav::bench {
@@ -47,7 +49,8 @@ class RunProgress {
   std::vector<Row> rows_;
   Clock::time_point start_;
   Clock::time_point shown_;
-  int lines_ = 0;  // on the terminal that belong to the table
+  std::optional<Progress> loading_;  // until the first episode ends
+  int lines_ = 0;                    // on the terminal that belong to the table
 };
 
 }  // namespace bulletnav::bench

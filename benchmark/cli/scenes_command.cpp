@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <string>
 #include <system_error>
 #include <vector>
 
 #include <fmt/core.h>
 
 #include "benchmark/cli/commands.h"
+#include "benchmark/cli/progress.h"
 #include "benchmark/cli/scene_options.h"
 #include "benchmark/report/room_labels.h"
 #include "benchmark/report/scene_report.h"
@@ -42,14 +45,20 @@ std::string RequirePng(const std::string& file) {
 }
 
 void Inspect(const InspectOptions& options) {
+  const std::string file = options.scene.file.string();
+  std::optional<Progress> progress(std::in_place, "reading " + file);
   const sim::ImportedScene scene = sim::ImportScene(options.scene.file, options.scene.import());
+  progress->Rename("finding the walkable floor of " + file);
   const sim::Navmesh navmesh(scene.mesh, {});
+  progress->Rename("measuring " + file);
   const SceneReport report = InspectScene(scene.report, navmesh);
-  fmt::print("{}", options.json ? ToJson(report) : ToText(report));
   if (!options.topdown.empty()) {
+    progress->Rename("drawing " + options.topdown.string());
     sim::WritePng(options.topdown, DrawTopDown(scene.mesh, navmesh, LabelsFor(options.scene)));
   }
-  sim::RequireFloor(options.scene.file.string(), scene.report, navmesh);
+  progress.reset();
+  fmt::print("{}", options.json ? ToJson(report) : ToText(report));
+  sim::RequireFloor(file, scene.report, navmesh);
 }
 
 void AddInspect(CLI::App* scenes) {

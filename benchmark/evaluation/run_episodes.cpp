@@ -72,6 +72,14 @@ void CheckFingerprints(const RunConfig& config, const Fingerprints& found) {
   }
 }
 
+void CheckOne(const Episode& episode, const Ground& ground, const RunConfig& config) {
+  try {
+    CheckEpisode(episode, ground.physics, ground.navmesh, config.body);
+  } catch (const sim::Error& e) {
+    throw sim::FileError(config.episodes.file, "", e.what());
+  }
+}
+
 void CheckEpisodes(const RunConfig& config, const RunEpisodes& all, int workers,
                    const StartProgress& start) {
   const std::vector<std::string> scenes = ScenesIn(all.episodes);
@@ -82,8 +90,7 @@ void CheckEpisodes(const RunConfig& config, const RunEpisodes& all, int workers,
     const auto ground =
         Ground::Load(all.scene_files.at(scene), config.navmesh, config.import.options());
     for (const Episode& episode : all.episodes) {
-      if (episode.scene != scene) continue;
-      CheckEpisode(episode, ground->physics, ground->navmesh, config.body);
+      if (episode.scene == scene) CheckOne(episode, *ground, config);
     }
     advance();
   });

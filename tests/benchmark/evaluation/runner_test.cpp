@@ -340,7 +340,8 @@ TEST_F(RunnerTest, EpisodesThatCannotBePlayedAreRefusedBeforeTheRun) {
   EXPECT_THAT(complaint([](Episode* episode) {
                 episode->start_position.x() += 500.0;
               }),
-              HasSubstr("episode '" + good.episodes[3].id + "'"));
+              AllOf(HasSubstr("bad.json: episode '" + good.episodes[3].id + "'"),
+                    HasSubstr("start: there is no floor")));
 }
 
 /// What happened in every episode of a small run, as text. To write it again after a change that is
