@@ -114,6 +114,7 @@ void BatchSimulator::Reset(int lane, const BodyPose& pose, const EpisodeKey& key
 }
 
 void BatchSimulator::SetWorld(int lane, std::shared_ptr<const World> world) {
+  CHECK(lane >= 0 && lane < lanes());
   auto& slot = impl_->bodies[static_cast<std::size_t>(lane)];
   const std::unique_ptr<SimulatedBody> old = std::exchange(slot, impl_->NewBody(std::move(world)));
   impl_->DropUnused(old->world());

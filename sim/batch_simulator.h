@@ -21,7 +21,8 @@ struct BatchObservations {
 /// processor they do the physics, and neighbouring lanes of one world are drawn together.
 class BatchSimulator {
  public:
-  /// One world a lane; lanes may share worlds. `workers` < 1: one a processor.
+  /// One world a lane, none of them null (checked); lanes may share worlds. `workers` < 1: one a
+  /// processor.
   BatchSimulator(std::vector<std::shared_ptr<const World>> worlds, const SimulatorSpec& spec,
                  int workers);
   ~BatchSimulator();
@@ -34,11 +35,14 @@ class BatchSimulator {
 
   /// Starts an episode in one lane. Throws PoseError and leaves the lane as it was.
   void Reset(int lane, const BodyPose& pose, const EpisodeKey& key = {});
-  /// Moves a lane to another world, where it must be reset before it steps.
+  /// Moves a lane to another world, where it must be reset before the next Step or Observe
+  /// (checked).
   void SetWorld(int lane, std::shared_ptr<const World> world);
 
   /// One action a lane; writes every lane's sensors and observation. An exception in a lane is
-  /// thrown here once all lanes have finished.
+  /// thrown here once all lanes have finished. Expects, here and below: every lane has been reset,
+  /// as many actions and sensors as lanes, buffers empty or of the batch's size, lanes in range
+  /// (checked).
   void Step(std::span<const Action> actions, std::span<Sensors> sensors,
             const BatchObservations& out);
   /// The observations alone, after resets.

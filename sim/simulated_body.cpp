@@ -1,16 +1,26 @@
 // SPDX-License-Identifier: MIT
 #include "sim/simulated_body.h"
 
+#include "sim/base/check.h"
 #include "sim/math/rng.h"
 
 namespace bulletnav::sim {
+namespace {
+
+const World& Checked(const std::shared_ptr<const World>& world) {
+  CHECK(world != nullptr);
+  return *world;
+}
+
+}  // namespace
 
 SimulatedBody::SimulatedBody(std::shared_ptr<const World> world, const BodySpec& spec,
                              const NoiseModel& noise)
-    : world_(std::move(world)), noise_(noise), body_(world_->physics(), spec) {}
+    : world_(std::move(world)), noise_(noise), body_(Checked(world_).physics(), spec) {}
 
 void SimulatedBody::Reset(const BodyPose& pose, const EpisodeKey& key) {
   body_.Reset(pose);
+  is_placed_ = true;
   key_ = key;
   steps_ = 0;
   collisions_ = 0;
@@ -18,6 +28,7 @@ void SimulatedBody::Reset(const BodyPose& pose, const EpisodeKey& key) {
 }
 
 Sensors SimulatedBody::Step(Action action) {
+  CHECK(is_placed_);
   const auto rng = [&](Stream stream) {
     return Rng(RngKey{key_.run_seed, world_->id(), key_.episode, static_cast<std::uint32_t>(steps_),
                       stream});
@@ -34,6 +45,7 @@ Sensors SimulatedBody::Step(Action action) {
 }
 
 CameraPose SimulatedBody::camera_pose() const {
+  CHECK(is_placed_);
   const BodyPose& pose = body_.pose();
   const Eigen::Vector3d eye = pose.position + Eigen::Vector3d(0, body_.spec().camera_height, 0);
   return {eye.cast<float>(), static_cast<float>(pose.yaw)};

@@ -12,7 +12,8 @@
 
 namespace bulletnav::sim {
 
-/// Which random numbers an episode draws, besides the scene.
+/// Which random numbers an episode draws, besides the scene: the same key and actions, the same
+/// noise. Give each episode another one.
 struct EpisodeKey {
   std::uint64_t run_seed = 0;
   std::uint64_t episode = 0;
@@ -24,16 +25,17 @@ struct EpisodeKey {
 /// Source: Neural Topological SLAM, section 5; noise of Active Neural SLAM.
 class SimulatedBody {
  public:
+  /// Expects: a world (checked), which it keeps.
   SimulatedBody(std::shared_ptr<const World> world, const BodySpec& spec, const NoiseModel& noise);
 
   /// Puts the body down (see CapsuleBody::Reset) and starts an episode. Throws PoseError and
   /// changes nothing if the body cannot stand there.
   void Reset(const BodyPose& pose, const EpisodeKey& key);
 
-  /// Executes one action with noise; kStop moves nothing.
+  /// Executes one action with noise; kStop moves nothing. Expects: a Reset before (checked).
   Sensors Step(Action action);
 
-  /// Where the camera is now.
+  /// Where the camera is now: spec.camera_height above the feet. Expects: a Reset before (checked).
   CameraPose camera_pose() const;
 
   /// Ground truth, for metrics, drawing and privileged agents only.
@@ -49,6 +51,7 @@ class SimulatedBody {
   std::shared_ptr<const World> world_;
   NoiseModel noise_;
   CapsuleBody body_;
+  bool is_placed_ = false;
   EpisodeKey key_;
   int steps_ = 0;
   int collisions_ = 0;

@@ -6,7 +6,7 @@ namespace bulletnav::sim {
 Simulator::Simulator(std::shared_ptr<const World> world, const SimulatorSpec& spec)
     : spec_(spec),
       body_(world, spec.body, NoiseModel(spec.noise)),
-      renderer_(world->render_scene().MakeRenderer(spec.panorama)) {
+      renderer_(body_.world().render_scene().MakeRenderer(spec.panorama)) {
   if (spec.color) observation_.color.resize(3 * spec.panorama.pixels());
   if (spec.depth) observation_.depth.resize(spec.panorama.pixels());
 }

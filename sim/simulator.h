@@ -11,8 +11,8 @@ namespace bulletnav::sim {
 struct SimulatorSpec {
   BodySpec body;
   PanoramaSpec panorama;
-  NoiseMode noise = NoiseMode::kAnsReleased;
-  bool color = true;  // of the panorama
+  NoiseMode noise = NoiseMode::kAnsReleased;  // kNone: exact motion and odometry
+  bool color = true;                          // of the panorama
   bool depth = true;
 
   template <class V>
@@ -33,11 +33,13 @@ struct SimulatorSpec {
 /// Cost of a step: one panorama; physics and noise are some tens of microseconds.
 class Simulator {
  public:
+  /// Expects: a world (checked), which it keeps.
   Simulator(std::shared_ptr<const World> world, const SimulatorSpec& spec);
 
   /// Starts an episode. Throws PoseError and changes nothing if the body cannot stand there. The
   /// odometry of the first observation is zero.
   const Observation& Reset(const BodyPose& pose, const EpisodeKey& key = {});
+  /// Expects: a Reset before (checked).
   const Observation& Step(Action action);
 
   /// Ground truth, for metrics, drawing and privileged agents only.

@@ -2,6 +2,7 @@
 #include "sim/world.h"
 
 #include <algorithm>
+#include <set>
 
 #include <fmt/core.h>
 
@@ -32,9 +33,12 @@ std::shared_ptr<const World> World::Load(const std::filesystem::path& file,
 
 std::shared_ptr<const World> World::FromMesh(const SceneMesh& mesh, const std::string& name,
                                              const WorldOptions& options) {
+  mesh.Validate();
   ImportedScene scene;
   scene.mesh = mesh;
   scene.report.triangles = mesh.triangles.size();
+  scene.report.materials =
+      std::set(mesh.triangle_materials.begin(), mesh.triangle_materials.end()).size();
   scene.report.extent_m = mesh.Bounds().sizes();
   return std::make_shared<const World>(name, scene, options);
 }

@@ -28,14 +28,16 @@ class World {
   /// Throws FileError if the file is no scene, RenderError if the backend cannot be had.
   static std::shared_ptr<const World> Load(const std::filesystem::path& file,
                                            const WorldOptions& options = {});
-  /// From a mesh in memory; `name` stands for it in random keys and messages.
+  /// From a mesh in memory, metres and y up: `options.import` is for files alone. `name` stands for
+  /// it in random keys and messages. Throws Error for meshes that SceneMesh::Validate refuses.
   static std::shared_ptr<const World> FromMesh(const SceneMesh& mesh, const std::string& name,
                                                const WorldOptions& options = {});
 
   World(std::string name, const ImportedScene& scene, const WorldOptions& options);
 
   const std::string& name() const { return name_; }
-  /// Stable number of the scene for random keys: a hash of its name.
+  /// Stable number of the scene for random keys: a hash of its name. Load takes the file's name
+  /// without folders, so files called alike in two folders have the same noise.
   std::uint64_t id() const { return id_; }
   const ImportReport& report() const { return report_; }
   const PhysicsWorld& physics() const { return physics_; }

@@ -4,12 +4,11 @@
 #include <string>
 #include <string_view>
 
+#include "sim/base/check_failed.h"
+
 /// CHECK(condition) and CHECK_EQ(a, b) end the program on a broken invariant, always; they are for
 /// our own bugs, never for input. DCHECK vanishes from release builds: for pixel loops.
 namespace bulletnav::sim::internal {
-
-[[noreturn]] void CheckFailed(std::string_view file, int line, std::string_view condition,
-                              const std::string& values);
 
 template <class A, class B>
 std::string BothValues(const A& a, const B& b) {

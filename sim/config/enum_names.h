@@ -4,13 +4,15 @@
 #include <string_view>
 #include <utility>
 
-#include "sim/base/check.h"
+#include "sim/base/check_failed.h"
 
 namespace bulletnav::sim {
 
-/// Names of an enum's values in files. Specialise next to the enum:
-///   template <> struct EnumNames<Mode> {
-///     static constexpr std::array kNames = {std::pair{"fast", Mode::kFast}, ...};
+/// Names of an enum's values in files. Specialise next to the enum, outside all other namespaces:
+///   template <>
+///   struct bulletnav::sim::EnumNames<bulletnav::agent::Mode> {
+///     static constexpr std::array kNames = {std::pair{"fast", bulletnav::agent::Mode::kFast},
+///     ...};
 ///   };
 template <class E>
 struct EnumNames;
@@ -21,7 +23,7 @@ std::string_view NameOf(E value) {
   for (const auto& [name, enumerator] : EnumNames<E>::kNames) {
     if (enumerator == value) return name;
   }
-  CHECK(false);
+  internal::CheckFailed(__FILE__, __LINE__, "the enum has a name for each value", {});
 }
 
 }  // namespace bulletnav::sim

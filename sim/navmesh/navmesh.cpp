@@ -178,16 +178,8 @@ struct Navmesh::Impl {
 Navmesh::Navmesh(const SceneMesh& mesh, const NavmeshSpec& spec)
     : impl_(std::make_unique<Impl>(BuildDetourTile(mesh, spec))) {}
 
-Navmesh::Navmesh(std::span<const std::uint8_t> serialized)
-    : impl_(
-          std::make_unique<Impl>(std::vector<std::uint8_t>(serialized.begin(), serialized.end()))) {
-}
-
 Navmesh::~Navmesh() = default;
 
-std::span<const std::uint8_t> Navmesh::serialized() const {
-  return impl_->data;
-}
 const std::vector<Island>& Navmesh::islands() const {
   return impl_->islands;
 }
@@ -295,8 +287,8 @@ double NavmeshQuery::GeodesicDistance(const Vec& from, const Vec& to) const {
 
 Vec NavmeshQuery::RandomPoint(Rng* rng, int island) const {
   const auto& islands = impl_->mesh.islands;
-  CHECK(!islands.empty());
-  if (island < 0) {
+  CHECK(!islands.empty() && island >= -1);
+  if (island == -1) {
     std::vector<double> areas;
     for (const auto& i : islands) areas.push_back(i.area);
     island = static_cast<int>(rng->Weighted(areas));

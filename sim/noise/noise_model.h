@@ -64,9 +64,10 @@ class GaussianMixture {
 /// Actuation and odometry noise of Active Neural SLAM.
 /// The mixtures' axes: dx forward (m), dy to the right (m), do clockwise (deg, modulo 360). An
 /// actuation draw is the whole executed motion, not an addition to the command; a sensor draw is
-/// added to the true motion of the step, in a frame whose y points left. Everything this class
-/// takes and returns is in the robot's frame before the action: x forward, y left, yaw
-/// counter-clockwise. Source: Neural-SLAM noise_models/, env/habitat/utils/noisy_actions.py.
+/// added to the true motion of the step, in a frame whose y points left and whose do is
+/// counter-clockwise. Everything this class takes and returns is in the robot's frame before the
+/// action: x forward, y left, yaw counter-clockwise. Source: Neural-SLAM noise_models/,
+/// env/habitat/utils/noisy_actions.py.
 class NoiseModel {
  public:
   /// The model compiled into the program.

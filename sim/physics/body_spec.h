@@ -9,7 +9,7 @@ namespace bulletnav::sim {
 struct BodySpec {
   float radius = 0.10f;
   float height = 1.5f;
-  float camera_height = 1.25f;
+  float camera_height = 1.25f;  // of the eye above the feet; may be above the head
   float max_climb = 0.2f;  // steps and thresholds up to this are walked over, deeper drops are not
   float max_slope_deg = 45.0f;  // of the floor
   bool sliding = true;          // along walls; published results depend on it

@@ -28,6 +28,9 @@ std::string Where(const Eigen::Vector3f& p) {
 }  // namespace
 
 void BodySpec::Validate() const {
+  if (!std::isfinite(radius + height + camera_height + max_climb)) {
+    throw Error("a body's lengths must be finite");
+  }
   if (!(radius > 0.0f && camera_height > 0.0f && max_climb >= 0.0f)) {
     throw Error("a body's radius, camera_height and max_climb must be positive");
   }

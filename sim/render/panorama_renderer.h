@@ -66,7 +66,7 @@ class RenderScene {
   RenderScene& operator=(RenderScene&&) = delete;
 
   virtual Backend backend() const = 0;
-  /// What draws: "Embree 3.13, AVX-512" or the GL_RENDERER string.
+  /// What draws: "Embree 3, AVX-512" or the GL_RENDERER string.
   virtual std::string description() const = 0;
   /// Throws Error on a bad spec, RenderError where the device cannot do it.
   virtual std::unique_ptr<PanoramaRenderer> MakeRenderer(const PanoramaSpec& spec) const = 0;

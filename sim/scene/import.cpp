@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sim/scene/import.h"
 
+#include <cmath>
 #include <set>
 #include <string>
 
@@ -68,6 +69,9 @@ ImportedScene ReadScene(const std::filesystem::path& file, const ImportOptions& 
 }  // namespace
 
 ImportedScene ImportScene(const std::filesystem::path& file, const ImportOptions& options) {
+  if (!(options.scale > 0.0 && std::isfinite(options.scale))) {
+    throw Error("the scale of a scene must be positive: metres per unit of the file");
+  }
   const CheckedMeshFile checked = CheckMeshFile(file);
   // assimp crashes and hangs on some damaged files, and a library must not take its user with it.
   const IsolatedResult result = RunIsolated(

@@ -14,7 +14,7 @@ enum class UpAxis { kY, kZ };
 struct ImportOptions {
   /// Which axis of the file points up; found from the mesh's floors if not given.
   std::optional<UpAxis> up;
-  /// Metres per unit of the file.
+  /// Metres per unit of the file; positive.
   double scale = 1.0;
   /// Adds a floor at the lowest point of the mesh, for scenes that have none.
   bool ground_plane = false;

@@ -31,20 +31,23 @@ struct Material {
 
 /// One indoor mesh in the world frame: metres, y up. Everything the other parts are made from:
 /// physics, navmesh and renderers each take what they need and keep no reference.
-/// Arrays of vertices have equal length; every index is in range (Validate checks).
+/// Arrays of vertices have equal length, so do those of triangles; every triangle has a material;
+/// every index is in range, every vertex finite (Validate checks).
 struct SceneMesh {
   std::vector<Eigen::Vector3f> positions;
-  std::vector<Eigen::Vector2f> uvs;  // v down: (0, 0) is the picture's top left corner
-  std::vector<Rgb8> colors;
+  std::vector<Eigen::Vector2f>
+      uvs;                   // one a vertex; v down: (0, 0) is the picture's top left corner
+  std::vector<Rgb8> colors;  // one a vertex
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<std::uint32_t> triangle_materials;  // one a triangle
-  std::vector<Material> materials;
+  std::vector<Material> materials;                // at least one
   std::vector<Texture> textures;
 
   /// Box around the vertices that triangles use; empty if there is no triangle.
   Eigen::AlignedBox3f Bounds() const;
 
-  /// Ends the program if the arrays do not fit together.
+  /// Throws Error, naming the first thing, if there are no triangles, arrays do not fit together,
+  /// an index is out of range, a vertex not finite, or a texture without RGBA pixels.
   void Validate() const;
 };
 

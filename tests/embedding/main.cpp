@@ -13,7 +13,7 @@ void Walk(const char* file) {
   const auto world = World::Load(file);
   world->RequireFloor();
   Rng rng(1, "walk");
-  const Eigen::Vector3f place = NavmeshQuery(world->navmesh()).RandomPoint(&rng);
+  const Eigen::Vector3f place = NavmeshQuery(world->navmesh()).RandomPoint(&rng, 0);
   Simulator simulator(world, {});
   Observation observation = simulator.Reset({.position = place.cast<double>(), .yaw = 0.0});
   for (int step = 0; step < 10; ++step) {

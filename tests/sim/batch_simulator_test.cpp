@@ -127,5 +127,18 @@ TEST(BatchSimulator, ABadResetNamesThePlaceAndKeepsTheLane) {
   EXPECT_EQ(batch.body(0).true_pose().position.x(), Start(0).position.x());
 }
 
+TEST(BatchSimulatorDeathTest, MistakesOfTheCallerEndTheProgram) {
+  const auto worlds = Worlds(Backend::kEmbree);
+  BatchSimulator batch({worlds[0], worlds[0]}, Small(), 1);
+  batch.Reset(0, Start(0));
+  std::vector<float> depth(2 * Small().panorama.pixels());
+  EXPECT_DEATH(batch.SetWorld(2, worlds[3]), "lane");
+  EXPECT_DEATH(batch.SetWorld(-1, worlds[3]), "lane");
+  EXPECT_DEATH(batch.SetWorld(0, nullptr), "world");
+  EXPECT_DEATH(batch.Reset(2, Start(0)), "lane");
+  EXPECT_DEATH(batch.Observe({{}, depth}), "is_placed_");
+  EXPECT_DEATH(BatchSimulator({nullptr}, Small(), 1), "world");
+}
+
 }  // namespace
 }  // namespace bulletnav::sim

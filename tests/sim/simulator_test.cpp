@@ -155,5 +155,19 @@ TEST(World, SaysWhenThereIsNoFloor) {
   EXPECT_NO_THROW(Room()->RequireFloor());
 }
 
+TEST(SimulatorDeathTest, NeedsAWorldAndAReset) {
+  const auto world = World::FromMesh(tests::BoxRoom(4, 2.6f, 3), "room");
+  Simulator simulator(world, {});
+  EXPECT_DEATH(simulator.Step(Action::kMoveForward), "is_placed_");
+  EXPECT_DEATH(Simulator(nullptr, {}), "world");
+}
+
+TEST(World, MeshesThatDoNotFitTogetherAreRefused) {
+  SceneMesh mesh = tests::BoxRoom(4, 2.6f, 3);
+  mesh.uvs.clear();
+  EXPECT_THROW(World::FromMesh(mesh, "room"), Error);
+  EXPECT_THROW(World::FromMesh({}, "room"), Error);
+}
+
 }  // namespace
 }  // namespace bulletnav::sim

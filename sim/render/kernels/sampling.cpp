@@ -108,6 +108,7 @@ void Sampling::FillGrid() {
 }
 
 KernelFrame Sampling::Frame(const CameraPose& camera) {
+  CHECK(camera.position.allFinite() && std::isfinite(camera.yaw));
   const float c = std::cos(camera.yaw);
   const float s = std::sin(camera.yaw);
   for (std::size_t i = 0; i < rays_.x.size(); ++i) {

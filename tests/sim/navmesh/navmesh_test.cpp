@@ -151,16 +151,6 @@ TEST(Navmesh, WithoutFloorThereIsNothing) {
   EXPECT_EQ(query.GeodesicDistance({0, 0, 0}, {1, 0, 0}), std::numeric_limits<double>::infinity());
 }
 
-TEST(Navmesh, SurvivesSerialisation) {
-  const Navmesh original(LCorridor(6, 5, 1.5f, 2.5f), {});
-  const Navmesh copy(original.serialized());
-  EXPECT_EQ(copy.area(), original.area());
-  const NavmeshQuery a(original);
-  const NavmeshQuery b(copy);
-  EXPECT_EQ(a.GeodesicDistance({0.5f, 0, -0.7f}, {5.2f, 0, -4}),
-            b.GeodesicDistance({0.5f, 0, -0.7f}, {5.2f, 0, -4}));
-}
-
 TEST(Navmesh, ScenesTooLargeForItsGridAreRefused) {
   SceneMesh mesh;
   AddQuad({0, 0, 0}, {1500, 0, 0}, {1500, 0, -1500}, {0, 0, -1500}, kGrey, &mesh);
