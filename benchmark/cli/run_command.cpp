@@ -14,6 +14,7 @@
 #include "benchmark/cli/hand_over.h"
 #include "benchmark/cli/progress.h"
 #include "benchmark/cli/run_progress.h"
+#include "benchmark/evaluation/program_version.h"
 #include "benchmark/evaluation/runner.h"
 
 namespace bulletnav::bench {
@@ -30,10 +31,25 @@ struct RunCommandOptions {
   bool no_plots = false;
 };
 
-RunHooks MakeHooks(RunProgress* progress) {
+void TellVersions(const fs::path& folder) {
+  const int versions = CountVersions(folder);
+  if (versions < 2) return;
+  fmt::print(stderr,
+             "note: {} versions of the program play these results ({}); for results of one, give "
+             "--out another folder\n",
+             versions, (folder / "versions.txt").string());
+}
+
+RunHooks MakeHooks(const fs::path& folder, RunProgress* progress) {
   RunHooks hooks;
   hooks.prepare = StartLine;
-  hooks.begin = [progress](std::size_t total, std::span<const EpisodeResult> before) {
+  hooks.missing = [](std::span<const std::string> missing) {
+    for (const std::string& one : missing) {
+      fmt::print(stderr, "bulletnav: warning: not played: {}\n", one);
+    }
+  };
+  hooks.begin = [progress, folder](std::size_t total, std::span<const EpisodeResult> before) {
+    if (before.size() < total) TellVersions(folder);
     progress->Begin(total, before);
   };
   hooks.finish = [progress](const EpisodeResult& result) {
@@ -61,21 +77,18 @@ void PlayConfig(const RunCommandOptions& options) {
   const fs::path folder = options.out.empty() ? fs::path("results") / config.name : options.out;
   RunProgress progress;
   const RunOutcome outcome =
-      RunBenchmark(std::move(config), folder, options.run, MakeHooks(&progress));
+      RunBenchmark(std::move(config), folder, options.run, MakeHooks(folder, &progress));
   progress.End();
   fmt::print("{}\nresults: {}\n", outcome.table, folder.string());
-  for (const std::string& missing : outcome.missing) {
-    fmt::print(stderr, "bulletnav: warning: not played: {}\n", missing);
+  for (const std::string& failures : outcome.failures) {
+    fmt::print(stderr, "bulletnav: warning: {}\n", failures);
+  }
+  if (!outcome.failures.empty()) {
+    fmt::print(stderr, "to play failed episodes again: the same command with --retry-failed\n");
   }
   if (!options.no_plots) DrawWorst(folder);
   fmt::print("to draw others: ./bulletnav plot {}\n", folder.string());
-  if (outcome.versions > 1) {
-    fmt::print(
-        stderr,
-        "note: {} versions of the program played these results ({}); for results of one, give "
-        "--out another folder\n",
-        outcome.versions, (folder / "versions.txt").string());
-  }
+  TellVersions(folder);
   if (outcome.hung == 0) return;
   fmt::print(stderr, "{} agents never came back and end with the program\n", outcome.hung);
   std::fflush(nullptr);
@@ -100,6 +113,8 @@ void AddRunCommand(CLI::App* program, const ModelLoaders& loaders) {
                     "Draw no charts and worst episodes at the end");
   command->add_flag("--require-all", options->run.require_all,
                     "Agents that are missing are errors, not remarks in the table");
+  command->add_flag("--retry-failed", options->run.retry_failed,
+                    "Play episodes that failed (an agent threw, or took too long) again");
   command->callback([options] {
     PlayConfig(*options);
   });

@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <cstring>
 #include <sstream>
+#include <utility>
 
 #include <fcntl.h>
 #include <fmt/core.h>
@@ -82,6 +83,15 @@ bool WriteDurably(int fd, std::string_view text) {
   return ::fsync(fd) == 0;
 }
 
+/// For lines after the first so many bytes.
+int OpenToAppend(const fs::path& file, std::size_t bytes) {
+  const int fd = ::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
+  if (fd >= 0 && ::ftruncate(fd, static_cast<off_t>(bytes)) == 0) return fd;
+  const std::string reason = std::strerror(errno);
+  if (fd >= 0) ::close(fd);
+  throw FileError(file, "", "cannot be written: " + reason);
+}
+
 }  // namespace
 
 ResultStore::ResultStore(const fs::path& folder, const std::string& config,
@@ -92,12 +102,7 @@ ResultStore::ResultStore(const fs::path& folder, const std::string& config,
   Lines lines;
   if (fs::exists(file)) lines = ReadLines(file);
   results_ = std::move(lines.results);
-  fd_ = ::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
-  if (fd_ < 0 || ::ftruncate(fd_, static_cast<off_t>(lines.bytes)) != 0) {
-    const std::string reason = std::strerror(errno);
-    if (fd_ >= 0) ::close(fd_);
-    throw FileError(file, "", "cannot be written: " + reason);
-  }
+  fd_ = OpenToAppend(file, lines.bytes);
   SyncFolder(folder);
 }
 
@@ -159,6 +164,25 @@ void ResultStore::Append(const EpisodeResult& result) {
                                 reason, results_.size()));
   }
   results_.emplace(result.key, result);
+}
+
+int ResultStore::ForgetFailed() {
+  const std::lock_guard lock(mutex_);
+  const fs::path file = folder_ / kEpisodesFile;
+  std::istringstream lines(sim::ReadTextFile(file));
+  std::string kept;
+  int number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (FromJsonLine(line, file, ++number).failure.empty()) kept += line + "\n";
+  }
+  const std::size_t forgotten = std::erase_if(results_, [](const auto& entry) {
+    return !entry.second.failure.empty();
+  });
+  if (forgotten == 0) return 0;
+  sim::WriteFileAtomically(file, kept);
+  const int fd = OpenToAppend(file, kept.size());
+  ::close(std::exchange(fd_, fd));
+  return static_cast<int>(forgotten);
 }
 
 std::vector<EpisodeResult> ReadResults(const fs::path& folder) {

@@ -38,6 +38,9 @@ class ResultStore {
   /// Expects: a key that is not there yet (checked). Throws sim::FileError on a full disk, with the
   /// file left as it was before.
   void Append(const EpisodeResult& result);
+  /// Takes out the episodes that failed (EpisodeResult::failure), to be played again; returns how
+  /// many. The file is whole at any moment.
+  int ForgetFailed();
 
  private:
   void TakeConfig(const std::string& config,

@@ -221,6 +221,8 @@ RunAgent FindAgent(const RunConfig& config, const AgentEntry& entry, const Model
     writer.Write(*entry.parameters);
     agent.parameters = writer.text();
   }
+  agent.missing = entry.trouble;
+  if (!agent.missing.empty()) return agent;
   agent.is_privileged = IsIn(PrivilegedAgentNames(), entry.agent);
   if (!agent.is_privileged && !IsIn(agent::AgentNames(), entry.agent)) {
     agent.missing = "this version has no such agent yet";

@@ -43,7 +43,7 @@ std::vector<std::string> KnownAgents() {
   if (!nearest.empty()) what += "; did you mean '" + nearest + "'?";
   std::string list;
   for (const std::string& other : known) list += (list.empty() ? "" : ", ") + other;
-  name.Fail(what + " Known are: " + list);
+  name.Fail(what + (nearest.empty() ? ". Known are: " : " Known are: ") + list);
 }
 
 /// Fills in what is left to defaults; `node` is where the entry stands.
@@ -60,6 +60,33 @@ void Resolve(const YamlNode& node, AgentEntry* entry) {
     FailForUnknown(node.Child(node.yaml()["agent"]));
   }
   entry->parameters.emplace(sim::ParseYaml(parameters, "parameters of " + entry->name));
+}
+
+/// The same, for agents that may have changed or gone since they played.
+void ResolveIfKnown(const YamlNode& node, AgentEntry* entry) {
+  try {
+    Resolve(node, entry);
+  } catch (const Error&) {
+    entry->trouble = "this version of the program has no such agent, or one with other parameters";
+  }
+}
+
+RunConfig Parse(const std::string& text, const std::filesystem::path& file,
+                void (*resolve)(const YamlNode& node, AgentEntry* entry)) {
+  const YamlNode root = sim::ParseYaml(text, file);
+  RunConfig config;
+  sim::YamlReader::Read(root, config);
+  if (config.name.empty()) config.name = file.stem().string();
+  const YamlNode agents = root.Child(root.yaml()["agents"]);
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < config.agents.size(); ++i) {
+    const YamlNode node = agents.Child(agents.yaml()[i]);
+    resolve(node, &config.agents[i]);
+    if (!names.insert(config.agents[i].name).second) {
+      node.Fail("two agents are called '" + config.agents[i].name + "'; give one a 'name'");
+    }
+  }
+  return config;
 }
 
 }  // namespace
@@ -120,21 +147,12 @@ RunConfig LoadRunConfig(const std::filesystem::path& file) {
   return ParseRunConfig(sim::ReadYamlFile(file), file);
 }
 
+RunConfig LoadSavedRunConfig(const std::filesystem::path& file) {
+  return Parse(sim::ReadYamlFile(file), file, ResolveIfKnown);
+}
+
 RunConfig ParseRunConfig(const std::string& text, const std::filesystem::path& file) {
-  const YamlNode root = sim::ParseYaml(text, file);
-  RunConfig config;
-  sim::YamlReader::Read(root, config);
-  if (config.name.empty()) config.name = file.stem().string();
-  const YamlNode agents = root.Child(root.yaml()["agents"]);
-  std::set<std::string> names;
-  for (std::size_t i = 0; i < config.agents.size(); ++i) {
-    const YamlNode node = agents.Child(agents.yaml()[i]);
-    Resolve(node, &config.agents[i]);
-    if (!names.insert(config.agents[i].name).second) {
-      node.Fail("two agents are called '" + config.agents[i].name + "'; give one a 'name'");
-    }
-  }
-  return config;
+  return Parse(text, file, Resolve);
 }
 
 }  // namespace bulletnav::bench

@@ -120,6 +120,7 @@ struct AgentEntry {
   std::vector<SemanticFunction> oracle_functions;  // of a learned model, to look for causes
   int lanes = 1;                            // episodes that one worker runs through it at once
   std::optional<sim::YamlNode> parameters;  // the agent's own config
+  std::string trouble;                      // see LoadSavedRunConfig; in no file
 
   template <class V>
   void Visit(V& v) {
@@ -210,5 +211,8 @@ bool IsPlannedAgent(const std::string& agent);
 /// that make no sense, two rows of one name. Agents that IsPlannedAgent alone knows pass.
 RunConfig LoadRunConfig(const std::filesystem::path& file);
 RunConfig ParseRunConfig(const std::string& text, const std::filesystem::path& file);
+/// The same for the config.yaml of results, to show them: agents that this version does not know,
+/// or not with these parameters, pass, and have a `trouble`.
+RunConfig LoadSavedRunConfig(const std::filesystem::path& file);
 
 }  // namespace bulletnav::bench

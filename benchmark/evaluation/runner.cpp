@@ -10,9 +10,12 @@
 #include <thread>
 #include <vector>
 
+#include <fmt/core.h>
+
 #include "benchmark/evaluation/program_version.h"
 #include "benchmark/evaluation/result_store.h"
 #include "benchmark/evaluation/run_worker.h"
+#include "benchmark/report/counted.h"
 #include "benchmark/report/run_tables.h"
 #include "sim/base/files.h"
 #include "sim/config/yaml_writer.h"
@@ -214,6 +217,20 @@ bool LacksOnlyWeights(const std::string& saved, const RunConfig& config) {
   }
 }
 
+std::vector<std::string> TellFailures(std::span<const EpisodeResult> results) {
+  std::map<std::string, std::vector<const EpisodeResult*>> failed;
+  for (const EpisodeResult& result : results) {
+    if (!result.failure.empty()) failed[result.key.agent].push_back(&result);
+  }
+  std::vector<std::string> told;
+  for (const auto& [agent, of_agent] : failed) {
+    const EpisodeResult& first = *of_agent.front();
+    told.push_back(fmt::format("{} of {} failed, as {}: {}", Counted(of_agent.size(), "episode"),
+                               agent, first.key.episode, first.failure));
+  }
+  return told;
+}
+
 }  // namespace
 
 RunOutcome RunBenchmark(RunConfig config, const fs::path& folder, const RunOptions& options,
@@ -224,14 +241,16 @@ RunOutcome RunBenchmark(RunConfig config, const fs::path& folder, const RunOptio
   ResultStore store(folder, sim::ToYaml(planned), [&](const std::string& saved) {
     return LacksOnlyWeights(saved, planned);
   });
+  if (options.retry_failed) store.ForgetFailed();
   const std::vector<EpisodeResult> done = TakeDone(store, &work);
   if (!work.jobs.empty()) NoteVersion(folder);
+  if (hooks.missing) hooks.missing(MissingAgents(work.plan->agents));
   if (hooks.begin) hooks.begin(done.size() + work.jobs.size(), done);
   RunOutcome outcome;
   outcome.hung = Play(work, folder, workers, hooks, &store);
-  outcome.versions = CountVersions(folder);
-  outcome.missing = MissingAgents(work.plan->agents);
-  outcome.table = WriteTables(folder, store.results(), AgentRows(work.plan->agents));
+  const std::vector<EpisodeResult> results = store.results();
+  outcome.failures = TellFailures(results);
+  outcome.table = WriteTables(folder, results, AgentRows(work.plan->agents));
   return outcome;
 }
 
@@ -241,7 +260,7 @@ std::vector<AgentRow> AgentRowsOf(const RunConfig& config) {
 
 std::string RebuildTables(const fs::path& folder) {
   const std::vector<EpisodeResult> results = ReadResults(folder);
-  return WriteTables(folder, results, AgentRowsOf(LoadRunConfig(folder / "config.yaml")));
+  return WriteTables(folder, results, AgentRowsOf(LoadSavedRunConfig(folder / "config.yaml")));
 }
 
 }  // namespace bulletnav::bench

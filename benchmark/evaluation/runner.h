@@ -17,12 +17,15 @@ struct RunOptions {
   std::optional<int> episodes;  // only the first so many
   int workers = 0;              // < 1: one a processor
   bool require_all = false;     // agents that cannot run are errors, not remarks in the table
+  bool retry_failed = false;    // play episodes that failed again
   ModelLoaders loaders = {};    // for agents with learned functions; empty: they cannot be played
 };
 
 /// What a run tells while it goes on; all may be empty.
 struct RunHooks {
   StartProgress prepare;
+  /// Once, before `begin`: agents that are not played, and why; see MissingAgents.
+  std::function<void(std::span<const std::string>)> missing;
   /// Once, before the first episode: how many results there will be, and those there already are.
   std::function<void(std::size_t total, std::span<const EpisodeResult> before)> begin;
   /// Each finished episode, one at a time.
@@ -34,8 +37,8 @@ struct RunOutcome {
   /// Threads of agents that never came back. They can only be ended with the process, which must
   /// then leave by _Exit.
   int hung = 0;
-  int versions = 0;                  // of the program, that have played in the folder
-  std::vector<std::string> missing;  // see MissingAgents
+  /// "3 episodes of NAME failed, as EPISODE: threw: ...", one an agent that failed any.
+  std::vector<std::string> failures;
 };
 
 /// Plays every episode of a config that `folder` has no result of yet, and writes there config.yaml

@@ -254,5 +254,21 @@ TEST_F(ResultStoreTest, NeedsResultsToRead) {
   EXPECT_THROW(ReadResults(folder()), sim::FileError);
 }
 
+TEST_F(ResultStoreTest, ForgetsFailedEpisodesAndGoesOn) {
+  ResultStore store(folder(), kConfig);
+  for (int i = 0; i < 6; ++i) {
+    EpisodeResult result = MakeResult(i);
+    if (i % 2 == 1) result.failure = "threw: lost";
+    store.Append(result);
+  }
+  EXPECT_EQ(store.ForgetFailed(), 3);
+  EXPECT_EQ(store.ForgetFailed(), 0);
+  EXPECT_EQ(store.size(), 3u);
+  EXPECT_FALSE(store.Has(MakeResult(1).key));
+  store.Append(MakeResult(1));
+  EXPECT_EQ(ReadResults(folder()), store.results());
+  EXPECT_EQ(store.size(), 4u);
+}
+
 }  // namespace
 }  // namespace bulletnav::bench

@@ -209,9 +209,45 @@ TEST_F(RunnerTest, TroubledAgentsFailTheirEpisodesAndNothingElse) {
   EXPECT_GT(failed, 2);
   EXPECT_EQ(outcome.hung, failed / 3);
   EXPECT_THAT(outcome.table, HasSubstr("of them failed"));
+  EXPECT_EQ(outcome.failures.size(), 3u);
+  EXPECT_THAT(outcome.failures, testing::Contains(HasSubstr("of throws failed, as ")));
+  EXPECT_THAT(outcome.failures, testing::Contains(HasSubstr("threw: lost at step 5")));
   agent::released = true;
   std::this_thread::sleep_for(std::chrono::milliseconds(100));
   agent::released = false;
+}
+
+TEST_F(RunnerTest, FailedEpisodesArePlayedAgainWhereAsked) {
+  const RunConfig config = Config("{agent: throws}, {agent: behaves}");
+  const auto first = Play(config, "run");
+  std::size_t failed = 0;
+  for (const EpisodeResult& result : first) failed += result.failure.empty() ? 0u : 1u;
+  ASSERT_GT(failed, 0u);
+  std::size_t played = 0;
+  RunHooks hooks;
+  hooks.finish = [&](const EpisodeResult& result) {
+    EXPECT_EQ(result.key.agent, "throws");
+    ++played;
+  };
+  RunBenchmark(config, folder("run"),
+               {.episodes = {}, .workers = 2, .require_all = false, .retry_failed = true}, hooks);
+  EXPECT_EQ(played, failed);
+  EXPECT_EQ(ReadResults(folder("run")), first);
+}
+
+TEST_F(RunnerTest, ResultsOfAgentsThatAreGoneCanStillBeShown) {
+  Play(Config("{agent: behaves}, {agent: random}"), "run");
+  const fs::path file = folder("run") / "config.yaml";
+  std::string saved = sim::ReadTextFile(file);
+  const std::string there = "agent: behaves";
+  saved.replace(saved.find(there), there.size(), "agent: gone");
+  const std::string stop = "stop: ";
+  saved.replace(saved.find(stop, saved.find("agent: random")), stop.size(), "halt: ");
+  sim::WriteFileAtomically(file, saved);
+  EXPECT_THROW(LoadRunConfig(file), sim::Error);
+  const std::string table = RebuildTables(folder("run"));
+  EXPECT_THAT(table,
+              AllOf(HasSubstr("| behaves |"), HasSubstr("| random |"), HasSubstr("no such agent")));
 }
 
 TEST_F(RunnerTest, LanesChangeNothingNotEvenBesideOneThatFails) {
