@@ -5,10 +5,12 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <system_error>
 #include <vector>
 
 #include <fmt/core.h>
+#include <fmt/format.h>
 
 #include "benchmark/cli/progress.h"
 #include "benchmark/evaluation/result_store.h"
@@ -28,6 +30,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double kFloorStep = 0.1;  // metres
+
+/// "nts, random".
+std::string AgentsOf(const std::vector<EpisodeResult>& results) {
+  std::set<std::string> names;
+  for (const EpisodeResult& one : results) names.insert(one.key.agent);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
 /// Empty if the run has kept no trajectories and none are asked for.
 std::vector<EpisodeResult> ChooseFrom(const DrawOptions& options) {
   const fs::path folder = options.run / "trajectories";
@@ -39,9 +50,15 @@ std::vector<EpisodeResult> ChooseFrom(const DrawOptions& options) {
                          "'trajectories: true', or leave out the options for episodes to have "
                          "the charts alone");
   }
+  const std::string agents = AgentsOf(all);
   std::vector<EpisodeResult> chosen = Choose(std::move(all), options.choice);
   if (!chosen.empty()) return chosen;
-  throw sim::Error(folder.string() + ": has no trajectory of that episode and agent");
+  const PlotChoice& wanted = options.choice;
+  throw sim::FileError(
+      folder, "",
+      fmt::format("has no trajectory{}{}; its agents are {}",
+                  wanted.episode.empty() ? "" : " of episode '" + wanted.episode + "'",
+                  wanted.agent.empty() ? "" : " of agent '" + wanted.agent + "'", agents));
 }
 
 std::optional<sim::FloorPlan> PlanOf(const fs::path& scene, double scale) {
@@ -62,7 +79,7 @@ class Drawer {
   explicit Drawer(const DrawOptions& options)
       : options_(options),
         out_(PlotFolder(options)),
-        config_(LoadRunConfig(options.run / "config.yaml")),
+        config_(LoadSavedRunConfig(options.run / "config.yaml")),
         agents_(AgentRowsOf(config_)) {}
 
   void Episodes(const std::vector<EpisodeResult>& chosen) {
@@ -98,12 +115,14 @@ class Drawer {
     const auto world =
         std::make_shared<const sim::World>(scene.filename().string(), imported, as_run);
     const auto plan = PlanOf(scene, config_.import.scale);
-    std::map<long, SceneMap> storeys;  // by height of the start in half metres
+    // By height of the start in steps of rugs and thresholds, so that a plan does not depend on
+    // what else is drawn.
+    std::map<long, SceneMap> storeys;
     for (const EpisodeTrajectory& trajectory : chosen) {
-      const double floor = trajectory.start.position.y();
+      const long step = std::lround(trajectory.start.position.y() / kFloorStep);
       TopDownSpec spec;
-      spec.floor_y = static_cast<float>(floor);
-      const auto [storey, is_new] = storeys.try_emplace(std::lround(2.0 * floor));
+      spec.floor_y = static_cast<float>(kFloorStep * static_cast<double>(step));
+      const auto [storey, is_new] = storeys.try_emplace(step);
       if (is_new) storey->second = MakeSceneMap(imported.mesh, world->navmesh(), plan, spec);
       Episode(world, storey->second, trajectory);
       progress->Advance();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "benchmark/report/goal_ends.h"
 #include "benchmark/report/marks.h"
 #include "benchmark/report/palette.h"
 
@@ -65,24 +66,29 @@ std::vector<GraphPicture::Node> PathOf(const agent::Belief& belief) {
   return path;
 }
 
-void DrawGraph(const agent::Belief& belief, const Eigen::Affine2d& plane, FreePlaces* places,
-               Canvas* canvas) {
+Point At(const GraphPicture::Node& node, const Eigen::Affine2d& plane) {
+  return plane * Point(node.x, node.y);
+}
+
+void DrawEdges(const agent::Belief& belief, const Eigen::Affine2d& plane, Canvas* canvas) {
   const GraphPicture& graph = *belief.graph;
-  const auto at = [&](const GraphPicture::Node& node) -> Point {
-    return plane * Point(node.x, node.y);
-  };
   for (const auto& [from, to] : graph.edges) {
-    canvas->Line(at(graph.nodes[static_cast<std::size_t>(from)]),
-                 at(graph.nodes[static_cast<std::size_t>(to)]), 1.4, kPurple);
+    canvas->Line(At(graph.nodes[static_cast<std::size_t>(from)], plane),
+                 At(graph.nodes[static_cast<std::size_t>(to)], plane), 1.4, kPurple);
   }
   std::vector<Point> path;
-  for (const GraphPicture::Node& node : PathOf(belief)) path.push_back(at(node));
+  for (const GraphPicture::Node& node : PathOf(belief)) path.push_back(At(node, plane));
   canvas->Polyline(path, GraphPathStroke());
+}
+
+void DrawNodes(const GraphPicture& graph, const Eigen::Affine2d& plane, FreePlaces* places,
+               Canvas* canvas) {
   std::vector<ScoreMark> scores;
   for (const auto& node : graph.nodes) {
-    DrawNode(at(node), node.is_ghost, canvas);
-    places->Take(at(node), Point(8.0, 8.0));
-    if (node.score) scores.push_back({at(node), *node.score});
+    const Point at = At(node, plane);
+    DrawNode(at, node.is_ghost, canvas);
+    places->Take(at, Point(8.0, 8.0));
+    if (node.score) scores.push_back({at, *node.score});
   }
   DrawScores(scores, places, canvas);
 }
@@ -103,17 +109,28 @@ std::array<bool, 4> ShownKinds(const MapPicture& map, const Eigen::Affine2d& cel
 
 }  // namespace
 
-void DrawBelief(const SceneMap& scene, const EpisodeTrajectory& trajectory, const MapPlace& place,
-                Canvas* canvas) {
+void DrawBelief(const EpisodeTrajectory& trajectory, const MapPlace& place, Canvas* canvas) {
   const agent::Belief& belief = trajectory.belief;
   const Eigen::Affine2d plane = PlanePlace(trajectory.start, place);
   canvas->Clip(place.box());
   if (belief.map) canvas->Picture(ToPicture(*belief.map), CellPlace(*belief.map, plane), false);
+  if (belief.graph) DrawEdges(belief, plane, canvas);
+  canvas->Unclip();
+}
+
+void DrawBeliefMarks(const SceneMap& scene, const EpisodeTrajectory& trajectory,
+                     const MapPlace& place, Canvas* canvas) {
+  const agent::Belief& belief = trajectory.belief;
+  const Eigen::Affine2d plane = PlanePlace(trajectory.start, place);
+  canvas->Clip(place.box());
   FreePlaces places(place.box());
   for (const Eigen::AlignedBox2d& name : RoomNameBoxes(scene, place, *canvas)) places.Take(name);
   places.Take(place.At(trajectory.start.position), Point(14.0, 14.0));
   for (const auto& goal : trajectory.goals) places.Take(place.At(goal.position), Point(20.0, 20.0));
-  if (belief.graph) DrawGraph(belief, plane, &places, canvas);
+  for (const GoalEnd& end : GoalEnds(trajectory)) {
+    places.Take(place.At(end.pose.position), Point(14.0, 14.0));
+  }
+  if (belief.graph) DrawNodes(*belief.graph, plane, &places, canvas);
   if (belief.target) DrawTarget(plane * Point(belief.target->x, belief.target->y), canvas);
   canvas->Unclip();
 }

@@ -152,9 +152,10 @@ void DrawNumbers(const Film& film, const MapPlace& place, Canvas* canvas) {
 void DrawMap(const Film& film, Canvas* canvas) {
   const MapPlace place(film.map, film.map_box);
   DrawSceneMap(film.map, place, canvas);
-  if (film.belief) DrawBelief(film.map, film.trajectory, place, canvas);
+  if (film.belief) DrawBelief(film.trajectory, place, canvas);
   DrawShortestPath(film.trajectory, place, canvas);
   DrawTruePath(film.trajectory, film.trajectory.steps.size(), place, canvas);
+  if (film.belief) DrawBeliefMarks(film.map, film.trajectory, place, canvas);
   DrawNumbers(film, place, canvas);  // clear of marks, but the lines to them are not
   DrawMarks(film.trajectory, place, canvas);
 }

@@ -104,8 +104,10 @@ std::vector<Chart> DistanceCharts(std::span<const EpisodeResult> results,
     bin.successes += goal.success ? 1 : 0;
   }
   std::vector<Chart> charts = EmptyCharts("geodesic distance to the goal (m)");
+  bool left_out = false;
   for (const auto& [key, bins] : lines) {
     const Bins filled = Filled(bins);
+    left_out = left_out || filled.size() < bins.size();
     if (filled.empty()) continue;
     for (Chart& chart : charts) chart.series.push_back({NameOf(key, agents), {}});
     for (const auto& [metre, bin] : filled) {
@@ -117,6 +119,9 @@ std::vector<Chart> DistanceCharts(std::span<const EpisodeResult> results,
     }
   }
   if (charts.front().series.empty()) return {};
+  for (Chart& chart : charts) {
+    if (left_out) chart.x_label += fmt::format(", where {} episodes or more", kLeastEpisodes);
+  }
   return charts;
 }
 

@@ -21,6 +21,15 @@ std::string EscapeLatex(const std::string& text) {
       case '^':
         escaped += "\\textasciicircum{}";
         break;
+      case '<':
+        escaped += "\\textless{}";
+        break;
+      case '>':
+        escaped += "\\textgreater{}";
+        break;
+      case '|':
+        escaped += "\\textbar{}";
+        break;
       default:
         if (std::string_view("&%$#_{}").find(c) != std::string_view::npos) escaped += '\\';
         escaped += c;

@@ -2,6 +2,7 @@
 #include "benchmark/report/side_column.h"
 
 #include <algorithm>
+#include <sstream>
 #include <vector>
 
 #include "benchmark/report/palette.h"
@@ -17,13 +18,24 @@ constexpr double kText = 11.0;
 constexpr double kBarHeight = 100.0;
 constexpr int kBarSteps = 50;
 
+constexpr double kLeastShrink = 0.8;  // what would be smaller still is broken into lines
+
 }  // namespace
 
 void SideColumn::Title(const std::string& text) {
-  canvas_->Text(
-      at_ + Point(0.0, 7.0), text,
-      {.size = FittingSize(text, 13.0, true), .paint = kInk, .bold = true, .align = Align::kLeft});
-  at_.y() += kLine + 3.0;
+  for (const std::string& line : Lines(text, 13.0, true)) {
+    canvas_->Text(at_ + Point(0.0, 7.0), line,
+                  {.size = FittingSize(line, 13.0, true),
+                   .paint = kInk,
+                   .bold = true,
+                   .align = Align::kLeft});
+    at_.y() += kLine;
+  }
+  at_.y() += 3.0;
+}
+
+void SideColumn::Line(const std::string& text) {
+  for (const std::string& line : Lines(text, kText, false)) TextAt(at_.x(), line);
 }
 
 void SideColumn::TimeBar(int steps) {
@@ -53,6 +65,25 @@ void SideColumn::Entry(const LegendEntry& entry) {
   at_.y() += 2.0;
   TextAt(at_.x() + kSignWidth + 8.0, entry.text);
   at_.y() += 2.0;
+}
+
+std::vector<std::string> SideColumn::Lines(const std::string& text, double size, bool bold) const {
+  std::vector<std::string> lines = {""};
+  if (FittingSize(text, size, bold) >= kLeastShrink * size) {
+    lines.front() = text;
+    std::replace(lines.front().begin(), lines.front().end(), '\n', ' ');
+    return lines;
+  }
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    const std::string longer = lines.back().empty() ? word : lines.back() + " " + word;
+    if (lines.back().empty() || FittingSize(longer, size, bold) == size) {
+      lines.back() = longer;
+    } else {
+      lines.push_back(word);
+    }
+  }
+  return lines;
 }
 
 double SideColumn::FittingSize(const std::string& text, double size, bool bold) const {

@@ -2,6 +2,7 @@
 #pragma once
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "benchmark/report/canvas.h"
 
@@ -17,14 +18,14 @@ struct LegendEntry {
 };
 
 /// The column of text, colour bar and legend beside a map, from the top down. Lines that are too
-/// long are printed smaller.
+/// long are printed a little smaller or broken into lines.
 class SideColumn {
  public:
   /// `corner`: the upper left one. The canvas must outlive the column.
   SideColumn(const Canvas::Point& corner, Canvas* canvas) : at_(corner), canvas_(canvas) {}
 
   void Title(const std::string& text);
-  void Line(const std::string& text) { TextAt(at_.x(), text); }
+  void Line(const std::string& text);
   void Gap() { at_.y() += 8.0; }
   /// The colours of time against steps.
   void TimeBar(int steps);
@@ -32,6 +33,8 @@ class SideColumn {
   double bottom() const { return at_.y(); }
 
  private:
+  /// Broken where it would become too small.
+  std::vector<std::string> Lines(const std::string& text, double size, bool bold) const;
   double FittingSize(const std::string& text, double size, bool bold) const;
   void TextAt(double x, const std::string& text);
 

@@ -111,10 +111,11 @@ Figure TrajectoryPlot(const SceneMap& map, const EpisodeTrajectory& trajectory,
     const auto& [scene, episode] = *shared;
     const MapPlace place(scene, box);
     DrawSceneMap(scene, place, canvas);
-    if (spec.belief) DrawBelief(scene, episode, place, canvas);
+    if (spec.belief) DrawBelief(episode, place, canvas);
     DrawShortestPath(episode, place, canvas);
     DrawTruePath(episode, episode.steps.size(), place, canvas);
     DrawOdometry(episode, place, canvas);
+    if (spec.belief) DrawBeliefMarks(scene, episode, place, canvas);
     DrawMarks(episode, place, canvas);
     DrawColumn(episode, place, spec, corner, canvas);
   };

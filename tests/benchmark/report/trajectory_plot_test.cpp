@@ -5,6 +5,7 @@
 
 #include "benchmark/report/belief_layer.h"
 #include "benchmark/report/palette.h"
+#include "benchmark/report/side_column.h"
 #include "benchmark/report/trajectory_layers.h"
 #include "sim/base/files.h"
 #include "tests/support/scenes.h"
@@ -87,7 +88,7 @@ TEST(TrajectoryLayers, MapOfTheAgentLiesAsSeenFromTheStart) {
   map_only.belief.graph.reset();
   map_only.belief.target.reset();
   const sim::Image image = Layer([&](Canvas* canvas) {
-    DrawBelief(RoomMap(), map_only, Place(), canvas);
+    DrawBelief(map_only, Place(), canvas);
   });
   // Cell (2, 1) of half a metre lies 0.75 m ahead of the start and 0.25 m to its left, cell (2, 2)
   // 0.75 m to the left; the start looks along -z.
@@ -108,6 +109,20 @@ TEST(TrajectoryPlot, SvgIsSoundAndTheSameEachTime) {
   EXPECT_EQ(tests::SvgProblem(svg), "");
   EXPECT_EQ(ToSvg(TrajectoryPlot(RoomMap(), trajectory, spec)), svg);
   EXPECT_NE(ToSvg(TrajectoryPlot(RoomMap(), trajectory)), svg);
+}
+
+TEST(TrajectoryPlot, LongTitlesTakeMoreLines) {
+  Canvas measure(1, 1, kWhite);
+  const auto height = [&](const std::string& title) {
+    SideColumn column({0.0, 0.0}, &measure);
+    column.Title(title);
+    return column.bottom();
+  };
+  const std::string longer = "Neural Topological SLAM without its score function, noise doubled";
+  EXPECT_EQ(height("Random"), height("Neural Topological SLAM (NTS)"));
+  EXPECT_GT(height(longer), height("Random"));
+  EXPECT_GT(height(longer + ", " + longer), height(longer));
+  EXPECT_EQ(height(std::string(150, 'x')), height("Random")) << "one word is made smaller";
 }
 
 TEST(TrajectoryPlot, PicturesAreTheSameEachTime) {
