@@ -101,7 +101,8 @@ std::array<bool, 4> ShownKinds(const MapPicture& map, const Eigen::Affine2d& cel
   for (std::size_t i = 0; i < map.kinds.size(); ++i) {
     const auto kind = static_cast<std::size_t>(map.kinds[i]);
     if (shown[kind] || map.kinds[i] == MapPicture::Kind::kUnknown) continue;
-    const Point middle(static_cast<double>(i % size) + 0.5, static_cast<double>(i / size) + 0.5);
+    const std::size_t row = i / size;
+    const Point middle(static_cast<double>(i % size) + 0.5, static_cast<double>(row) + 0.5);
     shown[kind] = box.contains(Point(cells * middle));
   }
   return shown;

@@ -121,10 +121,22 @@ void DrawFrames(const Film& film, Canvas* canvas) {
   }
 }
 
-/// The numbers of the frames beside the path, clear of the marks and of each other.
-void DrawNumbers(const Film& film, const MapPlace& place, Canvas* canvas) {
+/// Where a number may stand, best places first.
+std::vector<Point> PlacesAround(const Point& at) {
   constexpr std::array kReaches = {15.5, 22.0, 30.0, 40.0};
   constexpr int kWays = 16;
+  std::vector<Point> around;
+  for (const double reach : kReaches) {
+    for (int k = 0; k < kWays; ++k) {
+      const double angle = 2.0 * sim::kPi * k / kWays - 0.25 * sim::kPi;
+      around.push_back(at + reach * Point(std::cos(angle), std::sin(angle)));
+    }
+  }
+  return around;
+}
+
+/// The numbers of the frames beside the path, clear of the marks and of each other.
+void DrawNumbers(const Film& film, const MapPlace& place, Canvas* canvas) {
   const Point size = Point::Constant(18.0);
   FreePlaces places(place.box());
   places.Take(place.At(film.trajectory.start.position), size);
@@ -135,14 +147,7 @@ void DrawNumbers(const Film& film, const MapPlace& place, Canvas* canvas) {
   const auto poses = TruePoses(film.trajectory);
   for (std::size_t i = 0; i < film.steps.size(); ++i) {
     const Point at = place.At(poses[static_cast<std::size_t>(film.steps[i])].position);
-    std::vector<Point> around;
-    for (const double reach : kReaches) {
-      for (int k = 0; k < kWays; ++k) {
-        const double angle = 2.0 * sim::kPi * k / kWays - 0.25 * sim::kPi;
-        around.push_back(at + reach * Point(std::cos(angle), std::sin(angle)));
-      }
-    }
-    const Point middle = places.Choose(around, size);
+    const Point middle = places.Choose(PlacesAround(at), size);
     canvas->Line(at, middle, 3.0, kWhite);
     canvas->Line(at, middle, 1.4, FrameColor(film, i));
     DrawNumber(middle, i + 1, FrameColor(film, i), canvas);
