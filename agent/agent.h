@@ -4,10 +4,10 @@
 #include <memory>
 
 #include "agent/belief.h"
-#include "agent/mapping/free_space_model.h"
+#include "agent/models/free_space_model.h"
+#include "agent/models/goal_estimator.h"
+#include "agent/models/semantic_model.h"
 #include "agent/observation.h"
-#include "agent/perception/goal_estimator.h"
-#include "agent/perception/semantic_model.h"
 #include "sim/base/action.h"
 
 namespace bulletnav::agent {

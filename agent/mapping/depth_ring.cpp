@@ -91,8 +91,8 @@ void DepthRing::CountRow(float x, float y) {
     const float open = is_obstacle ? range : vision_;
     free_[c] = free_[c] == kNothingSeen ? open : std::min(free_[c], open);
     if (range > vision_ || height_[c] >= high_) continue;
-    const Cell cell{static_cast<int>(x + range * along_x_[c]),
-                    static_cast<int>(y + range * along_y_[c])};
+    const sim::Cell cell{static_cast<int>(x + range * along_x_[c]),
+                         static_cast<int>(y + range * along_y_[c])};
     ++(is_obstacle ? obstacle_points_ : floor_points_)[cell];
     seen_[cell] = 1;
   }

@@ -5,7 +5,7 @@
 #include "agent/mapping/goal_track.h"
 #include "agent/mapping/map_navigator.h"
 #include "agent/mapping/progress_watch.h"
-#include "agent/perception/goal_estimator.h"
+#include "agent/models/goal_estimator.h"
 
 namespace bulletnav::agent {
 

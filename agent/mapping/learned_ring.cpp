@@ -42,7 +42,7 @@ void LearnedRing::Project(const Panorama& panorama, double x, double y, double y
   }
 }
 
-void LearnedRing::Take(const FreeSpace& space, const Cell& told, const Cell& cell) {
+void LearnedRing::Take(const FreeSpace& space, const sim::Cell& told, const sim::Cell& cell) {
   // Written so that what is no number is not seen.
   if (!(space.explored[told] >= kSeen)) return;
   seen_[cell] = 1;

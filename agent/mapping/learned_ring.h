@@ -2,9 +2,9 @@
 #pragma once
 #include <memory>
 
-#include "agent/mapping/free_space_model.h"
 #include "agent/mapping/map_spec.h"
 #include "agent/mapping/view_window.h"
+#include "agent/models/free_space_model.h"
 
 namespace bulletnav::agent {
 
@@ -18,7 +18,7 @@ class LearnedRing final : public ViewWindow {
   void Project(const Panorama& panorama, double x, double y, double yaw) override;
 
  private:
-  void Take(const FreeSpace& space, const Cell& told, const Cell& cell);
+  void Take(const FreeSpace& space, const sim::Cell& told, const sim::Cell& cell);
 
   std::shared_ptr<FreeSpaceModel> model_;
   double vision_;

@@ -99,7 +99,7 @@ std::optional<Point> MapNavigator::Frontier() {
 std::vector<Point> MapNavigator::Openings(double reach, double apart) {
   std::vector<Point> points;
   const double cell = spec_.map.cell;
-  for (const Cell& end :
+  for (const sim::Cell& end :
        frontiers_.Near(map_.states(), map_.CellAt(here()), reach / cell, apart / cell)) {
     points.push_back(map_.Centre(end));
   }
@@ -107,17 +107,18 @@ std::vector<Point> MapNavigator::Openings(double reach, double apart) {
 }
 
 bool MapNavigator::MayLeadOn(const Point& point, double radius) const {
-  const Cell cell = map_.CellAt(point);
-  const bool is_seen = map_.states().Contains(cell) && map_.states()[cell] != CellState::kUnknown;
+  const sim::Cell cell = map_.CellAt(point);
+  const bool is_seen =
+      map_.states().Contains(cell) && map_.states()[cell] != sim::CellState::kUnknown;
   return !is_seen || HasFrontierNear(point, radius);
 }
 
 bool MapNavigator::HasFrontierNear(const Point& point, double radius) const {
-  const Cell middle = map_.CellAt(point);
+  const sim::Cell middle = map_.CellAt(point);
   const int reach = static_cast<int>(radius / spec_.map.cell);
   for (int dy = -reach; dy <= reach; ++dy) {
     for (int dx = -reach; dx <= reach; ++dx) {
-      const Cell cell{middle.x + dx, middle.y + dy};
+      const sim::Cell cell{middle.x + dx, middle.y + dy};
       const bool inside = cell.x > 0 && cell.y > 0 && cell.x < map_.states().size() - 1 &&
                           cell.y < map_.states().size() - 1;
       if (inside && IsFrontier(map_.states(), cell)) return true;

@@ -17,12 +17,12 @@ constexpr double kWallAhead = 0.15;  // metres
 constexpr int kWallThickness = 2;    // cells
 
 template <class T>
-Grid<T> Moved(const Grid<T>& grid, const Cell& by, const T& fill) {
-  Grid<T> moved(grid.size(), fill);
+sim::Grid<T> Moved(const sim::Grid<T>& grid, const sim::Cell& by, const T& fill) {
+  sim::Grid<T> moved(grid.size(), fill);
   for (int y = 0; y < grid.size(); ++y) {
     for (int x = 0; x < grid.size(); ++x) {
-      const Cell from{x + by.x, y + by.y};
-      if (grid.Contains(from)) moved[Cell{x, y}] = grid[from];
+      const sim::Cell from{x + by.x, y + by.y};
+      if (grid.Contains(from)) moved[sim::Cell{x, y}] = grid[from];
     }
   }
   return moved;
@@ -59,23 +59,23 @@ void MetricMap::Clear(const sim::PlanarPose& pose) {
   track_.Fill(0);
   felt_.Fill(0);
   low_ = {};
-  const Cell here = CellAt({pose.x, pose.y});
+  const sim::Cell here = CellAt({pose.x, pose.y});
   low_ = {here.x - states_.size() / 2, here.y - states_.size() / 2};
   Refresh({states_.size() / 2, states_.size() / 2}, states_.size());
   MarkTrack(pose, pose);
 }
 
-Cell MetricMap::CellAt(const Point& p) const {
+sim::Cell MetricMap::CellAt(const Point& p) const {
   return {static_cast<int>(std::floor(p.x / spec_.cell)) - low_.x,
           static_cast<int>(std::floor(p.y / spec_.cell)) - low_.y};
 }
 
-Point MetricMap::Centre(const Cell& cell) const {
+Point MetricMap::Centre(const sim::Cell& cell) const {
   return {(cell.x + low_.x + 0.5) * spec_.cell, (cell.y + low_.y + 0.5) * spec_.cell};
 }
 
 void MetricMap::Update(const Panorama& panorama, const sim::PlanarPose& pose) {
-  Cell here = CellAt({pose.x, pose.y});
+  sim::Cell here = CellAt({pose.x, pose.y});
   const int grown = spec_.dilation_cells + spec_.clearance_cells;
   const int margin = view_->reach() + grown + 2;
   const int last = states_.size() - 1 - margin;
@@ -90,17 +90,17 @@ void MetricMap::Update(const Panorama& panorama, const sim::PlanarPose& pose) {
   Refresh(here, view_->reach() + grown);
 }
 
-void MetricMap::Merge(const Cell& middle) {
+void MetricMap::Merge(const sim::Cell& middle) {
   const int n = view_->seen().size();
   for (int y = 0; y < n; ++y) {
     for (int x = 0; x < n; ++x) {
-      if (view_->seen()[Cell{x, y}] == 0) continue;
+      if (view_->seen()[sim::Cell{x, y}] == 0) continue;
       MergeCell({x, y}, {middle.x + x - view_->reach(), middle.y + y - view_->reach()});
     }
   }
 }
 
-void MetricMap::MergeCell(const Cell& seen, const Cell& cell) {
+void MetricMap::MergeCell(const sim::Cell& seen, const sim::Cell& cell) {
   explored_[cell] = 1;
   std::uint8_t& evidence = evidence_[cell];
   if (view_->obstacle_points()[seen] >= spec_.obstacle_points) {
@@ -111,8 +111,8 @@ void MetricMap::MergeCell(const Cell& seen, const Cell& cell) {
   }
 }
 
-void MetricMap::MoveTo(const Cell& middle) {
-  const Cell by{middle.x - states_.size() / 2, middle.y - states_.size() / 2};
+void MetricMap::MoveTo(const sim::Cell& middle) {
+  const sim::Cell by{middle.x - states_.size() / 2, middle.y - states_.size() / 2};
   evidence_ = Moved<std::uint8_t>(evidence_, by, 0);
   explored_ = Moved<std::uint8_t>(explored_, by, 0);
   track_ = Moved<std::uint8_t>(track_, by, 0);
@@ -126,9 +126,9 @@ void MetricMap::MarkTrack(const sim::PlanarPose& from, const sim::PlanarPose& to
   const int steps = 1 + static_cast<int>(2.0 * length / spec_.cell);
   for (int i = 0; i <= steps; ++i) {
     const double t = static_cast<double>(i) / steps;
-    const Cell at = CellAt({from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)});
+    const sim::Cell at = CellAt({from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)});
     for (int k = 0; k < 9; ++k) {
-      const Cell cell{at.x + k % 3 - 1, at.y + k / 3 - 1};
+      const sim::Cell cell{at.x + k % 3 - 1, at.y + k / 3 - 1};
       if (!track_.Contains(cell)) continue;
       track_[cell] = 1;
       explored_[cell] = 1;
@@ -145,7 +145,7 @@ void MetricMap::MarkWall(const sim::PlanarPose& pose, int width_cells) {
     for (int j = 0; j <= 2 * (width_cells - 1); ++j) {
       const double ahead = kWallAhead + 0.5 * i * spec_.cell;
       const double left = 0.5 * (j - (width_cells - 1)) * spec_.cell;
-      const Cell cell = CellAt({pose.x + ahead * c - left * s, pose.y + ahead * s + left * c});
+      const sim::Cell cell = CellAt({pose.x + ahead * c - left * s, pose.y + ahead * s + left * c});
       if (felt_.Contains(cell)) felt_[cell] = 1;
     }
   }
@@ -170,41 +170,43 @@ MapPicture MetricMap::Picture() const {
 }
 
 void MetricMap::MarkExplored(const Point& p, double radius) {
-  const Cell middle = CellAt(p);
+  const sim::Cell middle = CellAt(p);
   const int reach = static_cast<int>(radius / spec_.cell);
   for (int dy = -reach; dy <= reach; ++dy) {
     for (int dx = -reach; dx <= reach; ++dx) {
-      const Cell cell{middle.x + dx, middle.y + dy};
+      const sim::Cell cell{middle.x + dx, middle.y + dy};
       if (explored_.Contains(cell) && std::hypot(dx, dy) <= reach) explored_[cell] = 1;
     }
   }
   Refresh(middle, reach);
 }
 
-void MetricMap::Refresh(const Cell& middle, int reach) {
+void MetricMap::Refresh(const sim::Cell& middle, int reach) {
   const int last = states_.size() - 1;
-  const Cell low{std::max(middle.x - reach, 0), std::max(middle.y - reach, 0)};
-  const Cell high{std::min(middle.x + reach, last), std::min(middle.y + reach, last)};
+  const sim::Cell low{std::max(middle.x - reach, 0), std::max(middle.y - reach, 0)};
+  const sim::Cell high{std::min(middle.x + reach, last), std::min(middle.y + reach, last)};
   for (int y = low.y; y <= high.y; ++y) {
-    for (int x = low.x; x <= high.x; ++x) states_[Cell{x, y}] = OpenState({x, y});
+    for (int x = low.x; x <= high.x; ++x) states_[sim::Cell{x, y}] = OpenState({x, y});
   }
   const int grown = spec_.dilation_cells + spec_.clearance_cells;
   for (int y = std::max(low.y - grown, 0); y <= std::min(high.y + grown, last); ++y) {
     for (int x = std::max(low.x - grown, 0); x <= std::min(high.x + grown, last); ++x) {
-      if (evidence_[Cell{x, y}] > 0) GrowObstacle({x, y}, low, high);
+      if (evidence_[sim::Cell{x, y}] > 0) GrowObstacle({x, y}, low, high);
     }
   }
 }
 
 /// As if there were no obstacles.
-CellState MetricMap::OpenState(const Cell& cell) const {
+sim::CellState MetricMap::OpenState(const sim::Cell& cell) const {
   const int last = states_.size() - 1;
-  if (cell.x == 0 || cell.y == 0 || cell.x == last || cell.y == last) return CellState::kBlocked;
-  if (felt_[cell] != 0) return CellState::kBlocked;
-  return explored_[cell] != 0 ? CellState::kFree : CellState::kUnknown;
+  if (cell.x == 0 || cell.y == 0 || cell.x == last || cell.y == last)
+    return sim::CellState::kBlocked;
+  if (felt_[cell] != 0) return sim::CellState::kBlocked;
+  return explored_[cell] != 0 ? sim::CellState::kFree : sim::CellState::kUnknown;
 }
 
-void MetricMap::GrowObstacle(const Cell& obstacle, const Cell& low, const Cell& high) {
+void MetricMap::GrowObstacle(const sim::Cell& obstacle, const sim::Cell& low,
+                             const sim::Cell& high) {
   const int hard = spec_.dilation_cells;
   const int soft = hard + spec_.clearance_cells;
   const int to_y = std::min(obstacle.y + soft, high.y);
@@ -214,10 +216,10 @@ void MetricMap::GrowObstacle(const Cell& obstacle, const Cell& low, const Cell& 
       const int dx = x - obstacle.x;
       const int dy = y - obstacle.y;
       if (dx * dx + dy * dy > soft * soft) continue;
-      CellState& state = states_[Cell{x, y}];
-      const bool is_hard = dx * dx + dy * dy <= hard * hard && track_[Cell{x, y}] == 0;
-      if (is_hard) state = CellState::kBlocked;
-      if (state == CellState::kFree) state = CellState::kTight;
+      sim::CellState& state = states_[sim::Cell{x, y}];
+      const bool is_hard = dx * dx + dy * dy <= hard * hard && track_[sim::Cell{x, y}] == 0;
+      if (is_hard) state = sim::CellState::kBlocked;
+      if (state == sim::CellState::kFree) state = sim::CellState::kTight;
     }
   }
 }

@@ -4,11 +4,11 @@
 #include <memory>
 
 #include "agent/belief.h"
-#include "agent/mapping/free_space_model.h"
-#include "agent/mapping/grid.h"
 #include "agent/mapping/map_spec.h"
 #include "agent/mapping/view_window.h"
+#include "agent/models/free_space_model.h"
 #include "agent/observation.h"
+#include "sim/grid/grid.h"
 #include "sim/math/pose.h"
 
 namespace bulletnav::agent {
@@ -51,35 +51,35 @@ class MetricMap {
   /// Declares what is near a point seen, for places that no view reaches.
   void MarkExplored(const Point& p, double radius);
 
-  Cell CellAt(const Point& p) const;
-  Point Centre(const Cell& cell) const;
+  sim::Cell CellAt(const Point& p) const;
+  Point Centre(const sim::Cell& cell) const;
   const MapSpec& spec() const { return spec_; }
   /// What planners see: obstacles grown by the dilation, the rim blocked.
-  const Grid<CellState>& states() const { return states_; }
-  bool IsObstacle(const Cell& c) const { return evidence_[c] > 0; }
-  bool IsExplored(const Cell& c) const { return explored_[c] != 0; }
-  bool IsTrack(const Cell& c) const { return track_[c] != 0; }
-  bool IsFeltWall(const Cell& c) const { return felt_[c] != 0; }
+  const sim::Grid<sim::CellState>& states() const { return states_; }
+  bool IsObstacle(const sim::Cell& c) const { return evidence_[c] > 0; }
+  bool IsExplored(const sim::Cell& c) const { return explored_[c] != 0; }
+  bool IsTrack(const sim::Cell& c) const { return track_[c] != 0; }
+  bool IsFeltWall(const sim::Cell& c) const { return felt_[c] != 0; }
   MapPicture Picture() const;
 
  private:
-  void Merge(const Cell& middle);
-  void MergeCell(const Cell& seen, const Cell& cell);
-  void MoveTo(const Cell& middle);
+  void Merge(const sim::Cell& middle);
+  void MergeCell(const sim::Cell& seen, const sim::Cell& cell);
+  void MoveTo(const sim::Cell& middle);
   /// Derives states_ again around a cell.
-  void Refresh(const Cell& middle, int reach);
-  CellState OpenState(const Cell& cell) const;
+  void Refresh(const sim::Cell& middle, int reach);
+  sim::CellState OpenState(const sim::Cell& cell) const;
   /// Blocks or tightens the cells around an obstacle, inside a box.
-  void GrowObstacle(const Cell& obstacle, const Cell& low, const Cell& high);
+  void GrowObstacle(const sim::Cell& obstacle, const sim::Cell& low, const sim::Cell& high);
 
   MapSpec spec_;
   std::unique_ptr<ViewWindow> view_;
-  Cell low_;  // the corner cell, in cells of the plane
-  Grid<std::uint8_t> evidence_;
-  Grid<std::uint8_t> explored_;
-  Grid<std::uint8_t> track_;
-  Grid<std::uint8_t> felt_;
-  Grid<CellState> states_;
+  sim::Cell low_;  // the corner cell, in cells of the plane
+  sim::Grid<std::uint8_t> evidence_;
+  sim::Grid<std::uint8_t> explored_;
+  sim::Grid<std::uint8_t> track_;
+  sim::Grid<std::uint8_t> felt_;
+  sim::Grid<sim::CellState> states_;
 };
 
 }  // namespace bulletnav::agent

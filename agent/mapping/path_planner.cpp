@@ -11,13 +11,14 @@ constexpr double kSubstituteReach = 1.0;  // metres between a blocked goal and w
 
 }  // namespace
 
-std::optional<Cell> NearestUnblocked(const Grid<CellState>& states, const Cell& cell, int reach) {
-  std::optional<Cell> best;
+std::optional<sim::Cell> NearestUnblocked(const sim::Grid<sim::CellState>& states,
+                                          const sim::Cell& cell, int reach) {
+  std::optional<sim::Cell> best;
   double best_distance = reach + 0.5;
   for (int dy = -reach; dy <= reach; ++dy) {
     for (int dx = -reach; dx <= reach; ++dx) {
-      const Cell other{cell.x + dx, cell.y + dy};
-      if (!states.Contains(other) || states[other] == CellState::kBlocked) continue;
+      const sim::Cell other{cell.x + dx, cell.y + dy};
+      if (!states.Contains(other) || states[other] == sim::CellState::kBlocked) continue;
       if (std::hypot(dx, dy) >= best_distance) continue;
       best_distance = std::hypot(dx, dy);
       best = other;
@@ -30,12 +31,12 @@ PathPlanner::PathPlanner(const MapSpec& spec, double ahead)
     : march_(spec.cells()), ahead_(ahead / spec.cell) {}
 
 std::optional<Waypoint> PathPlanner::Plan(const MetricMap& map, const Query& query) {
-  const Grid<CellState>& states = map.states();
-  const Cell from = map.CellAt(query.from);
-  Cell goal = map.CellAt(query.goal);
+  const sim::Grid<sim::CellState>& states = map.states();
+  const sim::Cell from = map.CellAt(query.from);
+  sim::Cell goal = map.CellAt(query.goal);
   double missing = 0.0;
   if (!states.Contains(goal)) return std::nullopt;
-  if (states[goal] == CellState::kBlocked && goal != from) {
+  if (states[goal] == sim::CellState::kBlocked && goal != from) {
     const int reach = static_cast<int>(kSubstituteReach / map.spec().cell);
     const auto other = NearestUnblocked(states, goal, reach);
     if (!other) return std::nullopt;
@@ -57,7 +58,7 @@ std::optional<Waypoint> PathPlanner::Plan(const MetricMap& map, const Query& que
   return std::nullopt;
 }
 
-bool PathPlanner::Reach(const Cell& from) {
+bool PathPlanner::Reach(const sim::Cell& from) {
   while (const auto cell = march_.Next()) {
     if (*cell == from) return true;
   }
@@ -65,15 +66,15 @@ bool PathPlanner::Reach(const Cell& from) {
 }
 
 /// On the ring of this radius: the cell over which the way to the goal is shortest.
-std::optional<Cell> PathPlanner::BestInSight(const Grid<CellState>& states, const Cell& from,
-                                             double radius) const {
-  std::optional<Cell> best;
+std::optional<sim::Cell> PathPlanner::BestInSight(const sim::Grid<sim::CellState>& states,
+                                                  const sim::Cell& from, double radius) const {
+  std::optional<sim::Cell> best;
   double best_length = std::numeric_limits<double>::infinity();
   const int reach = static_cast<int>(std::ceil(radius));
   for (int dy = -reach; dy <= reach; ++dy) {
     for (int dx = -reach; dx <= reach; ++dx) {
       const double away = std::hypot(dx, dy);
-      const Cell cell{from.x + dx, from.y + dy};
+      const sim::Cell cell{from.x + dx, from.y + dy};
       if (std::fabs(away - radius) > 0.5 || !states.Contains(cell)) continue;
       if (away + march_.distance(cell) >= best_length) continue;
       const auto cost = LineCost(states, from, cell);

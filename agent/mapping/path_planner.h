@@ -2,8 +2,8 @@
 #pragma once
 #include <optional>
 
-#include "agent/mapping/fast_marching.h"
 #include "agent/mapping/metric_map.h"
+#include "sim/grid/fast_marching.h"
 
 namespace bulletnav::agent {
 
@@ -31,15 +31,16 @@ class PathPlanner {
 
  private:
   /// Grows the distance from the goal until it knows that of `from`.
-  bool Reach(const Cell& from);
-  std::optional<Cell> BestInSight(const Grid<CellState>& states, const Cell& from,
-                                  double radius) const;
+  bool Reach(const sim::Cell& from);
+  std::optional<sim::Cell> BestInSight(const sim::Grid<sim::CellState>& states,
+                                       const sim::Cell& from, double radius) const;
 
-  FastMarching march_;
+  sim::FastMarching march_;
   double ahead_;  // in cells
 };
 
 /// The cell nearest to `cell` that is not blocked, within `reach` cells.
-std::optional<Cell> NearestUnblocked(const Grid<CellState>& states, const Cell& cell, int reach);
+std::optional<sim::Cell> NearestUnblocked(const sim::Grid<sim::CellState>& states,
+                                          const sim::Cell& cell, int reach);
 
 }  // namespace bulletnav::agent

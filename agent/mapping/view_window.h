@@ -2,8 +2,8 @@
 #pragma once
 #include <cstdint>
 
-#include "agent/mapping/grid.h"
 #include "agent/observation.h"
+#include "sim/grid/grid.h"
 
 namespace bulletnav::agent {
 
@@ -24,9 +24,9 @@ class ViewWindow {
   /// Cells from the middle to the edge.
   int reach() const { return reach_; }
   /// Points in the body's way, points below, and cells that were looked at or into.
-  const Grid<std::uint16_t>& obstacle_points() const { return obstacle_points_; }
-  const Grid<std::uint16_t>& floor_points() const { return floor_points_; }
-  const Grid<std::uint8_t>& seen() const { return seen_; }
+  const sim::Grid<std::uint16_t>& obstacle_points() const { return obstacle_points_; }
+  const sim::Grid<std::uint16_t>& floor_points() const { return floor_points_; }
+  const sim::Grid<std::uint8_t>& seen() const { return seen_; }
 
  protected:
   explicit ViewWindow(int reach)
@@ -41,9 +41,9 @@ class ViewWindow {
   }
 
   int reach_;
-  Grid<std::uint16_t> obstacle_points_;
-  Grid<std::uint16_t> floor_points_;
-  Grid<std::uint8_t> seen_;
+  sim::Grid<std::uint16_t> obstacle_points_;
+  sim::Grid<std::uint16_t> floor_points_;
+  sim::Grid<std::uint8_t> seen_;
 };
 
 }  // namespace bulletnav::agent

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "agent/mapping/map_navigator.h"
-#include "agent/perception/semantic_model.h"
+#include "agent/models/semantic_model.h"
 
 namespace bulletnav::agent {
 

@@ -7,7 +7,7 @@
 
 #include "agent/belief.h"
 #include "agent/mapping/metric_map.h"
-#include "agent/perception/semantic_model.h"
+#include "agent/models/semantic_model.h"
 #include "sim/math/pose.h"
 
 namespace bulletnav::agent {

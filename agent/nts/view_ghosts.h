@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "agent/models/semantic_model.h"
 #include "agent/nts/nts_spec.h"
-#include "agent/perception/semantic_model.h"
 
 namespace bulletnav::agent {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "agent/perception/semantic_model.h"
+#include "agent/models/semantic_model.h"
 #include "sim/base/check.h"
 
 namespace bulletnav::agent {

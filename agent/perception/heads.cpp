@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "agent/perception/semantic_model.h"
+#include "agent/models/semantic_model.h"
 
 namespace bulletnav::agent {
 namespace {

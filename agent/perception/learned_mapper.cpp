@@ -10,8 +10,8 @@
 namespace bulletnav::agent {
 namespace {
 
-Grid<float> ToGrid(const torch::Tensor& map) {
-  Grid<float> grid(FreeSpace::kSide);
+sim::Grid<float> ToGrid(const torch::Tensor& map) {
+  sim::Grid<float> grid(FreeSpace::kSide);
   CHECK_EQ(static_cast<std::size_t>(map.numel()), grid.values().size());
   const torch::Tensor flat = map.contiguous();
   const float* values = flat.data_ptr<float>();

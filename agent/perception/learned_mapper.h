@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "agent/mapping/free_space_model.h"
+#include "agent/models/free_space_model.h"
 
 namespace bulletnav::agent {
 

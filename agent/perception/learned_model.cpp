@@ -16,7 +16,7 @@ namespace bulletnav::agent {
 namespace {
 
 /// The four parts of a panorama that pairs are compared by, and what they hold together.
-struct Layout {
+struct PixelLayout {
   std::int64_t sum;
   std::int64_t match;
   std::size_t size() const {
@@ -76,7 +76,7 @@ class LearnedModel::Impl {
     return prediction;
   }
 
-  Layout layout() const {
+  PixelLayout layout() const {
     return {config().pair_features, std::int64_t{Heads::kMatches} * Heads::kMatchSize};
   }
 

@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <memory>
 
+#include "agent/models/semantic_model.h"
 #include "agent/perception/model_config.h"
-#include "agent/perception/semantic_model.h"
 
 namespace bulletnav::agent {
 

@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "agent/perception/goal_estimator.h"
-#include "agent/perception/semantic_model.h"
+#include "agent/models/goal_estimator.h"
+#include "agent/models/semantic_model.h"
 
 namespace bulletnav::agent {
 

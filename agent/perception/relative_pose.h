@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "agent/perception/goal_estimator.h"
-#include "agent/perception/semantic_model.h"
+#include "agent/models/goal_estimator.h"
+#include "agent/models/semantic_model.h"
 
 namespace bulletnav::agent {
 

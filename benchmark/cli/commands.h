@@ -2,7 +2,7 @@
 #pragma once
 #include <CLI/App.hpp>
 
-#include "benchmark/evaluation/run_agents.h"
+#include "benchmark/runs/run_agents.h"
 
 namespace bulletnav::bench {
 

@@ -10,8 +10,8 @@
 #include <fmt/core.h>
 
 #include "benchmark/cli/commands.h"
-#include "benchmark/evaluation/comparison.h"
-#include "benchmark/evaluation/result_store.h"
+#include "benchmark/runs/comparison.h"
+#include "benchmark/runs/result_store.h"
 
 namespace bulletnav::bench {
 namespace {

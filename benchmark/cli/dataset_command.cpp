@@ -7,9 +7,9 @@
 #include <CLI/Formatter.hpp>
 #include <fmt/core.h>
 
+#include "benchmark/base/program_version.h"
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/progress.h"
-#include "benchmark/evaluation/program_version.h"
 #include "benchmark/training/data_config.h"
 #include "benchmark/training/dataset.h"
 #include "benchmark/training/label_picture.h"

@@ -12,15 +12,15 @@
 #include <fmt/core.h>
 #include <fmt/format.h>
 
+#include "benchmark/base/counted.h"
 #include "benchmark/cli/progress.h"
-#include "benchmark/evaluation/result_store.h"
-#include "benchmark/evaluation/runner.h"
 #include "benchmark/report/agent_title.h"
-#include "benchmark/report/counted.h"
 #include "benchmark/report/filmstrip.h"
 #include "benchmark/report/result_charts.h"
 #include "benchmark/report/run_scene.h"
 #include "benchmark/report/trajectory_plot.h"
+#include "benchmark/runs/result_store.h"
+#include "benchmark/runs/runner.h"
 #include "sim/base/error.h"
 #include "sim/house/house_json.h"
 #include "sim/image/image.h"

@@ -7,15 +7,15 @@
 #include <fmt/core.h>
 
 #include "agent/perception/learned_model.h"
+#include "benchmark/base/file_hash.h"
+#include "benchmark/base/program_version.h"
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/progress.h"
-#include "benchmark/episodes/file_hash.h"
-#include "benchmark/evaluation/program_version.h"
-#include "benchmark/perception/perception_cases.h"
-#include "benchmark/perception/perception_charts.h"
-#include "benchmark/perception/perception_figures.h"
-#include "benchmark/perception/perception_pictures.h"
-#include "benchmark/perception/perception_report.h"
+#include "benchmark/evaluate_perception/perception_cases.h"
+#include "benchmark/evaluate_perception/perception_charts.h"
+#include "benchmark/evaluate_perception/perception_figures.h"
+#include "benchmark/evaluate_perception/perception_pictures.h"
+#include "benchmark/evaluate_perception/perception_report.h"
 #include "sim/base/files.h"
 #include "sim/config/yaml_reader.h"
 

@@ -4,9 +4,9 @@
 
 #include <fmt/core.h>
 
+#include "benchmark/base/program_version.h"
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/progress.h"
-#include "benchmark/evaluation/program_version.h"
 #include "sim/house/house_set.h"
 
 namespace bulletnav::bench {

@@ -9,7 +9,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
-#include "benchmark/evaluation/program_version.h"
+#include "benchmark/base/program_version.h"
 #include "sim/base/error.h"
 
 namespace bulletnav::bench {

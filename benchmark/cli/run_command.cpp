@@ -9,13 +9,14 @@
 #include <CLI/Formatter.hpp>
 #include <fmt/core.h>
 
+#include "benchmark/base/program_version.h"
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/draw_run.h"
 #include "benchmark/cli/hand_over.h"
 #include "benchmark/cli/progress.h"
 #include "benchmark/cli/run_progress.h"
-#include "benchmark/evaluation/program_version.h"
-#include "benchmark/evaluation/runner.h"
+#include "benchmark/report/run_tables.h"
+#include "benchmark/runs/runner.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -79,7 +80,8 @@ void PlayConfig(const RunCommandOptions& options) {
   const RunOutcome outcome =
       RunBenchmark(std::move(config), folder, options.run, MakeHooks(folder, &progress));
   progress.End();
-  fmt::print("{}\nresults: {}\n", outcome.table, folder.string());
+  fmt::print("{}\nresults: {}\n", WriteTables(folder, outcome.results, outcome.agents),
+             folder.string());
   for (const std::string& failures : outcome.failures) {
     fmt::print(stderr, "bulletnav: warning: {}\n", failures);
   }

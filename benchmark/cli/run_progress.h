@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "benchmark/cli/progress.h"
-#include "benchmark/evaluation/episode_result.h"
+#include "benchmark/play/episode_result.h"
 
 namespace bulletnav::bench {
 

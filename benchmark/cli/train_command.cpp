@@ -8,9 +8,9 @@
 #include <CLI/Formatter.hpp>
 #include <fmt/core.h>
 
+#include "benchmark/base/program_version.h"
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/progress.h"
-#include "benchmark/evaluation/program_version.h"
 #include "benchmark/training/mapper_trainer.h"
 #include "benchmark/training/nts_trainer.h"
 #include "benchmark/training/scene_batches.h"

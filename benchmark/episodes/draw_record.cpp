@@ -3,8 +3,8 @@
 
 #include <fmt/core.h>
 
-#include "benchmark/episodes/file_hash.h"
-#include "benchmark/episodes/json_cursor.h"
+#include "benchmark/base/file_hash.h"
+#include "benchmark/base/json_cursor.h"
 #include "sim/base/error.h"
 #include "sim/config/yaml_writer.h"
 

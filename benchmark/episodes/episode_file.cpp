@@ -7,8 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "benchmark/base/gzip.h"
 #include "benchmark/episodes/episode_json.h"
-#include "benchmark/episodes/gzip.h"
 #include "sim/base/error.h"
 #include "sim/base/files.h"
 

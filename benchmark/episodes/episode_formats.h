@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "benchmark/episodes/json_cursor.h"
+#include "benchmark/base/json_cursor.h"
 #include "sim/config/yaml_reader.h"
 
 namespace bulletnav::bench {

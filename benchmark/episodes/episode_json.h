@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "benchmark/base/json_cursor.h"
 #include "benchmark/episodes/episode.h"
-#include "benchmark/episodes/json_cursor.h"
 
 namespace bulletnav::bench {
 

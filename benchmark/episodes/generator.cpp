@@ -5,8 +5,8 @@
 #include <array>
 #include <filesystem>
 
+#include "benchmark/base/json_cursor.h"
 #include "benchmark/episodes/episode_drawer.h"
-#include "benchmark/episodes/json_cursor.h"
 #include "sim/base/error.h"
 #include "sim/base/files.h"
 #include "sim/threads/worker_pool.h"

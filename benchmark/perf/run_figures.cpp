@@ -8,8 +8,8 @@
 
 #include <fmt/core.h>
 
-#include "benchmark/evaluation/episode_run.h"
-#include "benchmark/evaluation/runner.h"
+#include "benchmark/play/episode_run.h"
+#include "benchmark/runs/runner.h"
 #include "sim/base/temporary_folder.h"
 
 namespace bulletnav::bench {

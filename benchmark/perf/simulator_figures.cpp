@@ -12,7 +12,7 @@
 #include "benchmark/perf/subdivide.h"
 #include "sim/base/error.h"
 #include "sim/batch_simulator.h"
-#include "sim/render/embree/raycaster.h"
+#include "sim/render/cpu/raycaster.h"
 #include "sim/render/render_mesh.h"
 
 namespace bulletnav::bench {

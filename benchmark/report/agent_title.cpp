@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "benchmark/evaluation/published.h"
+#include "benchmark/runs/published.h"
 
 namespace bulletnav::bench {
 

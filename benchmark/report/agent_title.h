@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "benchmark/evaluation/summary.h"
+#include "benchmark/runs/summary.h"
 
 namespace bulletnav::bench {
 

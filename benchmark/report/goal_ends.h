@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "benchmark/report/trajectory.h"
+#include "benchmark/play/trajectory.h"
 
 namespace bulletnav::bench {
 

@@ -9,8 +9,8 @@
 
 #include <fmt/core.h>
 
-#include "benchmark/evaluation/result_store.h"
-#include "benchmark/report/trajectory.h"
+#include "benchmark/play/trajectory.h"
+#include "benchmark/runs/result_store.h"
 
 namespace bulletnav::bench {
 namespace {

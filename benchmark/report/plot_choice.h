@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "benchmark/evaluation/episode_result.h"
+#include "benchmark/play/episode_result.h"
 
 namespace bulletnav::bench {
 

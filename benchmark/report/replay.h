@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "benchmark/report/trajectory.h"
+#include "benchmark/play/trajectory.h"
 #include "sim/image/image.h"
 #include "sim/render/projection.h"
 #include "sim/world.h"

@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "benchmark/evaluation/summary.h"
 #include "benchmark/report/chart.h"
+#include "benchmark/runs/summary.h"
 
 namespace bulletnav::bench {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/report/run_scene.h"
 
-#include "benchmark/episodes/file_hash.h"
+#include "benchmark/base/file_hash.h"
 #include "sim/base/error.h"
 
 namespace bulletnav::bench {

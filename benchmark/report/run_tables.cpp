@@ -7,9 +7,11 @@
 
 #include <fmt/core.h>
 
-#include "benchmark/evaluation/published.h"
+#include "benchmark/base/counted.h"
 #include "benchmark/report/agent_title.h"
-#include "benchmark/report/counted.h"
+#include "benchmark/runs/published.h"
+#include "benchmark/runs/result_store.h"
+#include "benchmark/runs/runner.h"
 #include "sim/base/files.h"
 
 namespace bulletnav::bench {
@@ -29,7 +31,7 @@ struct Column {
   Measure measure = Measure::kSuccess;
 };
 
-struct Layout {
+struct TableLayout {
   std::string caption;
   std::vector<ResultsTable::Group> groups;
   std::vector<Column> columns;
@@ -59,9 +61,9 @@ bool HasCondition(std::span<const SummaryRow> rows, const std::string& condition
 }
 
 /// Success and SPL for each of some heads under one condition.
-Layout SuccessAndSpl(std::string caption, const std::string& condition,
-                     std::span<const Head> heads) {
-  Layout layout;
+TableLayout SuccessAndSpl(std::string caption, const std::string& condition,
+                          std::span<const Head> heads) {
+  TableLayout layout;
   layout.caption = std::move(caption);
   for (const Head& head : heads) {
     layout.groups.push_back({head.title, {"Succ", "SPL"}});
@@ -72,16 +74,16 @@ Layout SuccessAndSpl(std::string caption, const std::string& condition,
 }
 
 /// Table 1; stops behind a wall show in its last column.
-Layout ByDifficulty() {
-  Layout layout = SuccessAndSpl("Success and SPL by difficulty.", "noise", Difficulties());
+TableLayout ByDifficulty() {
+  TableLayout layout = SuccessAndSpl("Success and SPL by difficulty.", "noise", Difficulties());
   layout.groups.push_back({"Euclidean", {"Succ"}});
   layout.columns.push_back({"noise", "overall", Measure::kEuclidean});
   return layout;
 }
 
 /// Table 2, as far as the run has its conditions.
-Layout SuccessWithoutStopOrNoise(std::span<const SummaryRow> rows) {
-  Layout layout;
+TableLayout SuccessWithoutStopOrNoise(std::span<const SummaryRow> rows) {
+  TableLayout layout;
   for (const ConditionTitle& other : kOthers) {
     if (!HasCondition(rows, other.condition)) continue;
     layout.caption +=
@@ -97,9 +99,10 @@ Layout SuccessWithoutStopOrNoise(std::span<const SummaryRow> rows) {
 }
 
 /// A table for each condition of a run of sequences.
-std::vector<Layout> ByNumberOfGoals(std::span<const SummaryRow> rows, std::span<const Head> heads) {
+std::vector<TableLayout> ByNumberOfGoals(std::span<const SummaryRow> rows,
+                                         std::span<const Head> heads) {
   const std::string caption = "Share of goals reached and SPL by number of sequential goals";
-  std::vector<Layout> layouts;
+  std::vector<TableLayout> layouts;
   if (HasCondition(rows, "noise")) layouts.push_back(SuccessAndSpl(caption + ".", "noise", heads));
   for (const ConditionTitle& other : kOthers) {
     if (!HasCondition(rows, other.condition)) continue;
@@ -145,7 +148,8 @@ std::string Percent95(const Interval& interval) {
 
 /// "300 episodes, 95%: 0.78-0.87 / 0.55-0.66, 25.0M frames, oracle": the intervals are of the
 /// last column of success and, if there is one, of SPL.
-std::string Remark(const Layout& layout, std::span<const SummaryRow> rows, const SummaryRow& like) {
+std::string Remark(const TableLayout& layout, std::span<const SummaryRow> rows,
+                   const SummaryRow& like) {
   int episodes = 0;
   int failures = 0;
   std::string success;
@@ -168,7 +172,7 @@ std::string Remark(const Layout& layout, std::span<const SummaryRow> rows, const
 }
 
 /// The paper's row for an agent and setting, if it has one.
-void AddPaperRow(const Layout& layout, const std::string& agent, const std::string& setting,
+void AddPaperRow(const TableLayout& layout, const std::string& agent, const std::string& setting,
                  ResultsTable* table) {
   ResultsTable::Row paper = {
       SettingTitle(setting), AgentTitle(agent, {}) + ", paper, Gibson", true, {}, ""};
@@ -182,7 +186,7 @@ void AddPaperRow(const Layout& layout, const std::string& agent, const std::stri
 }
 
 /// Our row and the paper's, for the agent and setting of `like`.
-void AddRows(const Layout& layout, std::span<const SummaryRow> rows, const SummaryRow& like,
+void AddRows(const TableLayout& layout, std::span<const SummaryRow> rows, const SummaryRow& like,
              std::span<const AgentRow> agents, ResultsTable* table) {
   ResultsTable::Row ours = {
       SettingTitle(like.setting), AgentTitle(like.agent, agents), false, {}, ""};
@@ -199,7 +203,7 @@ void AddRows(const Layout& layout, std::span<const SummaryRow> rows, const Summa
 }
 
 /// The rows of `settings` that the layout has figures for, by setting and then agent.
-ResultsTable Fill(const Layout& layout, std::span<const SummaryRow> rows,
+ResultsTable Fill(const TableLayout& layout, std::span<const SummaryRow> rows,
                   std::span<const AgentRow> agents) {
   ResultsTable table;
   table.caption = layout.caption;
@@ -220,7 +224,7 @@ ResultsTable Fill(const Layout& layout, std::span<const SummaryRow> rows,
 }
 
 /// Rows for the agents that have no results at all, and the paper's of them.
-void AddMissing(const Layout& layout, std::span<const SummaryRow> rows,
+void AddMissing(const TableLayout& layout, std::span<const SummaryRow> rows,
                 std::span<const AgentRow> agents, ResultsTable* table) {
   for (const AgentRow& agent : agents) {
     if (std::any_of(rows.begin(), rows.end(), [&](const SummaryRow& row) {
@@ -254,11 +258,11 @@ std::vector<Head> GoalCounts(std::span<const SummaryRow> rows) {
 std::vector<ResultsTable> MakeTables(std::span<const SummaryRow> rows,
                                      std::span<const AgentRow> agents) {
   const std::vector<Head> goals = GoalCounts(rows);
-  const std::vector<Layout> layouts =
+  const std::vector<TableLayout> layouts =
       goals.empty() ? std::vector{ByDifficulty(), SuccessWithoutStopOrNoise(rows)}
                     : ByNumberOfGoals(rows, goals);
   std::vector<ResultsTable> tables;
-  for (const Layout& layout : layouts) {
+  for (const TableLayout& layout : layouts) {
     ResultsTable table = Fill(layout, rows, agents);
     if (table.rows.empty()) continue;
     if (tables.empty()) AddMissing(layout, rows, agents, &table);
@@ -289,6 +293,11 @@ std::string WriteTables(const std::filesystem::path& folder,
   sim::WriteFileAtomically(folder / "table.tex", latex);
   sim::WriteFileAtomically(folder / "table.md", markdown);
   return markdown;
+}
+
+std::string RebuildTables(const std::filesystem::path& folder) {
+  const std::vector<AgentRow> agents = AgentRowsOf(LoadSavedRunConfig(folder / "config.yaml"));
+  return WriteTables(folder, ReadResults(folder), agents);
 }
 
 }  // namespace bulletnav::bench

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "benchmark/evaluation/summary.h"
 #include "benchmark/report/results_table.h"
+#include "benchmark/runs/summary.h"
 
 namespace bulletnav::bench {
 
@@ -22,5 +22,8 @@ std::vector<ResultsTable> MakeTables(std::span<const SummaryRow> rows,
 std::string WriteTables(const std::filesystem::path& folder,
                         const std::vector<EpisodeResult>& results,
                         std::span<const AgentRow> agents);
+
+/// The same for a folder of results as it is, whether a run goes on in it or not. Throws FileError.
+std::string RebuildTables(const std::filesystem::path& folder);
 
 }  // namespace bulletnav::bench

@@ -8,7 +8,7 @@
 
 #include <fmt/core.h>
 
-#include "sim/render/embree/raycaster.h"
+#include "sim/render/cpu/raycaster.h"
 #include "sim/render/shade_point.h"
 
 namespace bulletnav::bench {
@@ -63,9 +63,9 @@ sim::Image WalkableMask(const sim::Navmesh& navmesh, const TopDownView& view) {
 }
 
 /// Looks at a scene from points of the cut's plane.
-class Looker {
+class TopView {
  public:
-  explicit Looker(const sim::SceneMesh& mesh) : mesh_(mesh), raycaster_(mesh_.corners) {}
+  explicit TopView(const sim::SceneMesh& mesh) : mesh_(mesh), raycaster_(mesh_.corners) {}
 
   struct Sight {
     Vec at;
@@ -113,7 +113,7 @@ class Looker {
 };
 
 void Look(const sim::SceneMesh& mesh, const sim::Navmesh& navmesh, float cut, TopDownView* view) {
-  const Looker looker(mesh);
+  const TopView looker(mesh);
   const sim::Image walkable = WalkableMask(navmesh, *view);
   const float pixel_m = view->frame.pixel_m;
   const auto see = [&](const Vec& from, bool is_walkable) {

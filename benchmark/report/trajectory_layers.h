@@ -2,9 +2,9 @@
 #pragma once
 #include <vector>
 
+#include "benchmark/play/trajectory.h"
 #include "benchmark/report/canvas.h"
 #include "benchmark/report/scene_map.h"
-#include "benchmark/report/trajectory.h"
 
 namespace bulletnav::bench {
 

@@ -8,8 +8,8 @@
 
 #include <fmt/core.h>
 
+#include "benchmark/base/counted.h"
 #include "benchmark/report/belief_layer.h"
-#include "benchmark/report/counted.h"
 #include "benchmark/report/goal_ends.h"
 #include "benchmark/report/trajectory_layers.h"
 #include "benchmark/report/trajectory_legend.h"

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "benchmark/play/trajectory.h"
 #include "benchmark/report/figure.h"
 #include "benchmark/report/scene_map.h"
-#include "benchmark/report/trajectory.h"
 
 namespace bulletnav::bench {
 

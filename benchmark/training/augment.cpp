@@ -6,7 +6,7 @@
 #include <cmath>
 #include <span>
 
-#include "agent/perception/semantic_model.h"
+#include "agent/models/semantic_model.h"
 #include "sim/base/error.h"
 
 namespace bulletnav::bench {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "agent/perception/semantic_model.h"
+#include "agent/models/semantic_model.h"
 #include "sim/base/check.h"
 
 namespace bulletnav::bench {

@@ -17,8 +17,8 @@ namespace bulletnav::bench {
 namespace {
 
 namespace fs = std::filesystem;
-using agent::Cell;
 using agent::kDirections;
+using sim::Cell;
 using Point = Canvas::Point;
 
 constexpr double kWidth = 1040.0;
@@ -45,9 +45,9 @@ std::size_t ColumnOf(const sim::RayGrid& rays, double bearing) {
   return best;
 }
 
-std::uint8_t Grey(agent::CellState state) {
-  if (state == agent::CellState::kUnknown) return 170;
-  return state == agent::CellState::kBlocked ? 70 : 240;
+std::uint8_t Grey(sim::CellState state) {
+  if (state == sim::CellState::kUnknown) return 170;
+  return state == sim::CellState::kBlocked ? 70 : 240;
 }
 
 /// A goal in another room if there is one.

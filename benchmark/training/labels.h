@@ -3,8 +3,8 @@
 #include <array>
 #include <cstdint>
 
+#include "agent/models/semantic_model.h"
 #include "agent/perception/relative_pose.h"
-#include "agent/perception/semantic_model.h"
 #include "sim/math/pose.h"
 
 namespace bulletnav::bench {

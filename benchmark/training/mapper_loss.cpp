@@ -20,7 +20,7 @@ torch::Tensor FreeSpaceLabels(const PairBatch& batch, TrueFreeSpace* truth) {
   for (int i = 0; i < batch.count; ++i) {
     const auto first = static_cast<std::size_t>(i) * kPixels;
     const FreeSpace space = truth->Predict({{}, std::span(batch.depth).subspan(first, kPixels)});
-    for (const agent::Grid<float>* map : {&space.explored, &space.obstacle}) {
+    for (const sim::Grid<float>* map : {&space.explored, &space.obstacle}) {
       out = std::copy(map->values().begin(), map->values().end(), out);
     }
   }

@@ -3,7 +3,7 @@
 
 #include <fmt/core.h>
 
-#include "benchmark/evaluation/program_version.h"
+#include "benchmark/base/program_version.h"
 
 namespace bulletnav::bench {
 namespace {

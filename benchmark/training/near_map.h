@@ -3,10 +3,10 @@
 #include <span>
 
 #include "agent/mapping/depth_ring.h"
-#include "agent/mapping/fast_marching.h"
-#include "agent/mapping/grid.h"
 #include "agent/mapping/map_spec.h"
 #include "benchmark/training/data_config.h"
+#include "sim/grid/fast_marching.h"
+#include "sim/grid/grid.h"
 
 namespace bulletnav::bench {
 
@@ -37,27 +37,27 @@ class NearMap {
   double Reach(int direction) const;
 
   /// Hidden cells are kUnknown where ways may lead through them, else kBlocked.
-  const agent::Grid<agent::CellState>& states() const { return states_; }
-  const agent::Cell& middle() const { return middle_; }
+  const sim::Grid<sim::CellState>& states() const { return states_; }
+  const sim::Cell& middle() const { return middle_; }
   double cell() const { return spec_.cell; }
 
  private:
-  agent::Cell CellAlong(int direction, double distance) const;
-  bool IsNearSeenFloor(const agent::Cell& cell) const;
-  double CellsTo(const agent::Cell& cell) const;
-  double WithOneBend(const agent::Cell& cell, double longest) const;
-  void BlockAround(const agent::Cell& obstacle);
+  sim::Cell CellAlong(int direction, double distance) const;
+  bool IsNearSeenFloor(const sim::Cell& cell) const;
+  double CellsTo(const sim::Cell& cell) const;
+  double WithOneBend(const sim::Cell& cell, double longest) const;
+  void BlockAround(const sim::Cell& obstacle);
   void FreeMiddle();
 
   agent::MapSpec spec_;
   agent::DepthRing ring_;
   int body_;  // radius, in cells
   int slack_;
-  agent::CellState hidden_;
-  agent::Cell middle_;
-  agent::Grid<agent::CellState> states_;
-  agent::FastMarching seen_ways_;
-  agent::FastMarching ways_;
+  sim::CellState hidden_;
+  sim::Cell middle_;
+  sim::Grid<sim::CellState> states_;
+  sim::FastMarching seen_ways_;
+  sim::FastMarching ways_;
 };
 
 }  // namespace bulletnav::bench

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "agent/perception/semantic_model.h"
+#include "agent/models/semantic_model.h"
 
 namespace bulletnav::bench {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/training/nts_metrics.h"
 
-#include "agent/perception/semantic_model.h"
+#include "agent/models/semantic_model.h"
 
 namespace bulletnav::bench {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <span>
 
+#include "agent/models/semantic_model.h"
 #include "agent/perception/model_config.h"
-#include "agent/perception/semantic_model.h"
 #include "sim/base/check.h"
 
 namespace bulletnav::bench {

@@ -13,8 +13,8 @@
 namespace bulletnav::bench {
 namespace {
 
-using agent::Cell;
 using agent::kDirections;
+using sim::Cell;
 
 constexpr double kReachStep = 0.05;  // metres
 
@@ -70,7 +70,7 @@ class Labeller {
  private:
   struct FarPlace {
     Eigen::Vector3d point;
-    std::optional<Cell> cell;
+    std::optional<sim::Cell> cell;
   };
 
   PairLabel& Pair(int source, int goal) {

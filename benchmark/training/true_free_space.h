@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "agent/mapping/depth_ring.h"
-#include "agent/mapping/free_space_model.h"
 #include "agent/mapping/map_spec.h"
+#include "agent/models/free_space_model.h"
 
 namespace bulletnav::bench {
 

@@ -15,8 +15,8 @@
 namespace bulletnav::bench {
 namespace {
 
-using agent::Cell;
-using agent::CellState;
+using sim::Cell;
+using sim::CellState;
 using Vec2 = Eigen::Vector2d;
 
 constexpr double kCell = 0.05;
@@ -115,7 +115,7 @@ Storey LargestStorey(const sim::Navmesh& navmesh) {
 }
 
 WalkGrid::WalkGrid(const sim::Navmesh& navmesh, const Storey& storey)
-    : storey_(storey), states_(3, CellState::kBlocked) {
+    : storey_(storey), states_(3, sim::CellState::kBlocked) {
   const auto triangles = TrianglesOf(navmesh, storey);
   CHECK(!triangles.empty());
   Extent extent;
@@ -131,7 +131,7 @@ WalkGrid::WalkGrid(const sim::Navmesh& navmesh, const Storey& storey)
                     "its 'scale' right?",
                     size * kCell));
   }
-  states_ = agent::Grid<CellState>(static_cast<int>(size), CellState::kBlocked);
+  states_ = sim::Grid<sim::CellState>(static_cast<int>(size), sim::CellState::kBlocked);
   for (const auto* corners : triangles) Rasterise(corners);
 }
 
@@ -146,41 +146,41 @@ void WalkGrid::Rasterise(const Eigen::Vector3f* corners) {
     for (int x = std::max(1, static_cast<int>(low.x())); x <= std::min<double>(last, high.x());
          ++x) {
       const Vec2 middle = origin_ + kCell * Vec2(x + 0.5, y + 0.5);
-      if (IsIn(triangle, middle)) states_[{x, y}] = CellState::kFree;
+      if (IsIn(triangle, middle)) states_[{x, y}] = sim::CellState::kFree;
     }
   }
 }
 
-std::optional<Cell> WalkGrid::CellAt(const Eigen::Vector3d& point) const {
+std::optional<sim::Cell> WalkGrid::CellAt(const Eigen::Vector3d& point) const {
   if (std::abs(point.y() - storey_.floor_y) > kFloorBand) return std::nullopt;
   const Vec2 place = (Vec2(point.x(), point.z()) - origin_) / kCell;
   if (!(place.cwiseAbs().maxCoeff() < 2.0 * kMostCells)) return std::nullopt;
-  const Cell under = {static_cast<int>(std::floor(place.x())),
-                      static_cast<int>(std::floor(place.y()))};
-  std::optional<Cell> nearest;
+  const sim::Cell under = {static_cast<int>(std::floor(place.x())),
+                           static_cast<int>(std::floor(place.y()))};
+  std::optional<sim::Cell> nearest;
   double least = kSnap;
   for (int y = under.y - kSnap; y <= under.y + kSnap; ++y) {
     for (int x = under.x - kSnap; x <= under.x + kSnap; ++x) {
       const double distance = std::hypot(x + 0.5 - place.x(), y + 0.5 - place.y());
       if (distance >= least || !states_.Contains({x, y})) continue;
-      if (states_[{x, y}] != CellState::kFree) continue;
+      if (states_[{x, y}] != sim::CellState::kFree) continue;
       least = distance;
-      nearest = Cell{x, y};
+      nearest = sim::Cell{x, y};
     }
   }
   return nearest;
 }
 
-Eigen::Vector3d WalkGrid::Centre(const Cell& cell) const {
+Eigen::Vector3d WalkGrid::Centre(const sim::Cell& cell) const {
   return {origin_.x() + (cell.x + 0.5) * kCell, storey_.floor_y,
           origin_.y() + (cell.y + 0.5) * kCell};
 }
 
-void WalkDistances::MeasureFrom(const Cell& from) {
+void WalkDistances::MeasureFrom(const sim::Cell& from) {
   march_.Run(grid_.states(), {.from = from});
 }
 
-double WalkDistances::To(const Cell& cell) const {
+double WalkDistances::To(const sim::Cell& cell) const {
   return kCell * double{march_.distance(cell)};
 }
 

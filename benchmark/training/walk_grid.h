@@ -4,8 +4,8 @@
 
 #include <Eigen/Core>
 
-#include "agent/mapping/fast_marching.h"
-#include "agent/mapping/grid.h"
+#include "sim/grid/fast_marching.h"
+#include "sim/grid/grid.h"
 #include "sim/navmesh/navmesh.h"
 
 namespace bulletnav::bench {
@@ -31,16 +31,16 @@ class WalkGrid {
 
   /// The passable cell nearest to a point; absent if there is none within 0.2 m or the point is on
   /// another storey.
-  std::optional<agent::Cell> CellAt(const Eigen::Vector3d& point) const;
-  Eigen::Vector3d Centre(const agent::Cell& cell) const;
-  const agent::Grid<agent::CellState>& states() const { return states_; }
+  std::optional<sim::Cell> CellAt(const Eigen::Vector3d& point) const;
+  Eigen::Vector3d Centre(const sim::Cell& cell) const;
+  const sim::Grid<sim::CellState>& states() const { return states_; }
 
  private:
   void Rasterise(const Eigen::Vector3f* corners);
 
   Storey storey_;
   Eigen::Vector2d origin_ = Eigen::Vector2d::Zero();  // world x, z of the corner of cell (0, 0)
-  agent::Grid<agent::CellState> states_;
+  sim::Grid<sim::CellState> states_;
 };
 
 /// Geodesic distances from one place to all others of a storey, many at a time: for labels, which
@@ -52,13 +52,13 @@ class WalkDistances {
   /// The grid must outlive it. One a thread.
   explicit WalkDistances(const WalkGrid& grid) : grid_(grid), march_(grid.states().size()) {}
 
-  void MeasureFrom(const agent::Cell& from);
+  void MeasureFrom(const sim::Cell& from);
   /// Metres; infinite for what cannot be reached.
-  double To(const agent::Cell& cell) const;
+  double To(const sim::Cell& cell) const;
 
  private:
   const WalkGrid& grid_;
-  agent::FastMarching march_;
+  sim::FastMarching march_;
 };
 
 }  // namespace bulletnav::bench

@@ -2,37 +2,37 @@
 #include "sim/house/furnish.h"
 
 #include "sim/base/check.h"
-#include "sim/house/furnish/programs.h"
+#include "sim/house/placing/programs.h"
 
 namespace bulletnav::sim {
 namespace {
 
-void FurnishRoom(RoomType type, furnish::RoomFurnisher* room) {
+void FurnishRoom(RoomType type, placing::RoomFurnisher* room) {
   switch (type) {
     case RoomType::kLivingRoom:
-      return furnish::FurnishLivingRoom(room);
+      return placing::FurnishLivingRoom(room);
     case RoomType::kKitchen:
-      return furnish::FurnishKitchen(room);
+      return placing::FurnishKitchen(room);
     case RoomType::kDiningRoom:
-      return furnish::FurnishDiningRoom(room);
+      return placing::FurnishDiningRoom(room);
     case RoomType::kBedroom:
-      return furnish::FurnishBedroom(room);
+      return placing::FurnishBedroom(room);
     case RoomType::kKidsRoom:
-      return furnish::FurnishKidsRoom(room);
+      return placing::FurnishKidsRoom(room);
     case RoomType::kBathroom:
-      return furnish::FurnishBathroom(room);
+      return placing::FurnishBathroom(room);
     case RoomType::kToilet:
-      return furnish::FurnishToilet(room);
+      return placing::FurnishToilet(room);
     case RoomType::kCorridor:
-      return furnish::FurnishCorridor(room);
+      return placing::FurnishCorridor(room);
     case RoomType::kEntry:
-      return furnish::FurnishEntry(room);
+      return placing::FurnishEntry(room);
     case RoomType::kStudy:
-      return furnish::FurnishStudy(room);
+      return placing::FurnishStudy(room);
     case RoomType::kLaundry:
-      return furnish::FurnishLaundry(room);
+      return placing::FurnishLaundry(room);
     case RoomType::kStorage:
-      return furnish::FurnishStorage(room);
+      return placing::FurnishStorage(room);
   }
 }
 
@@ -44,8 +44,8 @@ std::vector<std::vector<std::string_view>> FurnishHouse(const FloorPlan& plan,
   CHECK_EQ(plan.rooms.size(), style.rooms.size());
   std::vector<std::vector<std::string_view>> kinds;
   for (std::size_t i = 0; i < plan.rooms.size(); ++i) {
-    furnish::RoomSpace space(plan, style, static_cast<int>(i));
-    furnish::RoomFurnisher furnisher(&space, style.rooms[i], rng.Fork("room", i), builder);
+    placing::RoomSpace space(plan, style, static_cast<int>(i));
+    placing::RoomFurnisher furnisher(&space, style.rooms[i], rng.Fork("room", i), builder);
     FurnishRoom(plan.rooms[i].type, &furnisher);
     kinds.push_back(furnisher.kinds());
   }

@@ -6,7 +6,7 @@
 
 #include <Eigen/Geometry>
 
-#include "sim/render/embree/raycaster.h"
+#include "sim/render/cpu/raycaster.h"
 
 namespace bulletnav::sim {
 

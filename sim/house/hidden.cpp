@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "sim/house/hemisphere.h"
-#include "sim/render/embree/raycaster.h"
+#include "sim/render/cpu/raycaster.h"
 
 namespace bulletnav::sim {
 namespace {

@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 
 #include "sim/house/mesh_builder.h"
-#include "sim/render/embree/raycaster.h"
+#include "sim/render/cpu/raycaster.h"
 #include "sim/scene/mesh.h"
 
 namespace bulletnav::sim {

@@ -11,7 +11,7 @@
 #include "sim/house/hemisphere.h"
 #include "sim/house/light_sources.h"
 #include "sim/house/refine.h"
-#include "sim/render/embree/raycaster.h"
+#include "sim/render/cpu/raycaster.h"
 
 namespace bulletnav::sim {
 namespace {

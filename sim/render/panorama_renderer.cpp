@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "sim/render/panorama_renderer.h"
 
+#include "sim/render/cpu/cpu_scene.h"
 #include "sim/render/egl/egl_scene.h"
-#include "sim/render/embree/embree_scene.h"
 
 namespace bulletnav::sim {
 
@@ -16,7 +16,7 @@ std::unique_ptr<const RenderScene> MakeRenderScene(const SceneMesh& mesh, Backen
       if (HasHardwareGpu()) return MakeEglScene(mesh, GlDevice::kHardware);
       break;
   }
-  return MakeEmbreeScene(mesh);
+  return MakeCpuScene(mesh);
 }
 
 }  // namespace bulletnav::sim

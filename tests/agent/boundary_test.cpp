@@ -41,9 +41,13 @@ static_assert(!Complete<sim::SimulatedBody>);
 static_assert(!Complete<sim::Simulator>);
 static_assert(!Complete<sim::World>);
 
-const std::vector<std::string> kAllowed = {
-    "agent/",    "sim/base/",         "sim/config/",
-    "sim/math/", "sim/observation.h", "sim/render/projection.h"};
+const std::vector<std::string> kAllowed = {"agent/",
+                                           "sim/base/",
+                                           "sim/config/",
+                                           "sim/grid/",
+                                           "sim/math/",
+                                           "sim/observation.h",
+                                           "sim/render/projection.h"};
 
 bool IsAllowed(const std::string& header) {
   return std::any_of(kAllowed.begin(), kAllowed.end(), [&](const std::string& start) {

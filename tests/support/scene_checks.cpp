@@ -7,7 +7,7 @@
 
 #include "sim/base/error.h"
 #include "sim/math/rng.h"
-#include "sim/render/embree/embree_scene.h"
+#include "sim/render/cpu/cpu_scene.h"
 #include "sim/simulated_body.h"
 #include "tests/support/panoramas.h"
 

@@ -3,9 +3,9 @@
 
 #include <array>
 
-#include "benchmark/evaluation/metrics.h"
-#include "benchmark/evaluation/privileged/oracle_goal_estimator.h"
-#include "benchmark/evaluation/privileged/oracle_semantic_model.h"
+#include "benchmark/play/metrics.h"
+#include "benchmark/privileged/oracle_goal_estimator.h"
+#include "benchmark/privileged/oracle_semantic_model.h"
 #include "benchmark/report/replay.h"
 
 namespace bulletnav::tests {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "benchmark/report/trajectory.h"
+#include "benchmark/play/trajectory.h"
 #include "sim/simulator.h"
 #include "tests/support/trials.h"
 

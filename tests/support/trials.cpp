@@ -3,8 +3,8 @@
 
 #include <array>
 
-#include "benchmark/evaluation/privileged/oracle_goal_estimator.h"
-#include "benchmark/evaluation/privileged/oracle_semantic_model.h"
+#include "benchmark/privileged/oracle_goal_estimator.h"
+#include "benchmark/privileged/oracle_semantic_model.h"
 #include "sim/base/error.h"
 
 namespace bulletnav::tests {

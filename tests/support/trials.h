@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "agent/registry.h"
-#include "benchmark/evaluation/privileged/ground_truth.h"
-#include "benchmark/evaluation/privileged/privileged_agent.h"
+#include "benchmark/play/ground_truth.h"
+#include "benchmark/privileged/privileged_agent.h"
 #include "sim/simulator.h"
 
 namespace bulletnav::tests {

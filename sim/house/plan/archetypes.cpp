@@ -22,9 +22,9 @@ constexpr std::array<std::array<double, 6>, 3> kArchetypeWeights = {{
     {2.5, 1.5, 0.2, 0.5, 2.0, 2.0},
 }};
 
-class Layout {
+class Sketch {
  public:
-  Layout(const Program& program, const Traits& traits, Rng* rng)
+  Sketch(const Program& program, const Traits& traits, Rng* rng)
       : traits_(traits), rng_(rng), taken_(program.rooms.size(), false) {
     draft_.rooms = program.rooms;
     draft_.wall_cm = traits.wall_cm;
@@ -262,7 +262,7 @@ Traits DrawTraits(const Program& program, const PlanOptions& options, Rng* rng) 
 }
 
 std::optional<Draft> DrawDraft(const Program& program, const Traits& traits, Rng* rng) {
-  return Layout(program, traits, rng).Run();
+  return Sketch(program, traits, rng).Run();
 }
 
 }  // namespace bulletnav::sim::plan

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "sim/base/error.h"
-#include "sim/render/embree/bvh.h"
+#include "sim/render/cpu/bvh.h"
 
 namespace bulletnav::sim {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "agent/mapping/free_space_model.h"
+#include "agent/models/free_space_model.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@ namespace {
 
 TEST(FreeSpace, CellsAndPlacesAgree) {
   for (int i = 0; i < FreeSpace::kSide * FreeSpace::kSide; ++i) {
-    const Cell cell{i % FreeSpace::kSide, i / FreeSpace::kSide};
+    const sim::Cell cell{i % FreeSpace::kSide, i / FreeSpace::kSide};
     const FreeSpace::Place p = FreeSpace::CentreOf(cell);
     const bool is_near = std::hypot(p.x, p.y) < FreeSpace::kReach;
     EXPECT_EQ(FreeSpace::CellAt(p), is_near ? std::optional(cell) : std::nullopt);
@@ -16,9 +16,9 @@ TEST(FreeSpace, CellsAndPlacesAgree) {
 }
 
 TEST(FreeSpace, LiesAroundTheBody) {
-  EXPECT_EQ(FreeSpace::CellAt({0.01, 0.01}), Cell(64, 64));
-  EXPECT_EQ(FreeSpace::CellAt({-0.01, 0.01}), Cell(63, 64));
-  EXPECT_EQ(FreeSpace::CellAt({1.01, -0.51}), Cell(84, 53));
+  EXPECT_EQ(FreeSpace::CellAt({0.01, 0.01}), sim::Cell(64, 64));
+  EXPECT_EQ(FreeSpace::CellAt({-0.01, 0.01}), sim::Cell(63, 64));
+  EXPECT_EQ(FreeSpace::CellAt({1.01, -0.51}), sim::Cell(84, 53));
   EXPECT_FALSE(FreeSpace::CellAt({3.21, 0.0}));
   EXPECT_FALSE(FreeSpace::CellAt({2.4, 2.4}));
 }

@@ -9,22 +9,24 @@ namespace {
 constexpr int kSize = 60;
 
 /// Sets a box of cells.
-void Fill(const Cell& low, const Cell& high, CellState state, Grid<CellState>* map) {
+void Fill(const sim::Cell& low, const sim::Cell& high, sim::CellState state,
+          sim::Grid<sim::CellState>* map) {
   for (int y = low.y; y <= high.y; ++y) {
-    for (int x = low.x; x <= high.x; ++x) (*map)[Cell{x, y}] = state;
+    for (int x = low.x; x <= high.x; ++x) (*map)[sim::Cell{x, y}] = state;
   }
 }
 
 /// A walled room from (10, 10) to (40, 40) with free floor; all around is unknown.
-Grid<CellState> Room() {
-  Grid<CellState> map(kSize, CellState::kUnknown);
+sim::Grid<sim::CellState> Room() {
+  sim::Grid<sim::CellState> map(kSize, sim::CellState::kUnknown);
   for (int i = 0; i < kSize; ++i) {
-    for (const Cell& c : {Cell{i, 0}, Cell{i, kSize - 1}, Cell{0, i}, Cell{kSize - 1, i}}) {
-      map[c] = CellState::kBlocked;
+    for (const sim::Cell& c :
+         {sim::Cell{i, 0}, sim::Cell{i, kSize - 1}, sim::Cell{0, i}, sim::Cell{kSize - 1, i}}) {
+      map[c] = sim::CellState::kBlocked;
     }
   }
-  Fill({10, 10}, {40, 40}, CellState::kBlocked, &map);
-  Fill({11, 11}, {39, 39}, CellState::kFree, &map);
+  Fill({10, 10}, {40, 40}, sim::CellState::kBlocked, &map);
+  Fill({11, 11}, {39, 39}, sim::CellState::kFree, &map);
   return map;
 }
 
@@ -34,19 +36,19 @@ TEST(Frontier, AClosedRoomHasNone) {
 }
 
 TEST(Frontier, IsTheOpeningInTheWall) {
-  Grid<CellState> map = Room();
-  Fill({40, 20}, {40, 30}, CellState::kFree, &map);
+  sim::Grid<sim::CellState> map = Room();
+  Fill({40, 20}, {40, 30}, sim::CellState::kFree, &map);
   FrontierFinder finder(kSize, 4);
   const auto cell = finder.Nearest(map, {20, 25});
   ASSERT_TRUE(cell);
-  EXPECT_EQ(*cell, (Cell{40, 25}));
+  EXPECT_EQ(*cell, (sim::Cell{40, 25}));
 }
 
 TEST(Frontier, IsTheNearestByTheWayNotTheEye) {
-  Grid<CellState> map = Room();
-  Fill({40, 35}, {40, 39}, CellState::kFree, &map);  // far, straight
-  Fill({10, 11}, {10, 15}, CellState::kFree, &map);  // near, behind a wall
-  Fill({15, 11}, {15, 37}, CellState::kBlocked, &map);
+  sim::Grid<sim::CellState> map = Room();
+  Fill({40, 35}, {40, 39}, sim::CellState::kFree, &map);  // far, straight
+  Fill({10, 11}, {10, 15}, sim::CellState::kFree, &map);  // near, behind a wall
+  Fill({15, 11}, {15, 37}, sim::CellState::kBlocked, &map);
   FrontierFinder finder(kSize, 4);
   const auto cell = finder.Nearest(map, {20, 20});
   ASSERT_TRUE(cell);
@@ -54,9 +56,9 @@ TEST(Frontier, IsTheNearestByTheWayNotTheEye) {
 }
 
 TEST(Frontier, GapsInTheViewDoNotCount) {
-  Grid<CellState> map = Room();
-  map[Cell{25, 25}] = CellState::kUnknown;           // makes four frontier cells
-  Fill({40, 20}, {40, 30}, CellState::kFree, &map);  // makes eleven
+  sim::Grid<sim::CellState> map = Room();
+  map[sim::Cell{25, 25}] = sim::CellState::kUnknown;      // makes four frontier cells
+  Fill({40, 20}, {40, 30}, sim::CellState::kFree, &map);  // makes eleven
   FrontierFinder small(kSize, 1);
   EXPECT_LT(small.Nearest(map, {22, 25})->x, 30);
   FrontierFinder large(kSize, 8);
@@ -65,27 +67,28 @@ TEST(Frontier, GapsInTheViewDoNotCount) {
 }
 
 TEST(FrontierNear, ListsOpeningsByTheWayAndKeepsThemApart) {
-  Grid<CellState> map = Room();
-  Fill({40, 12}, {40, 34}, CellState::kFree, &map);  // 23 cells wide, from (25, 23) 15 away
-  Fill({10, 20}, {10, 25}, CellState::kFree, &map);  // 15 away too, on the other side
-  map[Cell{20, 20}] = CellState::kUnknown;           // too small
+  sim::Grid<sim::CellState> map = Room();
+  Fill({40, 12}, {40, 34}, sim::CellState::kFree, &map);  // 23 cells wide, from (25, 23) 15 away
+  Fill({10, 20}, {10, 25}, sim::CellState::kFree, &map);  // 15 away too, on the other side
+  map[sim::Cell{20, 20}] = sim::CellState::kUnknown;      // too small
   FrontierFinder finder(kSize, 5);
-  const std::vector<Cell> ends = finder.Near(map, {24, 23}, 40.0, 8.0);
+  const std::vector<sim::Cell> ends = finder.Near(map, {24, 23}, 40.0, 8.0);
   ASSERT_EQ(ends.size(), 4u);
-  EXPECT_EQ(ends[0], (Cell{10, 23}));
-  EXPECT_EQ(ends[1], (Cell{40, 23}));
+  EXPECT_EQ(ends[0], (sim::Cell{10, 23}));
+  EXPECT_EQ(ends[1], (sim::Cell{40, 23}));
   for (std::size_t i = 0; i < ends.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) EXPECT_GE(Distance(ends[i], ends[k]), 8.0);
   }
 }
 
 TEST(FrontierNear, LeavesOutWhatIsFarAway) {
-  Grid<CellState> map = Room();
-  Fill({40, 20}, {40, 30}, CellState::kFree, &map);
+  sim::Grid<sim::CellState> map = Room();
+  Fill({40, 20}, {40, 30}, sim::CellState::kFree, &map);
   FrontierFinder finder(kSize, 4);
   EXPECT_TRUE(finder.Near(map, {20, 25}, 19.0, 5.0).empty());
   EXPECT_FALSE(finder.Near(map, {20, 25}, 21.0, 5.0).empty());
-  EXPECT_EQ(finder.Nearest(map, {20, 25}), (Cell{40, 25})) << "searches do not disturb each other";
+  EXPECT_EQ(finder.Nearest(map, {20, 25}), (sim::Cell{40, 25}))
+      << "searches do not disturb each other";
 }
 
 }  // namespace

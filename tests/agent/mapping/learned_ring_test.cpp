@@ -62,7 +62,7 @@ TEST(LearnedRing, TurnsWhatTheMapperSaysByTheYaw) {
       double x = 0;
       double y = 0;
       for (int i = 0; i < ring.seen().size() * ring.seen().size(); ++i) {
-        const Cell cell = ring.seen().cell(static_cast<std::size_t>(i));
+        const sim::Cell cell = ring.seen().cell(static_cast<std::size_t>(i));
         if (ring.obstacle_points()[cell] < 2) continue;
         EXPECT_EQ(ring.floor_points()[cell], 0);
         EXPECT_EQ(ring.seen()[cell], 1);
@@ -84,7 +84,7 @@ TEST(LearnedRing, OnlyClearOpinionsCount) {
                      }),
                      {});
     ring.Project({}, 0.5, 0.5, 0.0);
-    const Cell cell{ring.reach() + 20, ring.reach() + 3};
+    const sim::Cell cell{ring.reach() + 20, ring.reach() + 3};
     return std::array{int{ring.seen()[cell]}, int{ring.obstacle_points()[cell]},
                       int{ring.floor_points()[cell]}};
   };
@@ -105,8 +105,8 @@ TEST(LearnedRing, KeepsToTheVisionOfTheMap) {
   });
   LearnedRing ring(open, spec);
   ring.Project({}, 0.5, 0.5, 0.4);
-  EXPECT_EQ(ring.seen()[Cell(ring.reach() + 14, ring.reach())], 1);
-  EXPECT_EQ(ring.seen()[Cell(ring.reach() + 16, ring.reach())], 0);
+  EXPECT_EQ(ring.seen()[sim::Cell(ring.reach() + 14, ring.reach())], 1);
+  EXPECT_EQ(ring.seen()[sim::Cell(ring.reach() + 16, ring.reach())], 0);
 }
 
 TEST(LearnedRing, AThinWallHasNoGapsAtAnyYaw) {
@@ -120,9 +120,9 @@ TEST(LearnedRing, AThinWallHasNoGapsAtAnyYaw) {
     for (double left = -0.9; left < 0.9; left += 0.025) {
       bool is_blocked = false;
       for (double ahead = 0.9; ahead < 1.15; ahead += 0.0125) {
-        const Cell cell = map.CellAt({pose.x + ahead * std::cos(yaw) - left * std::sin(yaw),
-                                      pose.y + ahead * std::sin(yaw) + left * std::cos(yaw)});
-        is_blocked = is_blocked || map.states()[cell] == CellState::kBlocked;
+        const sim::Cell cell = map.CellAt({pose.x + ahead * std::cos(yaw) - left * std::sin(yaw),
+                                           pose.y + ahead * std::sin(yaw) + left * std::cos(yaw)});
+        is_blocked = is_blocked || map.states()[cell] == sim::CellState::kBlocked;
       }
       EXPECT_TRUE(is_blocked) << yaw << " " << left;
     }

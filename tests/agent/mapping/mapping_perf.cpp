@@ -103,8 +103,8 @@ BENCHMARK(PlanAcrossTheMap)->Unit(benchmark::kMicrosecond);
 
 void WholeDistanceField(benchmark::State& state) {
   const MapNavigator navigator = Experienced();
-  const Grid<CellState>& states = navigator.map().states();
-  FastMarching march(states.size());
+  const sim::Grid<sim::CellState>& states = navigator.map().states();
+  sim::FastMarching march(states.size());
   std::int64_t cells = 0;
   for (auto _ : state) {
     march.Start(states, {navigator.map().CellAt(navigator.here())});

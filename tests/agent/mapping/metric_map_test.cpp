@@ -41,7 +41,7 @@ void ExpectWalls(const MetricMap& map, double slack) {
   int on_walls = 0;
   const int size = map.states().size();
   for (int i = 0; i < size * size; ++i) {
-    const Cell cell{i % size, i / size};
+    const sim::Cell cell{i % size, i / size};
     if (!map.IsObstacle(cell)) continue;
     const Point p = map.Centre(cell);
     const double to_wall =
@@ -70,9 +70,9 @@ TEST_P(Projections, PutTheWallsOfABoxRoomIntoTheRightCells) {
         const bool inside = x > -1.9 && x < 2.9 && y > -1.9 && y < 1.9;
         const bool outside = x < -2.1 || x > 3.1 || y < -2.1 || y > 2.1;
         const bool near = std::hypot(x - pose.x, y - pose.y) < 3.1;
-        const CellState state = map.states()[map.CellAt({x, y})];
+        const sim::CellState state = map.states()[map.CellAt({x, y})];
         EXPECT_TRUE(!inside || !near || IsKnownFree(state)) << x << " " << y;
-        EXPECT_TRUE(!outside || state == CellState::kUnknown) << x << " " << y;
+        EXPECT_TRUE(!outside || state == sim::CellState::kUnknown) << x << " " << y;
       }
     }
   }
@@ -99,8 +99,8 @@ TEST(MetricMap, KnowsNothingBeyondItsVision) {
   const Scene scene(tests::BoxRoom(kWidth, 2.6f, kDepth));
   MetricMap map({}, spec);
   map.Update({{}, scene.Depth({})}, {});
-  EXPECT_EQ(map.states()[map.CellAt({1.4, 0.0})], CellState::kFree);
-  EXPECT_EQ(map.states()[map.CellAt({1.6, 0.0})], CellState::kUnknown);
+  EXPECT_EQ(map.states()[map.CellAt({1.4, 0.0})], sim::CellState::kFree);
+  EXPECT_EQ(map.states()[map.CellAt({1.6, 0.0})], sim::CellState::kUnknown);
   EXPECT_FALSE(map.IsObstacle(map.CellAt({-2.0, 0.0})));
 }
 
@@ -115,14 +115,14 @@ TEST(MetricMap, OnlyWhatIsInTheBodysHeightIsAnObstacle) {
   EXPECT_FALSE(map.IsObstacle(map.CellAt({1.52, 1.0})));
   EXPECT_TRUE(map.IsObstacle(map.CellAt({1.52, 0.0})));
   EXPECT_FALSE(map.IsObstacle(map.CellAt({1.52, -1.0})));
-  EXPECT_EQ(map.states()[map.CellAt({1.6, -1.0})], CellState::kFree);
+  EXPECT_EQ(map.states()[map.CellAt({1.6, -1.0})], sim::CellState::kFree);
 }
 
 TEST(MetricMap, ObstaclesThatAreGoneFade) {
   sim::SceneMesh with = tests::BoxRoom(kWidth, 2.6f, kDepth);
   tests::AddBox({1.9f, 0.0f, -4.2f}, {2.1f, 1.0f, -4.0f}, {9, 9, 9}, &with);
   MetricMap map({}, {});
-  const Cell cell = map.CellAt({2.02, 0.02});
+  const sim::Cell cell = map.CellAt({2.02, 0.02});
   map.Update({{}, Scene(with).Depth({})}, {});
   EXPECT_TRUE(map.IsObstacle(cell));
   const auto without = Scene(tests::BoxRoom(kWidth, 2.6f, kDepth)).Depth({});
@@ -137,15 +137,15 @@ TEST(MetricMap, PlannersSeeObstaclesGrownByTheDilation) {
     const Scene scene(tests::BoxRoom(kWidth, 2.6f, kDepth));
     MetricMap map({}, spec);
     map.Update({{}, scene.Depth({})}, {});
-    Cell cell = map.CellAt({0.0, 1.5});
+    sim::Cell cell = map.CellAt({0.0, 1.5});
     const auto state_below = [&](int rows) {
-      return map.states()[Cell{cell.x, cell.y - rows}];
+      return map.states()[sim::Cell{cell.x, cell.y - rows}];
     };
     while (!map.IsObstacle(cell)) ++cell.y;
-    EXPECT_EQ(state_below(dilation), CellState::kBlocked);
-    EXPECT_EQ(state_below(dilation + 1), CellState::kTight);
-    EXPECT_EQ(state_below(dilation + spec.clearance_cells), CellState::kTight);
-    EXPECT_EQ(state_below(dilation + spec.clearance_cells + 1), CellState::kFree);
+    EXPECT_EQ(state_below(dilation), sim::CellState::kBlocked);
+    EXPECT_EQ(state_below(dilation + 1), sim::CellState::kTight);
+    EXPECT_EQ(state_below(dilation + spec.clearance_cells), sim::CellState::kTight);
+    EXPECT_EQ(state_below(dilation + spec.clearance_cells + 1), sim::CellState::kFree);
   }
 }
 
@@ -156,11 +156,12 @@ TEST(MetricMap, FeltWallsStandFifteenCentimetresAhead) {
   EXPECT_TRUE(map.IsFeltWall(map.CellAt({1.09, 1.16})));
   EXPECT_FALSE(map.IsFeltWall(map.CellAt({1.16, 1.16})));
   EXPECT_FALSE(map.IsFeltWall(map.CellAt({1.0, 1.09})));
-  EXPECT_EQ(map.states()[map.CellAt({1.0, 1.16})], CellState::kBlocked);
+  EXPECT_EQ(map.states()[map.CellAt({1.0, 1.16})], sim::CellState::kBlocked);
   map.MarkTrack({1.0, 1.0, 0.0}, {1.0, 1.3, 0.0});
-  EXPECT_EQ(map.states()[map.CellAt({1.0, 1.16})], CellState::kBlocked) << "walls beat the track";
+  EXPECT_EQ(map.states()[map.CellAt({1.0, 1.16})], sim::CellState::kBlocked)
+      << "walls beat the track";
   map.ForgetFeltWalls();
-  EXPECT_EQ(map.states()[map.CellAt({1.0, 1.16})], CellState::kFree) << "the track stays";
+  EXPECT_EQ(map.states()[map.CellAt({1.0, 1.16})], sim::CellState::kFree) << "the track stays";
 }
 
 TEST(MetricMap, MovesAlongWithABodyThatNearsItsEdge) {
@@ -202,7 +203,7 @@ TEST(MetricMap, BlankAndBrokenDepthLeaveItEmpty) {
   const sim::PanoramaSpec spec;
   map.Update({{}, std::vector<float>(spec.pixels(), 0.0f)}, {});
   map.Update({{}, std::vector<float>(spec.pixels(), std::nanf(""))}, {});
-  EXPECT_EQ(map.states()[map.CellAt({0.5, 0.0})], CellState::kUnknown);
+  EXPECT_EQ(map.states()[map.CellAt({0.5, 0.0})], sim::CellState::kUnknown);
 }
 
 TEST(MetricMap, NeedsDepth) {

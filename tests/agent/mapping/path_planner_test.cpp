@@ -54,7 +54,7 @@ TEST(PathPlanner, FollowedStepByStepItArrivesOnTheShortestWay) {
     ASSERT_TRUE(plan);
     walked += Distance(at, plan->point);
     at = plan->point;
-    ASSERT_NE(map.states()[map.CellAt(at)], CellState::kBlocked);
+    ASSERT_NE(map.states()[map.CellAt(at)], sim::CellState::kBlocked);
   }
   EXPECT_LT(Distance(at, goal), 0.05);
   EXPECT_LT(walked, 1.06 * (std::hypot(3.5, 0.75) + std::hypot(0.75, 2.75)));

@@ -5,8 +5,8 @@
 #include <functional>
 
 #include "agent/mapping/metric_map.h"
+#include "agent/models/semantic_model.h"
 #include "agent/perception/relative_pose.h"
-#include "agent/perception/semantic_model.h"
 #include "sim/math/pose.h"
 
 namespace bulletnav::agent {

@@ -5,7 +5,7 @@
 
 #include <gmock/gmock.h>
 
-#include "agent/mapping/free_space_model.h"
+#include "agent/models/free_space_model.h"
 #include "agent/perception/encoder.h"
 #include "agent/perception/model_file.h"
 #include "agent/perception/semantic_net.h"
@@ -71,7 +71,7 @@ TEST_P(MapperRows, ACellIsToldFromTheColumnsThatLookAtIt) {
   double aside = 0.0;
   auto changes = change.accessor<float, 3>();
   for (int i = 0; i < kStrips * FreeSpace::kSide * FreeSpace::kSide; ++i) {
-    const Cell cell{i % FreeSpace::kSide, i / FreeSpace::kSide % FreeSpace::kSide};
+    const sim::Cell cell{i % FreeSpace::kSide, i / FreeSpace::kSide % FreeSpace::kSide};
     const int strip = i / (FreeSpace::kSide * FreeSpace::kSide);
     const FreeSpace::Place p = FreeSpace::CentreOf(cell);
     const double looks = sim::kPi * (1.0 - 2.0 * (strip + 0.5) / kStrips);

@@ -6,7 +6,7 @@
 
 #include <gmock/gmock.h>
 
-#include "agent/perception/semantic_model.h"
+#include "agent/models/semantic_model.h"
 #include "agent/perception/weights.h"
 #include "sim/base/error.h"
 #include "sim/math/pose.h"

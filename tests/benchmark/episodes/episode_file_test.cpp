@@ -7,8 +7,8 @@
 #include <Eigen/Geometry>
 #include <gmock/gmock.h>
 
+#include "benchmark/base/gzip.h"
 #include "benchmark/episodes/episode_json.h"
-#include "benchmark/episodes/gzip.h"
 #include "sim/base/error.h"
 #include "sim/base/files.h"
 #include "sim/math/rng.h"

@@ -5,7 +5,7 @@
 
 #include <gmock/gmock.h>
 
-#include "benchmark/report/trajectory.h"
+#include "benchmark/play/trajectory.h"
 #include "sim/base/error.h"
 #include "tests/support/temporary_folder.h"
 

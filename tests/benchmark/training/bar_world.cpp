@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "agent/perception/semantic_model.h"
+#include "agent/models/semantic_model.h"
 #include "sim/math/pose.h"
 
 namespace bulletnav::tests {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "agent/perception/semantic_model.h"
+#include "agent/models/semantic_model.h"
 #include "benchmark/training/mapper_trainer.h"
 #include "sim/math/rng.h"
 #include "tests/benchmark/training/watchers.h"

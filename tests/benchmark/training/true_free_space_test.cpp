@@ -13,8 +13,8 @@
 namespace bulletnav::bench {
 namespace {
 
-using agent::Cell;
 using agent::FreeSpace;
+using sim::Cell;
 
 std::vector<float> DepthAt(const sim::RenderScene& scene, const sim::BodyPose& pose) {
   const agent::Rig rig;
@@ -57,18 +57,19 @@ struct Agreement {
   double obstacle_true = 0.0;   // and the other way round
 };
 
-bool HasNear(const agent::MetricMap& map, const Cell& cell) {
+bool HasNear(const agent::MetricMap& map, const sim::Cell& cell) {
   for (int k = 0; k < 9; ++k) {
     if (map.IsObstacle({cell.x + k % 3 - 1, cell.y + k / 3 - 1})) return true;
   }
   return false;
 }
 
-double FoundIn(const agent::MetricMap& other, const agent::MetricMap& map, const Cell& middle) {
+double FoundIn(const agent::MetricMap& other, const agent::MetricMap& map,
+               const sim::Cell& middle) {
   double found = 0.0;
   double all = 0.0;
   for (int i = 0; i < 121 * 121; ++i) {
-    const Cell cell{middle.x + i % 121 - 60, middle.y + i / 121 - 60};
+    const sim::Cell cell{middle.x + i % 121 - 60, middle.y + i / 121 - 60};
     if (!map.IsObstacle(cell) || Distance(cell, middle) > 60) continue;
     all += 1.0;
     found += HasNear(other, cell) ? 1.0 : 0.0;
@@ -76,11 +77,11 @@ double FoundIn(const agent::MetricMap& other, const agent::MetricMap& map, const
   return found / all;
 }
 
-Agreement Compare(const agent::MetricMap& a, const agent::MetricMap& b, const Cell& middle) {
+Agreement Compare(const agent::MetricMap& a, const agent::MetricMap& b, const sim::Cell& middle) {
   double same = 0.0;
   double all = 0.0;
   for (int i = 0; i < 121 * 121; ++i) {
-    const Cell cell{middle.x + i % 121 - 60, middle.y + i / 121 - 60};
+    const sim::Cell cell{middle.x + i % 121 - 60, middle.y + i / 121 - 60};
     if (Distance(cell, middle) > 60) continue;
     all += 1.0;
     same += a.IsExplored(cell) == b.IsExplored(cell) ? 1.0 : 0.0;

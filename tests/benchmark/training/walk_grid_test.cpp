@@ -55,8 +55,8 @@ TEST(WalkGridTest, AgreesWithDijkstraOverTheSameCells) {
   const Eigen::Vector3d corner = grid.Centre({0, 0});
   const double size = 0.05 * grid.states().size();
   const auto is_free = [&](double x, double z) {
-    const agent::Cell cell = {static_cast<int>(x / 0.05), static_cast<int>(z / 0.05)};
-    return grid.states().Contains(cell) && grid.states()[cell] == agent::CellState::kFree;
+    const sim::Cell cell = {static_cast<int>(x / 0.05), static_cast<int>(z / 0.05)};
+    return grid.states().Contains(cell) && grid.states()[cell] == sim::CellState::kFree;
   };
   sim::Rng rng(1, "walk_grid_test");
   for (int i = 0; i < 6; ++i) {

@@ -12,7 +12,7 @@
 
 #include "sim/math/pose.h"
 #include "sim/physics/capsule_body.h"
-#include "sim/render/embree/raycaster.h"
+#include "sim/render/cpu/raycaster.h"
 #include "tests/sim/house/plan_samples.h"
 
 namespace bulletnav::sim {

@@ -7,9 +7,9 @@
 #include "sim/base/error.h"
 #include "sim/math/pose.h"
 #include "sim/math/rng.h"
+#include "sim/render/cpu/cpu_scene.h"
+#include "sim/render/cpu/raycaster.h"
 #include "sim/render/egl/egl_scene.h"
-#include "sim/render/embree/embree_scene.h"
-#include "sim/render/embree/raycaster.h"
 #include "sim/render/panorama_renderer.h"
 #include "sim/render/render_mesh.h"
 #include "tests/support/panoramas.h"
@@ -28,7 +28,7 @@ using Vec = Eigen::Vector3f;
 std::vector<std::unique_ptr<const RenderScene>> AllScenes(const SceneMesh& mesh) {
   std::vector<std::unique_ptr<const RenderScene>> scenes;
   for (const Kernels* kernels : SupportedKernels()) {
-    scenes.push_back(MakeEmbreeScene(mesh, *kernels));
+    scenes.push_back(MakeCpuScene(mesh, *kernels));
   }
   scenes.push_back(MakeEglScene(mesh, GlDevice::kAny, ResolveOn::kCpu));
   scenes.push_back(MakeEglScene(mesh, GlDevice::kAny, ResolveOn::kDevice));
@@ -189,7 +189,7 @@ int WrongPixels(const SceneMesh& mesh, const RenderScene& scene, const PanoramaS
 
 TEST(Render, TheSweepFindsWhatEmbreesRaysFind) {
   const SceneMesh mesh = Clutter(1);
-  const auto scene = MakeEmbreeScene(mesh);
+  const auto scene = MakeCpuScene(mesh);
   Rng rng(2, "cameras");
   for (const Projection projection : kProjections) {
     PanoramaSpec spec = Spec(projection, 96, 400);
@@ -253,7 +253,7 @@ TEST(Render, TheSweepFindsTrianglesOfAnySizeAndShape) {
     }
     const SceneMesh mesh = Soup(triangles);
     const PanoramaSpec spec = Spec(kProjections[static_cast<std::size_t>(trial) % 3]);
-    const auto scene = MakeEmbreeScene(mesh);
+    const auto scene = MakeCpuScene(mesh);
     // Rays that graze an edge may fall on either side of it.
     EXPECT_LT(WrongPixels(mesh, *scene, spec, {Vec::Zero(), 0.1f * static_cast<float>(trial)}), 20)
         << "trial " << trial;
@@ -262,7 +262,7 @@ TEST(Render, TheSweepFindsTrianglesOfAnySizeAndShape) {
 
 TEST(Render, BothBackendsDrawTheSamePicture) {
   const SceneMesh mesh = Clutter(3);
-  const auto embree = MakeEmbreeScene(mesh);
+  const auto embree = MakeCpuScene(mesh);
   Rng rng(4, "cameras");
   for (const ResolveOn resolve : {ResolveOn::kCpu, ResolveOn::kDevice}) {
     const auto egl = MakeEglScene(mesh, GlDevice::kAny, resolve);
@@ -287,9 +287,9 @@ TEST(Render, AllKernelsDrawTheSameBits) {
   for (const Projection projection : kProjections) {
     // An odd size: the last vector of a row is only partly used.
     const PanoramaSpec spec = Spec(projection, 50, 204);
-    const Panorama best = RenderPanorama(*MakeEmbreeScene(mesh), spec, camera);
+    const Panorama best = RenderPanorama(*MakeCpuScene(mesh), spec, camera);
     for (const Kernels* kernels : SupportedKernels()) {
-      const Panorama other = RenderPanorama(*MakeEmbreeScene(mesh, *kernels), spec, camera);
+      const Panorama other = RenderPanorama(*MakeCpuScene(mesh, *kernels), spec, camera);
       EXPECT_EQ(other.color, best.color) << kernels->name;
       EXPECT_EQ(other.depth, best.depth) << kernels->name;
     }
@@ -355,7 +355,7 @@ TEST(Render, LargeFinePicturesWork) {
   const PanoramaSpec spec = Spec(Projection::kCylindrical, 512, 2048);
   const CameraPose camera{{3, 1.25f, -4}, 1.0f};
   tests::Agreement agreement;
-  agreement.Add(RenderPanorama(*MakeEmbreeScene(mesh), spec, camera),
+  agreement.Add(RenderPanorama(*MakeCpuScene(mesh), spec, camera),
                 RenderPanorama(*MakeEglScene(mesh, GlDevice::kAny), spec, camera));
   EXPECT_GE(agreement.depth(), 0.995);
   EXPECT_GE(agreement.color(), 0.99);

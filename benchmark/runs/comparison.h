@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "benchmark/play/episode_result.h"
+#include "benchmark/runs/statistics.h"
+
+namespace bulletnav::bench {
+
+/// What is paired with what: names of the first run and of the second. What is not given is paired
+/// with its namesake.
+struct Pairing {
+  using Names = std::optional<std::pair<std::string, std::string>>;
+  Names agents;
+  Names settings;
+  Names conditions;
+};
+
+/// Two sets of results on the same episodes with the same seed.
+struct ComparisonRow {
+  std::string agent_a;
+  std::string agent_b;
+  std::string setting;     // or "rgb -> rgbd"
+  std::string condition;   // likewise
+  std::string difficulty;  // "easy", "medium", "hard", "overall"
+  double success_a = 0.0;
+  double success_b = 0.0;
+  double spl_a = 0.0;
+  double spl_b = 0.0;
+  PairedDifference success;  // b - a
+  PairedDifference spl;
+};
+
+struct Comparison {
+  std::vector<ComparisonRow> rows;
+  int only_a = 0;  // results without a partner, which are left out
+  int only_b = 0;
+};
+
+/// Pairs results by agent, setting, condition, seed, scene and episode. An episode of several goals
+/// counts with their mean. Throws sim::Error if there is nothing to pair, listing what there is,
+/// and if episodes of one name start at different distances from their goals: they are not the
+/// same.
+Comparison CompareRuns(const std::vector<EpisodeResult>& a, const std::vector<EpisodeResult>& b,
+                       const Pairing& pairing);
+
+/// A table for the terminal: both runs' figures, the differences, their 95% intervals and p.
+std::string ToText(const Comparison& comparison);
+
+}  // namespace bulletnav::bench

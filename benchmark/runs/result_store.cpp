@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/runs/result_store.h"
+
+#include <cerrno>
+#include <cstring>
+#include <sstream>
+#include <utility>
+
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "sim/base/check.h"
+#include "sim/base/error.h"
+#include "sim/base/files.h"
+
+namespace bulletnav::bench {
+namespace {
+
+namespace fs = std::filesystem;
+using sim::FileError;
+
+constexpr const char* kEpisodesFile = "episodes.jsonl";
+constexpr const char* kConfigFile = "config.yaml";
+
+/// The whole lines of an episodes file, and how many bytes they are.
+struct Lines {
+  std::map<ResultKey, EpisodeResult> results;
+  std::size_t bytes = 0;
+};
+
+Lines ReadLines(const fs::path& file) {
+  Lines lines;
+  const std::string text = sim::ReadTextFile(file);
+  int number = 0;
+  // What comes after the last line end was being written when the run was killed.
+  for (std::size_t end = text.find('\n'); end != std::string::npos;
+       end = text.find('\n', lines.bytes)) {
+    const std::string_view line(text.data() + lines.bytes, end - lines.bytes);
+    EpisodeResult result = FromJsonLine(line, file, ++number);
+    const ResultKey key = result.key;
+    if (!lines.results.emplace(key, std::move(result)).second) {
+      throw FileError(file, std::to_string(number),
+                      fmt::format("episode '{}' of agent {} appears a second time; delete the line",
+                                  key.episode, key.agent));
+    }
+    lines.bytes = end + 1;
+  }
+  return lines;
+}
+
+/// Number and texts of the first lines that differ.
+std::string FirstDifference(const std::string& old_text, const std::string& new_text) {
+  std::istringstream old_lines(old_text);
+  std::istringstream new_lines(new_text);
+  for (int number = 1;; ++number) {
+    std::string old_line;
+    std::string new_line;
+    std::getline(old_lines, old_line);
+    std::getline(new_lines, new_line);
+    if (old_line != new_line || !old_lines || !new_lines) {
+      return fmt::format("line {} is '{}' there and '{}' here", number, old_line, new_line);
+    }
+  }
+}
+
+void SyncFolder(const fs::path& folder) {
+  const int fd = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (fd < 0) return;
+  ::fsync(fd);
+  ::close(fd);
+}
+
+/// False, with errno set, if not all of it could be written and brought to the disk.
+bool WriteDurably(int fd, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t n = ::write(fd, text.data(), text.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) return false;
+    text.remove_prefix(static_cast<std::size_t>(n));
+  }
+  return ::fsync(fd) == 0;
+}
+
+/// For lines after the first so many bytes.
+int OpenToAppend(const fs::path& file, std::size_t bytes) {
+  const int fd = ::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
+  if (fd >= 0 && ::ftruncate(fd, static_cast<off_t>(bytes)) == 0) return fd;
+  const std::string reason = std::strerror(errno);
+  if (fd >= 0) ::close(fd);
+  throw FileError(file, "", "cannot be written: " + reason);
+}
+
+}  // namespace
+
+ResultStore::ResultStore(const fs::path& folder, const std::string& config,
+                         const std::function<bool(const std::string&)>& can_go_on)
+    : folder_(folder), lock_(folder) {
+  TakeConfig(config, can_go_on);
+  const fs::path file = folder / kEpisodesFile;
+  Lines lines;
+  if (fs::exists(file)) lines = ReadLines(file);
+  results_ = std::move(lines.results);
+  fd_ = OpenToAppend(file, lines.bytes);
+  SyncFolder(folder);
+}
+
+ResultStore::~ResultStore() {
+  ::close(fd_);
+}
+
+void ResultStore::TakeConfig(const std::string& config,
+                             const std::function<bool(const std::string&)>& can_go_on) const {
+  const fs::path file = folder_ / kConfigFile;
+  if (!fs::exists(file)) {
+    if (fs::exists(folder_ / kEpisodesFile)) {
+      throw FileError(folder_, "", "holds results but no config.yaml; choose another --out");
+    }
+    sim::WriteFileAtomically(file, config);
+    return;
+  }
+  const std::string old = sim::ReadTextFile(file);
+  if (old == config) return;
+  if (can_go_on && can_go_on(old)) {
+    sim::WriteFileAtomically(file, config);
+    return;
+  }
+  throw FileError(file, "",
+                  "the results here are of another config: " + FirstDifference(old, config) +
+                      "; choose another --out or delete the folder");
+}
+
+bool ResultStore::Has(const ResultKey& key) const {
+  const std::lock_guard lock(mutex_);
+  return results_.contains(key);
+}
+
+std::size_t ResultStore::size() const {
+  const std::lock_guard lock(mutex_);
+  return results_.size();
+}
+
+std::vector<EpisodeResult> ResultStore::results() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<EpisodeResult> results;
+  for (const auto& [key, result] : results_) results.push_back(result);
+  return results;
+}
+
+void ResultStore::Append(const EpisodeResult& result) {
+  const std::string line = ToJsonLine(result) + "\n";
+  const std::lock_guard lock(mutex_);
+  CHECK(!results_.contains(result.key));
+  struct stat before = {};
+  CHECK_EQ(::fstat(fd_, &before), 0);
+  if (!WriteDurably(fd_, line)) {
+    const std::string reason = std::strerror(errno);
+    // Even if this fails too, the next run drops the part of a line.
+    [[maybe_unused]] const int status = ::ftruncate(fd_, before.st_size);
+    throw FileError(folder_ / kEpisodesFile, "",
+                    fmt::format("cannot be written: {}; the {} finished episodes are safe: free "
+                                "some space and run the same command again",
+                                reason, results_.size()));
+  }
+  results_.emplace(result.key, result);
+}
+
+int ResultStore::ForgetFailed() {
+  const std::lock_guard lock(mutex_);
+  const fs::path file = folder_ / kEpisodesFile;
+  std::istringstream lines(sim::ReadTextFile(file));
+  std::string kept;
+  int number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    if (FromJsonLine(line, file, ++number).failure.empty()) kept += line + "\n";
+  }
+  const std::size_t forgotten = std::erase_if(results_, [](const auto& entry) {
+    return !entry.second.failure.empty();
+  });
+  if (forgotten == 0) return 0;
+  sim::WriteFileAtomically(file, kept);
+  const int fd = OpenToAppend(file, kept.size());
+  ::close(std::exchange(fd_, fd));
+  return static_cast<int>(forgotten);
+}
+
+std::vector<EpisodeResult> ReadResults(const fs::path& folder) {
+  std::vector<EpisodeResult> results;
+  for (auto& [key, result] : ReadLines(folder / kEpisodesFile).results) {
+    results.push_back(std::move(result));
+  }
+  return results;
+}
+
+}  // namespace bulletnav::bench

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/runs/run_config.h"
+
+#include <algorithm>
+#include <set>
+
+#include "agent/registry.h"
+#include "benchmark/privileged/privileged_agent.h"
+#include "benchmark/runs/published.h"
+
+namespace bulletnav::bench {
+namespace {
+
+using sim::Error;
+using sim::KeyError;
+using sim::YamlNode;
+
+bool Contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+template <class T>
+void RequireDistinct(const std::vector<T>& values, const char* key, bool may_be_empty) {
+  if (values.empty() && !may_be_empty) {
+    throw KeyError(key, std::string("'") + key + "' is empty");
+  }
+  if (std::set<T>(values.begin(), values.end()).size() != values.size()) {
+    throw KeyError(key, std::string("'") + key + "' names a value twice");
+  }
+}
+
+std::vector<std::string> KnownAgents() {
+  std::vector<std::string> names = agent::AgentNames();
+  for (std::string& name : PrivilegedAgentNames()) names.push_back(std::move(name));
+  return names;
+}
+
+[[noreturn]] void FailForUnknown(const YamlNode& name) {
+  const std::string text = name.ToString();
+  const std::vector<std::string> known = KnownAgents();
+  const std::string nearest = sim::NearestWord(text, known);
+  std::string what = "unknown agent '" + text + "'";
+  if (!nearest.empty()) what += "; did you mean '" + nearest + "'?";
+  std::string list;
+  for (const std::string& other : known) list += (list.empty() ? "" : ", ") + other;
+  name.Fail(what + (nearest.empty() ? ". Known are: " : " Known are: ") + list);
+}
+
+/// Fills in what is left to defaults; `node` is where the entry stands.
+void Resolve(const YamlNode& node, AgentEntry* entry) {
+  if (entry->name.empty()) entry->name = entry->agent;
+  std::string parameters;
+  if (Contains(PrivilegedAgentNames(), entry->agent)) {
+    parameters = ResolvePrivilegedConfig(entry->agent, entry->parameters);
+  } else if (Contains(agent::AgentNames(), entry->agent)) {
+    parameters = agent::ResolveConfig(entry->agent, entry->parameters);
+  } else if (IsPlannedAgent(entry->agent)) {
+    return;
+  } else {
+    FailForUnknown(node.Child(node.yaml()["agent"]));
+  }
+  entry->parameters.emplace(sim::ParseYaml(parameters, "parameters of " + entry->name));
+}
+
+/// The same, for agents that may have changed or gone since they played.
+void ResolveIfKnown(const YamlNode& node, AgentEntry* entry) {
+  try {
+    Resolve(node, entry);
+  } catch (const Error&) {
+    entry->trouble = "this version of the program has no such agent, or one with other parameters";
+  }
+}
+
+RunConfig Parse(const std::string& text, const std::filesystem::path& file,
+                void (*resolve)(const YamlNode& node, AgentEntry* entry)) {
+  const YamlNode root = sim::ParseYaml(text, file);
+  RunConfig config;
+  sim::YamlReader::Read(root, config);
+  if (config.name.empty()) config.name = file.stem().string();
+  const YamlNode agents = root.Child(root.yaml()["agents"]);
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < config.agents.size(); ++i) {
+    const YamlNode node = agents.Child(agents.yaml()[i]);
+    resolve(node, &config.agents[i]);
+    if (!names.insert(config.agents[i].name).second) {
+      node.Fail("two agents are called '" + config.agents[i].name + "'; give one a 'name'");
+    }
+  }
+  return config;
+}
+
+}  // namespace
+
+void TimeBudget::Validate() const {
+  if (!(call_s > 0.0 && episode_s > 0.0)) throw Error("time budgets must be positive");
+}
+
+void AgentEntry::Validate() const {
+  RequireDistinct(settings, "settings", true);
+  if (lanes < 1 || lanes > 4096) throw KeyError("lanes", "lanes must lie between 1 and 4096");
+  RequireDistinct(oracle_functions, "oracle_functions", true);
+  if (!oracle_functions.empty() && semantic_model != SemanticModelKind::kLearned) {
+    throw KeyError(
+        "oracle_functions",
+        "oracle_functions replace some of semantic_model: learned, which is not asked for");
+  }
+}
+
+void RunConfig::Validate() const {
+  RequireDistinct(settings, "settings", false);
+  RequireDistinct(conditions, "conditions", false);
+  RequireDistinct(seeds, "seeds", false);
+  if (name.find('/') != std::string::npos || name == "." || name == "..") {
+    throw KeyError("name", "'name' must be a word, not a path");
+  }
+  if (agents.empty()) throw KeyError("agents", "'agents' is empty; name at least one");
+  if (!(success_distance > 0.0)) {
+    throw KeyError("success_distance", "success_distance must be positive");
+  }
+  if (max_steps < 1 || max_steps > 1'000'000) {
+    throw KeyError("max_steps", "max_steps must lie between 1 and 1000000");
+  }
+  panorama.Validate();
+  if (episodes.draw) generator().Validate();
+}
+
+GeneratorSpec RunConfig::generator() const {
+  const DrawSpec& draw = episodes.draw.value();
+  GeneratorSpec spec;
+  spec.scenes = draw.scenes;
+  spec.houses = draw.houses;
+  spec.import = import;
+  spec.counts = draw.counts;
+  spec.sequential_goals = draw.sequential_goals;
+  spec.seed = draw.seed;
+  spec.body = body;
+  spec.navmesh = navmesh;
+  spec.out = episodes.file;
+  return spec;
+}
+
+bool IsPlannedAgent(const std::string& agent) {
+  return !PublishedTitle(agent).empty();
+}
+
+RunConfig LoadRunConfig(const std::filesystem::path& file) {
+  return ParseRunConfig(sim::ReadYamlFile(file), file);
+}
+
+RunConfig LoadSavedRunConfig(const std::filesystem::path& file) {
+  return Parse(sim::ReadYamlFile(file), file, ResolveIfKnown);
+}
+
+RunConfig ParseRunConfig(const std::string& text, const std::filesystem::path& file) {
+  return Parse(text, file, Resolve);
+}
+
+}  // namespace bulletnav::bench

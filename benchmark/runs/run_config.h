@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "benchmark/episodes/generator.h"
+#include "benchmark/episodes/made_houses.h"
+#include "benchmark/privileged/mixed_semantic_model.h"
+#include "sim/noise/noise_model.h"
+#include "sim/simulator.h"
+
+namespace bulletnav::bench {
+
+/// What the panoramas hold.
+enum class Setting { kRgb, kRgbd };
+/// kNoNoise: exact motion and odometry. kNoStop: being near the goal ends the episode, a stop does
+/// nothing. Source: Neural Topological SLAM, table 2.
+enum class Condition { kNoise, kNoNoise, kNoStop };
+/// Who answers the four functions of Neural Topological SLAM: the ground truth, or weights.
+enum class SemanticModelKind { kNone, kOracle, kLearned };
+
+}  // namespace bulletnav::bench
+
+template <>
+struct bulletnav::sim::EnumNames<bulletnav::bench::SemanticModelKind> {
+  static constexpr std::array kNames = {
+      std::pair{"none", bulletnav::bench::SemanticModelKind::kNone},
+      std::pair{"oracle", bulletnav::bench::SemanticModelKind::kOracle},
+      std::pair{"learned", bulletnav::bench::SemanticModelKind::kLearned}};
+};
+template <>
+struct bulletnav::sim::EnumNames<bulletnav::bench::Setting> {
+  static constexpr std::array kNames = {std::pair{"rgb", bulletnav::bench::Setting::kRgb},
+                                        std::pair{"rgbd", bulletnav::bench::Setting::kRgbd}};
+};
+template <>
+struct bulletnav::sim::EnumNames<bulletnav::bench::Condition> {
+  static constexpr std::array kNames = {
+      std::pair{"noise", bulletnav::bench::Condition::kNoise},
+      std::pair{"no_noise", bulletnav::bench::Condition::kNoNoise},
+      std::pair{"no_stop", bulletnav::bench::Condition::kNoStop}};
+};
+
+namespace bulletnav::bench {
+
+/// How a file of episodes is drawn if it is not there; see GeneratorSpec.
+struct DrawSpec {
+  std::vector<std::string> scenes;
+  std::optional<HouseSelection> houses;
+  EpisodeCounts counts;
+  int sequential_goals = 10;
+  std::uint64_t seed = 0;
+
+  template <class V>
+  void Visit(V& v) {
+    v("scenes", scenes);
+    v("houses", houses);
+    v.Required("counts", counts);
+    v("sequential_goals", sequential_goals);
+    v("seed", seed);
+  }
+};
+
+struct EpisodeSource {
+  std::string file;
+  std::optional<DrawSpec> draw;
+  std::vector<std::string> scene_folders;  // where the scenes that episodes name are looked for
+
+  template <class V>
+  void Visit(V& v) {
+    v.Required("file", file);
+    v("draw", draw);
+    v("scene_folders", scene_folders);
+  }
+};
+
+/// How long an agent may think, in seconds that the program runs: against agents that hang. Those
+/// that keep to it are not influenced by it.
+struct TimeBudget {
+  double call_s = 30.0;      // one answer
+  double episode_s = 900.0;  // all of an episode's
+
+  template <class V>
+  void Visit(V& v) {
+    v("call_s", call_s);
+    v("episode_s", episode_s);
+  }
+  void Validate() const;
+};
+
+/// Files of what has been learned: the functions of Neural Topological SLAM by setting, and the
+/// mapper that agents without depth make their metric maps with.
+struct WeightsSpec {
+  std::string rgb = "assets/weights/nts_rgb.safetensors";
+  std::string rgbd = "assets/weights/nts_rgbd.safetensors";
+  std::string mapper = "assets/weights/mapper_rgb.safetensors";
+
+  template <class V>
+  void Visit(V& v) {
+    v("rgb", rgb);
+    v("rgbd", rgbd);
+    v("mapper", mapper);
+  }
+  const std::string& of(Setting setting) const { return setting == Setting::kRgb ? rgb : rgbd; }
+};
+
+/// One agent with its parameters.
+struct AgentEntry {
+  std::string agent;              // as it is registered
+  std::string name;               // of its rows and results; the agent's if empty
+  std::string title;              // for people; the paper's if empty
+  std::vector<Setting> settings;  // the run's if empty
+  SemanticModelKind semantic_model = SemanticModelKind::kNone;
+  std::vector<SemanticFunction> oracle_functions;  // of a learned model, to look for causes
+  int lanes = 1;                            // episodes that one worker runs through it at once
+  std::optional<sim::YamlNode> parameters;  // the agent's own config
+  std::string trouble;                      // see LoadSavedRunConfig; in no file
+
+  template <class V>
+  void Visit(V& v) {
+    v.Required("agent", agent);
+    v("name", name);
+    v("title", title);
+    v("settings", settings);
+    v("semantic_model", semantic_model);
+    v("oracle_functions", oracle_functions);
+    v("lanes", lanes);
+    v("parameters", parameters);
+  }
+  void Validate() const;
+};
+
+/// What results were made from, as hashes of contents.
+struct Fingerprints {
+  std::string episodes;
+  std::map<std::string, std::string> scenes;
+  std::map<std::string, std::string> weights;  // by key of `weights`; of those that agents use
+
+  template <class V>
+  void Visit(V& v) {
+    v("episodes", episodes);
+    v("scenes", scenes);
+    v("weights", weights);
+  }
+  bool operator==(const Fingerprints&) const = default;
+};
+
+/// An experiment: every agent under every condition and seed, over the same episodes.
+struct RunConfig {
+  std::string name;  // of the folder of results; the config file's if empty
+  std::optional<HousesSpec> houses;
+  EpisodeSource episodes;
+  ImportSpec import;
+  sim::NavmeshSpec navmesh;
+  sim::BodySpec body;
+  sim::PanoramaSpec panorama;
+  sim::Backend backend = sim::Backend::kAuto;
+  sim::NoiseMode noise = sim::NoiseMode::kAnsReleased;  // where the condition has noise
+  std::vector<Setting> settings = {Setting::kRgbd};
+  std::vector<Condition> conditions = {Condition::kNoise};
+  std::vector<std::uint64_t> seeds = {0};
+  double success_distance = 1.0;  // metres
+  int max_steps = 500;            // a goal
+  TimeBudget time_budget;
+  WeightsSpec weights;
+  bool trajectories = true;  // kept for plots
+  std::vector<AgentEntry> agents;
+  std::optional<Fingerprints> fingerprints;  // in saved configs: checked
+
+  template <class V>
+  void Visit(V& v) {
+    v("name", name);
+    v("houses", houses);
+    v.Required("episodes", episodes);
+    v("import", import);
+    v("navmesh", navmesh);
+    v("body", body);
+    v("panorama", panorama);
+    v("backend", backend);
+    v("noise", noise);
+    v("settings", settings);
+    v("conditions", conditions);
+    v("seeds", seeds);
+    v("success_distance", success_distance);
+    v("max_steps", max_steps);
+    v("time_budget", time_budget);
+    v("weights", weights);
+    v("trajectories", trajectories);
+    v.Required("agents", agents);
+    v("fingerprints", fingerprints);
+  }
+  void Validate() const;
+
+  /// How its scenes are loaded.
+  sim::WorldOptions world_options() const { return {import.options(), navmesh, backend}; }
+  /// What draws the episodes, where `episodes.draw` is given.
+  GeneratorSpec generator() const;
+};
+
+/// Agents that the tables have rows for although the program may not have them yet.
+bool IsPlannedAgent(const std::string& agent);
+
+/// Reads a config, fills in names and every default of the agents' parameters. Throws
+/// sim::FileError at file:line:column: unknown keys and agents with the nearest known one, values
+/// that make no sense, two rows of one name. Agents that IsPlannedAgent alone knows pass.
+RunConfig LoadRunConfig(const std::filesystem::path& file);
+RunConfig ParseRunConfig(const std::string& text, const std::filesystem::path& file);
+/// The same for the config.yaml of results, to show them: agents that this version does not know,
+/// or not with these parameters, pass, and have a `trouble`.
+RunConfig LoadSavedRunConfig(const std::filesystem::path& file);
+
+}  // namespace bulletnav::bench

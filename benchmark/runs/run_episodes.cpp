@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/runs/run_episodes.h"
+
+#include "benchmark/base/file_hash.h"
+#include "benchmark/base/program_version.h"
+#include "benchmark/episodes/draw_record.h"
+#include "benchmark/episodes/episode_file.h"
+#include "benchmark/episodes/ground.h"
+#include "benchmark/runs/run_agents.h"
+#include "sim/base/error.h"
+#include "sim/threads/worker_pool.h"
+
+namespace bulletnav::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Whether episodes had to be drawn.
+bool DrawEpisodes(const RunConfig& config, int workers, const StartProgress& start) {
+  if (!config.episodes.draw || fs::exists(config.episodes.file)) return false;
+  const GeneratorSpec spec = config.generator();
+  const std::vector<std::string> scenes = ScenesOf(spec);
+  EpisodeSet set;
+  set.episodes = GenerateEpisodes(
+      spec, scenes, workers, start("drawing episodes, scenes", static_cast<int>(scenes.size())));
+  set.other = DrawRecord(spec, scenes);
+  WriteEpisodes(spec.out, set);
+  return true;
+}
+
+/// Scenes in the order in which they first appear.
+std::vector<std::string> ScenesIn(const std::vector<Episode>& episodes) {
+  std::vector<std::string> scenes;
+  std::map<std::string, bool> seen;
+  for (const Episode& episode : episodes) {
+    if (seen.try_emplace(episode.scene, true).second) scenes.push_back(episode.scene);
+  }
+  return scenes;
+}
+
+Fingerprints TakeFingerprints(const RunConfig& config, const RunEpisodes& episodes) {
+  Fingerprints fingerprints;
+  fingerprints.episodes = FileHash(config.episodes.file);
+  for (const auto& [scene, file] : episodes.scene_files) {
+    fingerprints.scenes[scene] = FileHash(file);
+  }
+  for (const auto& [key, file] : UsedWeights(config)) {
+    fingerprints.weights[key] = FileHash(file);
+  }
+  return fingerprints;
+}
+
+void CheckFingerprints(const RunConfig& config, const Fingerprints& found) {
+  if (!config.fingerprints || *config.fingerprints == found) return;
+  if (config.fingerprints->episodes != found.episodes) {
+    throw sim::FileError(config.episodes.file, "", "is not the file that this saved config is of");
+  }
+  for (const auto& [scene, hash] : found.scenes) {
+    const auto saved = config.fingerprints->scenes.find(scene);
+    if (saved != config.fingerprints->scenes.end() && saved->second == hash) continue;
+    throw sim::FileError(scene, "", "is not the scene that this saved config is of");
+  }
+  if (config.fingerprints->scenes != found.scenes) {
+    throw sim::Error("the saved config is of other scenes than its episodes now name");
+  }
+  // Weights that were not there then are welcome: agents that need them have not run.
+  for (const auto& [key, hash] : config.fingerprints->weights) {
+    const auto now = found.weights.find(key);
+    if (now != found.weights.end() && now->second == hash) continue;
+    throw sim::Error("the weights for " + key +
+                     " are not those that this saved config is of; give --out another folder");
+  }
+}
+
+void CheckOne(const Episode& episode, const Ground& ground, const RunConfig& config) {
+  try {
+    CheckEpisode(episode, ground.physics, ground.navmesh, config.body);
+  } catch (const sim::Error& e) {
+    throw sim::FileError(config.episodes.file, "", e.what());
+  }
+}
+
+void CheckEpisodes(const RunConfig& config, const RunEpisodes& all, int workers,
+                   const StartProgress& start) {
+  const std::vector<std::string> scenes = ScenesIn(all.episodes);
+  const auto advance = start("checking episodes, scenes", static_cast<int>(scenes.size()));
+  sim::WorkerPool pool(workers);
+  pool.ForEach(static_cast<int>(scenes.size()), [&](int task, int /*worker*/) {
+    const std::string& scene = scenes[static_cast<std::size_t>(task)];
+    const auto ground =
+        Ground::Load(all.scene_files.at(scene), config.navmesh, config.import.options());
+    for (const Episode& episode : all.episodes) {
+      if (episode.scene == scene) CheckOne(episode, *ground, config);
+    }
+    advance();
+  });
+}
+
+}  // namespace
+
+RunEpisodes PrepareEpisodes(RunConfig* config, std::optional<int> first, int workers,
+                            const StartProgress& start) {
+  if (config->houses) MakeHouses(*config->houses, CommittedVersion(), workers, start);
+  const bool drawn = DrawEpisodes(*config, workers, start);
+  RunEpisodes all;
+  EpisodeSet set = ReadEpisodes(config->episodes.file);
+  if (config->episodes.draw) RequireDrawnFrom(set, config->generator(), config->episodes.file);
+  all.episodes = std::move(set.episodes);
+  const std::vector<fs::path> folders(config->episodes.scene_folders.begin(),
+                                      config->episodes.scene_folders.end());
+  for (const std::string& scene : ScenesIn(all.episodes)) {
+    all.scene_files[scene] = FindScene(scene, folders);
+  }
+  const Fingerprints found = TakeFingerprints(*config, all);
+  CheckFingerprints(*config, found);
+  config->fingerprints = found;
+  const auto count = static_cast<std::size_t>(first.value_or(0));
+  if (first && count < all.episodes.size()) all.episodes.resize(count);
+  if (!drawn) CheckEpisodes(*config, all, workers, start);
+  return all;
+}
+
+}  // namespace bulletnav::bench

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "benchmark/runs/run_agents.h"
+#include "benchmark/runs/run_config.h"
+#include "benchmark/runs/run_episodes.h"
+
+namespace bulletnav::bench {
+
+struct RunOptions {
+  std::optional<int> episodes;  // only the first so many
+  int workers = 0;              // < 1: one a processor
+  bool require_all = false;     // agents that cannot run are errors, not remarks in the table
+  bool retry_failed = false;    // play episodes that failed again
+  ModelLoaders loaders = {};    // for agents with learned functions; empty: they cannot be played
+};
+
+/// What a run tells while it goes on; all may be empty.
+struct RunHooks {
+  StartProgress prepare;
+  /// Once, before `begin`: agents that are not played, and why; see MissingAgents.
+  std::function<void(std::span<const std::string>)> missing;
+  /// Once, before the first episode: how many results there will be, and those there already are.
+  std::function<void(std::size_t total, std::span<const EpisodeResult> before)> begin;
+  /// Each finished episode, one at a time.
+  std::function<void(const EpisodeResult&)> finish;
+};
+
+struct RunOutcome {
+  std::vector<EpisodeResult> results;  // all of the folder's, those of earlier calls too
+  std::vector<AgentRow> agents;        // how tables speak of the run's agents
+  /// Threads of agents that never came back. They can only be ended with the process, which must
+  /// then leave by _Exit.
+  int hung = 0;
+  /// "3 episodes of NAME failed, as EPISODE: threw: ...", one an agent that failed any.
+  std::vector<std::string> failures;
+};
+
+/// Plays every episode of a config that `folder` has no result of yet, and writes there config.yaml
+/// (everything that results depend on), episodes.jsonl and trajectories. Results depend on the
+/// config alone: not on workers, on other episodes, or on how often the run was killed and
+/// started again. An agent that throws, answers with no action or exceeds its time budget fails
+/// that episode, with the reason in its result.
+/// Throws sim::Error: see PrepareEpisodes, RequireSome, RequireAll and ResultStore.
+RunOutcome RunBenchmark(RunConfig config, const std::filesystem::path& folder,
+                        const RunOptions& options, const RunHooks& hooks = {});
+
+/// How tables and charts speak of a run's agents.
+std::vector<AgentRow> AgentRowsOf(const RunConfig& config);
+
+}  // namespace bulletnav::bench

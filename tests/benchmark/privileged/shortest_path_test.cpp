@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/privileged/shortest_path.h"
+
+#include <gtest/gtest.h>
+
+#include "sim/base/error.h"
+#include "tests/support/houses.h"
+#include "tests/support/scenes.h"
+#include "tests/support/trials.h"
+
+namespace bulletnav::bench {
+namespace {
+
+struct Means {
+  double success = 0.0;
+  double spl = 0.0;
+};
+
+Means Try(const std::shared_ptr<const sim::World>& world, sim::NoiseMode noise, int trials) {
+  sim::SimulatedBody body(world, {}, sim::NoiseModel(noise));
+  const auto agent = MakePrivilegedAgent("shortest_path");
+  sim::Rng rng(2, "trials");
+  Means means;
+  for (int i = 0; i < trials; ++i) {
+    const tests::Trial trial = tests::DrawTrial(world, 1.5, 10.0, &rng);
+    const auto result = tests::RunTrial(&body, {}, world, trial, agent.get());
+    EXPECT_TRUE(result.success() || noise != sim::NoiseMode::kNone)
+        << world->name() << ": start " << trial.start.position.transpose() << ", goal "
+        << trial.goal.position.transpose();
+    means.success += result.success() ? 1.0 / trials : 0.0;
+    means.spl += result.spl() / trials;
+  }
+  return means;
+}
+
+void ExpectCeiling(const std::shared_ptr<const sim::World>& world) {
+  const Means quiet = Try(world, sim::NoiseMode::kNone, 60);
+  EXPECT_NEAR(quiet.success, 1.0, 1e-9);
+  EXPECT_GE(quiet.spl, 0.97);
+  EXPECT_GE(Try(world, sim::NoiseMode::kAnsReleased, 60).success, 0.97);
+}
+
+TEST(ShortestPath, IsTheCeilingInRoomsAndCorridors) {
+  ExpectCeiling(sim::World::FromMesh(tests::BoxRoom(8, 2.6f, 8), "room"));
+  ExpectCeiling(sim::World::FromMesh(tests::LCorridor(8, 7, 1.2f, 2.6f), "corridor"));
+}
+
+TEST(ShortestPath, IsTheCeilingInHouses) {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    ExpectCeiling(sim::World::FromMesh(tests::ShellHouse(seed), "house" + std::to_string(seed)));
+  }
+}
+
+TEST(ShortestPath, IsTheCeilingInAFurnishedHouseMadeByOthers) {
+  const auto file = tests::SharedScene("aws_small_house");
+  if (!file) GTEST_SKIP() << "no shared scene aws_small_house";
+  ExpectCeiling(sim::World::Load(*file));
+}
+
+TEST(ShortestPath, StopsWhereThereIsNoWay) {
+  GroundTruth truth;
+  truth.world = sim::World::FromMesh(tests::BoxRoom(4, 2.6f, 4), "room");
+  truth.pose = {{2, 0, -2}, 0.0};
+  truth.goal = {{40, 0, -2}, 0.0};
+  ShortestPathAgent agent({});
+  agent.Reset(truth);
+  EXPECT_EQ(agent.Act(truth), sim::Action::kStop);
+}
+
+TEST(PrivilegedAgents, AreMadeByNameWithAConfig) {
+  EXPECT_EQ(PrivilegedAgentNames(), std::vector<std::string>{"shortest_path"});
+  EXPECT_EQ(MakePrivilegedAgent("metric_map_fbe"), nullptr);
+  EXPECT_TRUE(MakePrivilegedAgent("shortest_path", sim::ParseYaml("stop_distance: 0.3", "c")));
+  EXPECT_THROW(MakePrivilegedAgent("shortest_path", sim::ParseYaml("stop_distance: -1", "c")),
+               sim::FileError);
+  EXPECT_THROW(MakePrivilegedAgent("shortest_path", sim::ParseYaml("stop: 1", "c")),
+               sim::FileError);
+}
+
+}  // namespace
+}  // namespace bulletnav::bench

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/runs/comparison.h"
+
+#include <algorithm>
+
+#include <gmock/gmock.h>
+
+#include "sim/base/error.h"
+
+namespace bulletnav::bench {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+/// The first `successes` of 20 episodes succeed with SPL 0.5.
+std::vector<EpisodeResult> MakeRun(const std::string& agent, int successes, int episodes = 20) {
+  std::vector<EpisodeResult> results;
+  for (int i = 0; i < episodes; ++i) {
+    EpisodeResult result;
+    result.key = {agent, "rgbd", "noise", 0, "house.glb", std::to_string(i)};
+    result.difficulty = i % 2 == 0 ? Difficulty::kEasy : Difficulty::kHard;
+    result.goals.resize(1);
+    result.goals[0].success = i < successes;
+    result.goals[0].spl = i < successes ? 0.5 : 0.0;
+    results.push_back(result);
+  }
+  return results;
+}
+
+TEST(CompareRuns, PairsEpisodesOfOneAgent) {
+  const Comparison comparison = CompareRuns(MakeRun("x", 4), MakeRun("x", 14), {});
+  ASSERT_EQ(comparison.rows.size(), 3u);
+  EXPECT_EQ(comparison.rows[0].difficulty, "easy");
+  const ComparisonRow& all = comparison.rows[2];
+  EXPECT_EQ(all.difficulty, "overall");
+  EXPECT_DOUBLE_EQ(all.success_a, 0.2);
+  EXPECT_DOUBLE_EQ(all.success_b, 0.7);
+  EXPECT_DOUBLE_EQ(all.success.mean, 0.5);
+  EXPECT_DOUBLE_EQ(all.spl.mean, 0.25);
+  EXPECT_EQ(all.success.pairs, 20);
+  EXPECT_EQ(all.success.better, 10);
+  EXPECT_TRUE(all.success.significant());
+  EXPECT_EQ(comparison.only_a + comparison.only_b, 0);
+}
+
+TEST(CompareRuns, OrderOfResultsDoesNotMatter) {
+  auto a = MakeRun("x", 4);
+  const auto b = MakeRun("x", 14);
+  const std::string text = ToText(CompareRuns(a, b, {}));
+  std::reverse(a.begin(), a.end());
+  EXPECT_EQ(ToText(CompareRuns(a, b, {})), text);
+}
+
+TEST(CompareRuns, PairsTwoAgentsByName) {
+  auto run = MakeRun("x", 4);
+  const auto other = MakeRun("y", 14);
+  run.insert(run.end(), other.begin(), other.end());
+  Pairing pairing;
+  pairing.agents = {"y", "x"};
+  const Comparison comparison = CompareRuns(run, run, pairing);
+  EXPECT_DOUBLE_EQ(comparison.rows[2].success.mean, -0.5);
+  EXPECT_THAT(ToText(comparison), HasSubstr("y -> x, rgbd, noise"));
+}
+
+TEST(CompareRuns, LeavesOutWhatHasNoPartnerAndSaysSo) {
+  const Comparison comparison = CompareRuns(MakeRun("x", 4), MakeRun("x", 4, 12), {});
+  EXPECT_EQ(comparison.rows[2].success.pairs, 12);
+  EXPECT_EQ(comparison.only_a, 8);
+  EXPECT_EQ(comparison.only_b, 0);
+  EXPECT_THAT(ToText(comparison), HasSubstr("8 results of the first"));
+}
+
+TEST(CompareRuns, ListsTheAgentsIfNoneAreShared) {
+  try {
+    CompareRuns(MakeRun("x", 4), MakeRun("y", 4), {});
+    ADD_FAILURE();
+  } catch (const sim::Error& e) {
+    EXPECT_THAT(e.what(), AllOf(HasSubstr("one has x (rgbd, noise);"), HasSubstr("the other y ("),
+                                HasSubstr("--agents")));
+  }
+}
+
+TEST(CompareRuns, PairsTwoConditions) {
+  const auto noise = MakeRun("x", 4);
+  auto exact = MakeRun("x", 14);
+  for (EpisodeResult& result : exact) result.key.condition = "no_noise";
+  EXPECT_THROW(CompareRuns(noise, exact, {}), sim::Error);
+  Pairing pairing;
+  pairing.conditions = {"noise", "no_noise"};
+  const Comparison comparison = CompareRuns(noise, exact, pairing);
+  EXPECT_DOUBLE_EQ(comparison.rows[2].success.mean, 0.5);
+  EXPECT_THAT(ToText(comparison), HasSubstr("x, rgbd, noise -> no_noise\n"));
+}
+
+TEST(CompareRuns, RefusesOtherEpisodesOfTheSameName) {
+  auto other = MakeRun("x", 14);
+  other[3].goals[0].start_distance = 1.5;
+  try {
+    CompareRuns(MakeRun("x", 4), other, {});
+    ADD_FAILURE();
+  } catch (const sim::Error& e) {
+    EXPECT_THAT(e.what(),
+                AllOf(HasSubstr("different episodes: '3' in house.glb"), HasSubstr("1.500 m")));
+  }
+}
+
+TEST(CompareRuns, SmallPValuesAreNotNone) {
+  const std::string text = ToText(CompareRuns(MakeRun("x", 0), MakeRun("x", 20), {}));
+  EXPECT_THAT(text, HasSubstr("p < 0.001"));
+}
+
+}  // namespace
+}  // namespace bulletnav::bench
