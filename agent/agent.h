@@ -4,9 +4,7 @@
 #include <memory>
 
 #include "agent/belief.h"
-#include "agent/models/free_space_model.h"
-#include "agent/models/goal_estimator.h"
-#include "agent/models/semantic_model.h"
+#include "agent/models/model_slot.h"
 #include "agent/observation.h"
 #include "sim/base/action.h"
 
@@ -15,16 +13,16 @@ namespace bulletnav::agent {
 /// What an agent is built with, besides its own config.
 struct AgentContext {
   Rig rig;
-  std::shared_ptr<GoalEstimator> goal_estimator = nullptr;  // null where none is offered
-  std::shared_ptr<SemanticModel> semantic_model = nullptr;  // the same; other lanes may share it
-  std::shared_ptr<FreeSpaceModel> mapper = nullptr;         // likewise; for bodies without depth
+  Models models = {};  // those of the agent's slots that are filled
 };
 
 /// Finds the place where the goal's panorama was taken. Sees observations and nothing else: no true
 /// pose, no scene, no navmesh.
 /// An agent X has `static constexpr std::string_view kName`, a nested struct `Config` (see
 /// YamlReader) and a constructor X(const Config&, const AgentContext&), which throws Error if it
-/// cannot work with the context. It is one file in agent/baselines/ that ends in
+/// cannot work with the context. One that can be given models says which by
+///   static std::vector<ModelSlot> ModelSlots(const Rig& rig);
+/// It is one file in agent/baselines/ that ends in
 ///   const AgentRegistration<X> registration;
 /// Deterministic: what it does is a function of config, context, goal, seed and observations.
 class Agent {

@@ -34,6 +34,10 @@ std::vector<std::string> AgentNames() {
   return names;
 }
 
+std::vector<ModelSlot> ModelSlotsOf(std::string_view name, const Rig& rig) {
+  return FindType(name).slots(rig);
+}
+
 AgentMaker ConfigureAgent(std::string_view name, const std::optional<sim::YamlNode>& config) {
   return FindType(name).configure(config);
 }

@@ -35,23 +35,21 @@ AgentMaker ConfigureAgent(const sim::YamlNode& name, const std::optional<sim::Ya
 /// ConfigureAgent.
 std::string ResolveConfig(std::string_view name, const std::optional<sim::YamlNode>& config);
 
+/// The models that a registered agent can be given, on a body with this rig. Throws Error for an
+/// unknown name.
+std::vector<ModelSlot> ModelSlotsOf(std::string_view name, const Rig& rig);
+
 namespace internal {
 
 /// What a registration knows of its agent's type.
 struct AgentType {
+  std::function<std::vector<ModelSlot>(const Rig&)> slots;
   std::function<AgentMaker(const std::optional<sim::YamlNode>&)> configure;
   std::function<std::string(const std::optional<sim::YamlNode>&)> resolve;
 };
 
 /// Throws Error if the name is taken.
 void Register(std::string_view name, const AgentType& type);
-
-template <class Config>
-Config ReadConfig(const std::optional<sim::YamlNode>& yaml) {
-  Config config;
-  if (yaml && !yaml->yaml().IsNull()) sim::YamlReader::Read(*yaml, config);
-  return config;
-}
 
 template <class A>
 std::unique_ptr<BatchAgent> MakeLanes(const typename A::Config& config,
@@ -67,6 +65,12 @@ std::unique_ptr<BatchAgent> MakeLanes(const typename A::Config& config,
   }
 }
 
+template <class A>
+std::vector<ModelSlot> SlotsOf(const Rig& rig) {
+  if constexpr (requires { A::ModelSlots(rig); }) return A::ModelSlots(rig);
+  return {};
+}
+
 }  // namespace internal
 
 /// Makes agent A known by its name. One constant of this type at the end of A's file does it.
@@ -76,14 +80,14 @@ class AgentRegistration {
   AgentRegistration() {
     using Config = typename A::Config;
     const auto configure = [](const std::optional<sim::YamlNode>& yaml) -> AgentMaker {
-      return [config = internal::ReadConfig<Config>(yaml)](std::span<const AgentContext> contexts) {
+      return [config = sim::ReadBlock<Config>(yaml)](std::span<const AgentContext> contexts) {
         return internal::MakeLanes<A>(config, contexts);
       };
     };
     const auto resolve = [](const std::optional<sim::YamlNode>& yaml) {
-      return sim::ToYaml(internal::ReadConfig<Config>(yaml));
+      return sim::ToYaml(sim::ReadBlock<Config>(yaml));
     };
-    internal::Register(A::kName, {configure, resolve});
+    internal::Register(A::kName, {internal::SlotsOf<A>, configure, resolve});
   }
 };
 

@@ -3,6 +3,7 @@
 
 #include "agent/mapping/goal_approach.h"
 #include "agent/mapping/map_navigator.h"
+#include "agent/models/usual_slots.h"
 #include "agent/perception/model_goal_estimator.h"
 #include "agent/registry.h"
 #include "sim/base/error.h"
@@ -44,20 +45,13 @@ class MetricMapFbeAgent final : public Agent {
     }
   };
 
+  static std::vector<ModelSlot> ModelSlots(const Rig& rig) { return SemanticAndMapSlots(rig); }
+
   MetricMapFbeAgent(const Config& config, const AgentContext& context)
       : config_(config),
-        navigator_(context.rig, config.navigator, context.mapper),
-        estimator_(context.goal_estimator),
-        approach_(ApproachOf(config)) {
-    if (!estimator_ && context.semantic_model) {
-      estimator_ = std::make_shared<ModelGoalEstimator>(context.semantic_model, config.goal_seen);
-    }
-    if (!estimator_) {
-      throw sim::Error(
-          "metric_map_fbe needs something that recognises the goal; semantic_model: "
-          "learned (or oracle) in a run's config says what");
-    }
-  }
+        navigator_(context.rig, config.navigator, context.models.Find<FreeSpaceModel>(kMapper)),
+        estimator_(EstimatorOf(config, context.models)),
+        approach_(ApproachOf(config)) {}
 
   void Reset(const Panorama& goal, std::uint64_t seed) override {
     navigator_.Reset();
@@ -88,6 +82,13 @@ class MetricMapFbeAgent final : public Agent {
   }
 
  private:
+  /// A model that estimates goals by itself, as oracles do, is taken at its word.
+  static std::shared_ptr<GoalEstimator> EstimatorOf(const Config& config, const Models& models) {
+    if (auto estimator = models.Find<GoalEstimator>(kSemanticModel)) return estimator;
+    return std::make_shared<ModelGoalEstimator>(models.Need<SemanticModel>(kSemanticModel),
+                                                config.goal_seen);
+  }
+
   sim::Action Explore() {
     if (const auto action = GoToFrontier()) return *action;
     navigator_.ForgetFeltWalls();

@@ -11,7 +11,7 @@ class Nts final : public NtsAgent {
   static constexpr std::string_view kName = "nts";
 
   Nts(const Config& config, const AgentContext& context)
-      : NtsAgent(config, context, kName, GhostChoice::kScore) {}
+      : NtsAgent(config, context, GhostChoice::kScore) {}
 };
 
 const AgentRegistration<Nts> registration;

@@ -53,10 +53,12 @@ class NtsWithoutGraph final : public Agent {
     }
   };
 
+  static std::vector<ModelSlot> ModelSlots(const Rig& rig) { return SemanticAndMapSlots(rig); }
+
   NtsWithoutGraph(const Config& config, const AgentContext& context)
       : config_(config),
-        model_(RequireModel(context, kName)),
-        navigator_(context.rig, config.navigator, context.mapper),
+        model_(context.models.Need<SemanticModel>(kSemanticModel)),
+        navigator_(context.rig, config.navigator, context.models.Find<FreeSpaceModel>(kMapper)),
         watch_(config.patience, kLeastProgress),
         approach_(ApproachOf(config)) {}
 

@@ -12,7 +12,7 @@ class NtsWithoutScore final : public NtsAgent {
   static constexpr std::string_view kName = "nts_without_score";
 
   NtsWithoutScore(const Config& config, const AgentContext& context)
-      : NtsAgent(config, context, kName, GhostChoice::kRandom) {}
+      : NtsAgent(config, context, GhostChoice::kRandom) {}
 };
 
 const AgentRegistration<NtsWithoutScore> registration;

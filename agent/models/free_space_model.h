@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <optional>
+#include <string_view>
 
+#include "agent/models/model.h"
 #include "agent/observation.h"
 #include "sim/grid/grid.h"
 
@@ -36,14 +38,9 @@ struct FreeSpace {
 };
 
 /// Tells from what a body senses where it can walk. Deterministic: the same panorama, the same map.
-class FreeSpaceModel {
+class FreeSpaceModel : public virtual Model {
  public:
-  FreeSpaceModel() = default;
-  virtual ~FreeSpaceModel() = default;
-  FreeSpaceModel(const FreeSpaceModel&) = delete;
-  FreeSpaceModel& operator=(const FreeSpaceModel&) = delete;
-  FreeSpaceModel(FreeSpaceModel&&) = delete;
-  FreeSpaceModel& operator=(FreeSpaceModel&&) = delete;
+  static constexpr std::string_view kWhat = "mapper";
 
   virtual FreeSpace Predict(const Panorama& panorama) = 0;
 };

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <optional>
+#include <string_view>
 
+#include "agent/models/model.h"
 #include "agent/observation.h"
 
 namespace bulletnav::agent {
@@ -16,14 +18,9 @@ struct RelativeGoal {
 
 /// Says whether the goal can be seen from here, and where it then is: the localisation F_L and the
 /// relative pose F_R of Neural Topological SLAM, section 4. One per body; it may keep a state.
-class GoalEstimator {
+class GoalEstimator : public virtual Model {
  public:
-  GoalEstimator() = default;
-  virtual ~GoalEstimator() = default;
-  GoalEstimator(const GoalEstimator&) = delete;
-  GoalEstimator& operator=(const GoalEstimator&) = delete;
-  GoalEstimator(GoalEstimator&&) = delete;
-  GoalEstimator& operator=(GoalEstimator&&) = delete;
+  static constexpr std::string_view kWhat = "goal estimator";
 
   /// Absent if the two panoramas do not show the same place.
   virtual std::optional<RelativeGoal> Estimate(const Panorama& here, const Panorama& goal) = 0;

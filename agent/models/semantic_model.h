@@ -2,8 +2,10 @@
 #pragma once
 #include <array>
 #include <span>
+#include <string_view>
 #include <vector>
 
+#include "agent/models/model.h"
 #include "agent/observation.h"
 
 namespace bulletnav::agent {
@@ -28,14 +30,9 @@ struct PairPrediction {
 /// The four functions of Neural Topological SLAM, section 4, in the form of its multi-task model:
 /// F_L is same_node, F_R direction and distance, F_S score, F_G Explorable. Deterministic; answers
 /// for one panorama do not depend on what else is asked in the same call.
-class SemanticModel {
+class SemanticModel : public virtual Model {
  public:
-  SemanticModel() = default;
-  virtual ~SemanticModel() = default;
-  SemanticModel(const SemanticModel&) = delete;
-  SemanticModel& operator=(const SemanticModel&) = delete;
-  SemanticModel(SemanticModel&&) = delete;
-  SemanticModel& operator=(SemanticModel&&) = delete;
+  static constexpr std::string_view kWhat = "semantic model";
 
   /// One code a panorama; done once for each observation and goal.
   virtual std::vector<PanoramaCode> Encode(std::span<const Panorama> panoramas) = 0;

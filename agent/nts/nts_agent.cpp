@@ -27,18 +27,10 @@ ApproachSpec ApproachBy(const PolicySpec& policy) {
 
 }  // namespace
 
-std::shared_ptr<SemanticModel> RequireModel(const AgentContext& context, std::string_view agent) {
-  if (context.semantic_model) return context.semantic_model;
-  throw sim::Error(std::string(agent) +
-                   " needs somebody to answer its four functions; semantic_model: learned (or "
-                   "oracle) in a run's config says who");
-}
-
-NtsAgent::NtsAgent(const Config& config, const AgentContext& context, std::string_view name,
-                   GhostChoice choice)
+NtsAgent::NtsAgent(const Config& config, const AgentContext& context, GhostChoice choice)
     : spec_(config),
-      model_(RequireModel(context, name)),
-      navigator_(context.rig, config.navigator, context.mapper),
+      model_(context.models.Need<SemanticModel>(kSemanticModel)),
+      navigator_(context.rig, config.navigator, context.models.Find<FreeSpaceModel>(kMapper)),
       update_(config.graph, model_),
       policy_(config.policy, model_, choice),
       watch_(config.policy.patience, config.policy.least_progress),

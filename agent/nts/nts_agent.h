@@ -2,21 +2,19 @@
 #pragma once
 #include <memory>
 #include <optional>
-#include <string_view>
+#include <vector>
 
 #include "agent/agent.h"
 #include "agent/mapping/goal_approach.h"
 #include "agent/mapping/map_navigator.h"
 #include "agent/mapping/progress_watch.h"
+#include "agent/models/usual_slots.h"
 #include "agent/nts/global_policy.h"
 #include "agent/nts/graph_update.h"
 #include "agent/nts/nts_spec.h"
 #include "agent/nts/view_ghosts.h"
 
 namespace bulletnav::agent {
-
-/// The model of a context. Throws Error that says what is missing if it has none.
-std::shared_ptr<SemanticModel> RequireModel(const AgentContext& context, std::string_view agent);
 
 /// Neural Topological SLAM, section 4.1: graph update, global policy, and a local policy that plans
 /// on a metric map. Each observation is encoded once.
@@ -29,8 +27,9 @@ class NtsAgent : public Agent {
  public:
   using Config = NtsSpec;
 
-  NtsAgent(const Config& config, const AgentContext& context, std::string_view name,
-           GhostChoice choice);
+  NtsAgent(const Config& config, const AgentContext& context, GhostChoice choice);
+
+  static std::vector<ModelSlot> ModelSlots(const Rig& rig) { return SemanticAndMapSlots(rig); }
 
   void Reset(const Panorama& goal, std::uint64_t seed) override;
   void NextGoal(const Panorama& goal, std::uint64_t seed) override;

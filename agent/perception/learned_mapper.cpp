@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "agent/perception/learned_mapper.h"
 
+#include "agent/models/model_registry.h"
 #include "agent/perception/encoder.h"
 #include "agent/perception/mapper_net.h"
 #include "agent/perception/model_file.h"
@@ -52,5 +53,14 @@ LearnedMapper::~LearnedMapper() = default;
 FreeSpace LearnedMapper::Predict(const Panorama& panorama) {
   return impl_->Predict(panorama);
 }
+
+namespace {
+
+const ModelRegistration registration(kMapperKey,
+                                     [](const std::filesystem::path& weights, const Rig& rig) {
+                                       return std::make_shared<LearnedMapper>(weights, rig);
+                                     });
+
+}  // namespace
 
 }  // namespace bulletnav::agent

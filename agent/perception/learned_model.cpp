@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "agent/models/model_registry.h"
 #include "agent/perception/model_file.h"
 #include "agent/perception/one_thread.h"
 #include "agent/perception/semantic_net.h"
@@ -128,5 +129,14 @@ std::vector<PairPrediction> LearnedModel::Compare(std::span<const PanoramaCode* 
   for (const PanoramaCode* source : sources) predictions.push_back(impl_->Compare(*source, goal));
   return predictions;
 }
+
+namespace {
+
+const ModelRegistration registration(kModelKey,
+                                     [](const std::filesystem::path& weights, const Rig& rig) {
+                                       return std::make_shared<LearnedModel>(weights, rig);
+                                     });
+
+}  // namespace
 
 }  // namespace bulletnav::agent

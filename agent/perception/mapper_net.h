@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "agent/models/safetensors.h"
 #include "agent/perception/mapper_config.h"
-#include "agent/perception/safetensors.h"
 #include "agent/perception/trunk.h"
 
 namespace bulletnav::agent {

@@ -2,10 +2,10 @@
 #pragma once
 #include <filesystem>
 
+#include "agent/models/safetensors.h"
 #include "agent/observation.h"
 #include "agent/perception/mapper_config.h"
 #include "agent/perception/model_config.h"
-#include "agent/perception/safetensors.h"
 
 namespace bulletnav::agent {
 

@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
+#include "agent/models/safetensors.h"
 #include "agent/perception/encoder.h"
 #include "agent/perception/heads.h"
-#include "agent/perception/safetensors.h"
 
 namespace bulletnav::agent {
 

@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "agent/perception/safetensors.h"
+#include "agent/models/safetensors.h"
 #include "agent/perception/torch.h"
 
 namespace bulletnav::agent {

@@ -2,8 +2,6 @@
 #pragma once
 #include <CLI/App.hpp>
 
-#include "benchmark/runs/run_agents.h"
-
 namespace bulletnav::bench {
 
 /// Each adds its subcommands to the program; a subcommand's callback does the work and reports
@@ -19,8 +17,7 @@ void AddPlotCommand(CLI::App* program);
 void AddRenderCommand(CLI::App* program);
 /// Adds "generate" to the "scenes" command.
 void AddGenerateCommand(CLI::App* scenes);
-/// Without loaders, runs of agents with learned functions are handed over to bulletnav-learn.
-void AddRunCommand(CLI::App* program, const ModelLoaders& loaders = {});
+void AddRunCommand(CLI::App* program);
 void AddScenesCommand(CLI::App* program);
 void AddTableCommand(CLI::App* program);
 

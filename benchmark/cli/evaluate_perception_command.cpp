@@ -16,6 +16,7 @@
 #include "benchmark/evaluate_perception/perception_figures.h"
 #include "benchmark/evaluate_perception/perception_pictures.h"
 #include "benchmark/evaluate_perception/perception_report.h"
+#include "benchmark/runs/agent_models.h"
 #include "sim/base/files.h"
 #include "sim/config/yaml_reader.h"
 

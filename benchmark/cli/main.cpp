@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "agent/models/model_registry.h"
 #include "benchmark/cli/commands.h"
+#include "benchmark/cli/hand_over.h"
 #include "benchmark/cli/program.h"
 
 int main(int argc, char** argv) {
+  // The networks are in the other program.
+  bulletnav::agent::SetMoreModelKinds(bulletnav::bench::HandOverToLearn);
   return bulletnav::bench::RunProgram(argc, argv, [](CLI::App* program) {
     bulletnav::bench::AddScenesCommand(program);
     bulletnav::bench::AddRenderCommand(program);

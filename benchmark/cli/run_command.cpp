@@ -12,7 +12,6 @@
 #include "benchmark/base/program_version.h"
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/draw_run.h"
-#include "benchmark/cli/hand_over.h"
 #include "benchmark/cli/progress.h"
 #include "benchmark/cli/run_progress.h"
 #include "benchmark/report/run_tables.h"
@@ -74,7 +73,6 @@ void DrawWorst(const fs::path& folder) {
 
 void PlayConfig(const RunCommandOptions& options) {
   RunConfig config = LoadRunConfig(options.config);
-  if (!options.run.loaders && !UsedWeights(config).empty()) HandOverToLearn();
   const fs::path folder = options.out.empty() ? fs::path("results") / config.name : options.out;
   RunProgress progress;
   const RunOutcome outcome =
@@ -99,9 +97,8 @@ void PlayConfig(const RunCommandOptions& options) {
 
 }  // namespace
 
-void AddRunCommand(CLI::App* program, const ModelLoaders& loaders) {
+void AddRunCommand(CLI::App* program) {
   auto options = std::make_shared<RunCommandOptions>();
-  options->run.loaders = loaders;
   CLI::App* command = program->add_subcommand(
       "run", "Play a config's episodes with its agents; goes on where it was stopped");
   command->add_option("config", options->config, "YAML file, as configs/quickstart.yaml")

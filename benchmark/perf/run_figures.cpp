@@ -30,7 +30,7 @@ constexpr const char* kConfig =
     "episodes:\n"
     "  file: episodes.json.gz\n"
     "  draw: {scenes: [scene], counts: {easy: 8, medium: 8, hard: 8}, seed: 0}\n"
-    "agents: [{agent: metric_map_fbe, semantic_model: oracle}]\n";
+    "agents: [{agent: metric_map_fbe, models: {semantic_model: oracle}}]\n";
 
 /// What playing the episodes without the runner took.
 struct PlainTimes {
@@ -60,7 +60,7 @@ class RunBench {
     PlainTimes times;
     const Clock::time_point start = Clock::now();
     const GroundTruth* truth = &truth_;
-    const auto agent = Build(agents_.front(), RigOf(config_, Setting::kRgbd), {&truth, 1});
+    const auto agent = Build(agents_.front(), config_, Setting::kRgbd, {&truth, 1});
     for (const Episode& episode : episodes_.episodes) PlayPlain(episode, agent.get(), &times);
     times.all_s = SecondsSince(start);
     return times;

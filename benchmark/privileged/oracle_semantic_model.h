@@ -5,6 +5,7 @@
 
 #include "agent/models/semantic_model.h"
 #include "benchmark/play/ground_truth.h"
+#include "benchmark/privileged/oracle_goal_estimator.h"
 #include "sim/navmesh/navmesh.h"
 
 namespace bulletnav::bench {
@@ -16,15 +17,21 @@ namespace bulletnav::bench {
 /// of the source's depth. A pair of one node gets direction (shared between the two nearest, so
 /// that it is exact) and distance, any other pair scores; the rest is 0. One lane's; not for
 /// several threads. Cost: some milliseconds for a pair that needs scores.
-class OracleSemanticModel final : public agent::SemanticModel {
+class OracleSemanticModel final : public agent::SemanticModel, public agent::GoalEstimator {
  public:
   /// `truth` must outlive the model and be up to date at every Encode.
-  explicit OracleSemanticModel(const GroundTruth& truth) : truth_(truth) {}
+  explicit OracleSemanticModel(const GroundTruth& truth) : truth_(truth), estimator_(truth) {}
 
   std::vector<agent::PanoramaCode> Encode(std::span<const agent::Panorama> panoramas) override;
   std::array<float, agent::kDirections> Explorable(const agent::PanoramaCode& source) override;
   std::vector<agent::PairPrediction> Compare(std::span<const agent::PanoramaCode* const> sources,
                                              const agent::PanoramaCode& goal) override;
+
+  /// As OracleGoalEstimator.
+  std::optional<agent::RelativeGoal> Estimate(const agent::Panorama& here,
+                                              const agent::Panorama& goal) override {
+    return estimator_.Estimate(here, goal);
+  }
 
  private:
   agent::PairPrediction ComparePair(const sim::BodyPose& source, const sim::BodyPose& goal);
@@ -34,6 +41,7 @@ class OracleSemanticModel final : public agent::SemanticModel {
   const sim::NavmeshQuery& query();
 
   const GroundTruth& truth_;
+  OracleGoalEstimator estimator_;
   std::shared_ptr<const sim::World> world_;
   std::optional<sim::NavmeshQuery> query_;
 };

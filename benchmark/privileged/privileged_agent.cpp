@@ -1,34 +1,43 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/privileged/privileged_agent.h"
 
-#include "benchmark/privileged/shortest_path.h"
-#include "sim/config/yaml_writer.h"
+#include <map>
+
+#include "sim/base/error.h"
 
 namespace bulletnav::bench {
 namespace {
 
-ShortestPathAgent::Config ReadConfig(const std::optional<sim::YamlNode>& config) {
-  ShortestPathAgent::Config values;
-  if (config && !config->yaml().IsNull()) sim::YamlReader::Read(*config, values);
-  return values;
+/// Filled before main by the registrations and only read after that.
+std::map<std::string, internal::PrivilegedType, std::less<>>& Registered() {
+  static std::map<std::string, internal::PrivilegedType, std::less<>> agents;
+  return agents;
 }
 
 }  // namespace
 
 std::vector<std::string> PrivilegedAgentNames() {
-  return {std::string(ShortestPathAgent::kName)};
+  std::vector<std::string> names;
+  for (const auto& [name, type] : Registered()) names.push_back(name);
+  return names;
 }
 
 std::unique_ptr<PrivilegedAgent> MakePrivilegedAgent(std::string_view name,
                                                      const std::optional<sim::YamlNode>& config) {
-  if (name != ShortestPathAgent::kName) return nullptr;
-  return std::make_unique<ShortestPathAgent>(ReadConfig(config));
+  const auto found = Registered().find(name);
+  return found == Registered().end() ? nullptr : found->second.make(config);
 }
 
 std::string ResolvePrivilegedConfig(std::string_view name,
                                     const std::optional<sim::YamlNode>& config) {
-  if (name != ShortestPathAgent::kName) return "";
-  return sim::ToYaml(ReadConfig(config));
+  const auto found = Registered().find(name);
+  return found == Registered().end() ? "" : found->second.resolve(config);
+}
+
+void internal::RegisterPrivileged(std::string_view name, const PrivilegedType& type) {
+  if (!Registered().try_emplace(std::string(name), type).second) {
+    throw sim::Error("two privileged agents are called '" + std::string(name) + "'");
+  }
 }
 
 }  // namespace bulletnav::bench

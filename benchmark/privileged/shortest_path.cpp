@@ -90,4 +90,10 @@ double ShortestPathAgent::GainAhead(const GroundTruth& truth, double left) const
                                          truth.goal.position.cast<float>());
 }
 
+namespace {
+
+const PrivilegedRegistration<ShortestPathAgent> registration;
+
+}  // namespace
+
 }  // namespace bulletnav::bench

@@ -7,6 +7,7 @@
 #include "agent/registry.h"
 #include "benchmark/privileged/privileged_agent.h"
 #include "benchmark/runs/published.h"
+#include "benchmark/runs/saved_config.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -46,6 +47,26 @@ std::vector<std::string> KnownAgents() {
   name.Fail(what + (nearest.empty() ? ". Known are: " : " Known are: ") + list);
 }
 
+/// Spells out what fills the slots that the agent has on some body.
+void ResolveModels(const YamlNode& node, AgentEntry* entry) {
+  std::map<std::string, std::string> models;
+  for (const bool has_depth : {false, true}) {
+    agent::Rig rig;
+    rig.has_depth = has_depth;
+    for (const agent::ModelSlot& slot : agent::ModelSlotsOf(entry->agent, rig)) {
+      models.emplace(slot.name, kLearnedModel);
+    }
+  }
+  for (const auto& [slot, model] : entry->models) {
+    const auto found = models.find(slot);
+    if (found == models.end()) {
+      node.FailAt("models", entry->agent + " takes no model called '" + slot + "'");
+    }
+    found->second = model;
+  }
+  entry->models = std::move(models);
+}
+
 /// Fills in what is left to defaults; `node` is where the entry stands.
 void Resolve(const YamlNode& node, AgentEntry* entry) {
   if (entry->name.empty()) entry->name = entry->agent;
@@ -54,6 +75,7 @@ void Resolve(const YamlNode& node, AgentEntry* entry) {
     parameters = ResolvePrivilegedConfig(entry->agent, entry->parameters);
   } else if (Contains(agent::AgentNames(), entry->agent)) {
     parameters = agent::ResolveConfig(entry->agent, entry->parameters);
+    ResolveModels(node, entry);
   } else if (IsPlannedAgent(entry->agent)) {
     return;
   } else {
@@ -71,9 +93,8 @@ void ResolveIfKnown(const YamlNode& node, AgentEntry* entry) {
   }
 }
 
-RunConfig Parse(const std::string& text, const std::filesystem::path& file,
+RunConfig Parse(const YamlNode& root, const std::filesystem::path& file,
                 void (*resolve)(const YamlNode& node, AgentEntry* entry)) {
-  const YamlNode root = sim::ParseYaml(text, file);
   RunConfig config;
   sim::YamlReader::Read(root, config);
   if (config.name.empty()) config.name = file.stem().string();
@@ -99,10 +120,12 @@ void AgentEntry::Validate() const {
   RequireDistinct(settings, "settings", true);
   if (lanes < 1 || lanes > 4096) throw KeyError("lanes", "lanes must lie between 1 and 4096");
   RequireDistinct(oracle_functions, "oracle_functions", true);
-  if (!oracle_functions.empty() && semantic_model != SemanticModelKind::kLearned) {
-    throw KeyError(
-        "oracle_functions",
-        "oracle_functions replace some of semantic_model: learned, which is not asked for");
+  const auto semantic = models.find("semantic_model");
+  const bool has_weights = semantic == models.end() ||
+                           (semantic->second != kOracleModel && semantic->second != kNoModel);
+  if (!oracle_functions.empty() && !has_weights) {
+    throw KeyError("oracle_functions",
+                   "oracle_functions replace some of a learned semantic_model, which is not there");
   }
 }
 
@@ -139,6 +162,20 @@ GeneratorSpec RunConfig::generator() const {
   return spec;
 }
 
+std::string RunConfig::weights_file(const std::string& key) const {
+  const auto named = weights.find(key);
+  return named == weights.end() ? "assets/weights/" + key + ".safetensors" : named->second;
+}
+
+agent::Rig RigOf(const RunConfig& config, Setting setting) {
+  agent::Rig rig;
+  rig.panorama = config.panorama;
+  rig.has_color = true;
+  rig.has_depth = setting == Setting::kRgbd;
+  rig.camera_height = config.body.camera_height;
+  return rig;
+}
+
 bool IsPlannedAgent(const std::string& agent) {
   return !PublishedTitle(agent).empty();
 }
@@ -148,11 +185,13 @@ RunConfig LoadRunConfig(const std::filesystem::path& file) {
 }
 
 RunConfig LoadSavedRunConfig(const std::filesystem::path& file) {
-  return Parse(sim::ReadYamlFile(file), file, ResolveIfKnown);
+  const YamlNode root = sim::ParseYaml(sim::ReadYamlFile(file), file);
+  BringUpToDate(root.yaml());
+  return Parse(root, file, ResolveIfKnown);
 }
 
 RunConfig ParseRunConfig(const std::string& text, const std::filesystem::path& file) {
-  return Parse(text, file, Resolve);
+  return Parse(sim::ParseYaml(text, file), file, Resolve);
 }
 
 }  // namespace bulletnav::bench

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "agent/observation.h"
 #include "benchmark/episodes/generator.h"
 #include "benchmark/episodes/made_houses.h"
 #include "benchmark/privileged/mixed_semantic_model.h"
@@ -22,18 +23,9 @@ enum class Setting { kRgb, kRgbd };
 /// kNoNoise: exact motion and odometry. kNoStop: being near the goal ends the episode, a stop does
 /// nothing. Source: Neural Topological SLAM, table 2.
 enum class Condition { kNoise, kNoNoise, kNoStop };
-/// Who answers the four functions of Neural Topological SLAM: the ground truth, or weights.
-enum class SemanticModelKind { kNone, kOracle, kLearned };
 
 }  // namespace bulletnav::bench
 
-template <>
-struct bulletnav::sim::EnumNames<bulletnav::bench::SemanticModelKind> {
-  static constexpr std::array kNames = {
-      std::pair{"none", bulletnav::bench::SemanticModelKind::kNone},
-      std::pair{"oracle", bulletnav::bench::SemanticModelKind::kOracle},
-      std::pair{"learned", bulletnav::bench::SemanticModelKind::kLearned}};
-};
 template <>
 struct bulletnav::sim::EnumNames<bulletnav::bench::Setting> {
   static constexpr std::array kNames = {std::pair{"rgb", bulletnav::bench::Setting::kRgb},
@@ -94,21 +86,11 @@ struct TimeBudget {
   void Validate() const;
 };
 
-/// Files of what has been learned: the functions of Neural Topological SLAM by setting, and the
-/// mapper that agents without depth make their metric maps with.
-struct WeightsSpec {
-  std::string rgb = "assets/weights/nts_rgb.safetensors";
-  std::string rgbd = "assets/weights/nts_rgbd.safetensors";
-  std::string mapper = "assets/weights/mapper_rgb.safetensors";
-
-  template <class V>
-  void Visit(V& v) {
-    v("rgb", rgb);
-    v("rgbd", rgbd);
-    v("mapper", mapper);
-  }
-  const std::string& of(Setting setting) const { return setting == Setting::kRgb ? rgb : rgbd; }
-};
+/// What a slot of an agent may be filled with besides a file of weights: nothing, the ground truth,
+/// or the weights that RunConfig::weights names for it.
+inline const std::string kNoModel = "none";
+inline const std::string kOracleModel = "oracle";
+inline const std::string kLearnedModel = "learned";
 
 /// One agent with its parameters.
 struct AgentEntry {
@@ -116,7 +98,8 @@ struct AgentEntry {
   std::string name;               // of its rows and results; the agent's if empty
   std::string title;              // for people; the paper's if empty
   std::vector<Setting> settings;  // the run's if empty
-  SemanticModelKind semantic_model = SemanticModelKind::kNone;
+  /// What fills the agent's slots, see agent::ModelSlot: `learned` where nothing is said.
+  std::map<std::string, std::string> models;
   std::vector<SemanticFunction> oracle_functions;  // of a learned model, to look for causes
   int lanes = 1;                            // episodes that one worker runs through it at once
   std::optional<sim::YamlNode> parameters;  // the agent's own config
@@ -128,7 +111,7 @@ struct AgentEntry {
     v("name", name);
     v("title", title);
     v("settings", settings);
-    v("semantic_model", semantic_model);
+    v("models", models);
     v("oracle_functions", oracle_functions);
     v("lanes", lanes);
     v("parameters", parameters);
@@ -140,7 +123,7 @@ struct AgentEntry {
 struct Fingerprints {
   std::string episodes;
   std::map<std::string, std::string> scenes;
-  std::map<std::string, std::string> weights;  // by key of `weights`; of those that agents use
+  std::map<std::string, std::string> weights;  // by key of `weights`, or file; of those in use
 
   template <class V>
   void Visit(V& v) {
@@ -168,7 +151,9 @@ struct RunConfig {
   double success_distance = 1.0;  // metres
   int max_steps = 500;            // a goal
   TimeBudget time_budget;
-  WeightsSpec weights;
+  /// Files of learned models by SLOT'S WEIGHTS_SETTING, as nts_rgbd. Those that are not named are
+  /// in assets/weights.
+  std::map<std::string, std::string> weights;
   bool trajectories = true;  // kept for plots
   std::vector<AgentEntry> agents;
   std::optional<Fingerprints> fingerprints;  // in saved configs: checked
@@ -199,9 +184,13 @@ struct RunConfig {
 
   /// How its scenes are loaded.
   sim::WorldOptions world_options() const { return {import.options(), navmesh, backend}; }
+  std::string weights_file(const std::string& key) const;
   /// What draws the episodes, where `episodes.draw` is given.
   GeneratorSpec generator() const;
 };
+
+/// What the bodies of a run carry.
+agent::Rig RigOf(const RunConfig& config, Setting setting);
 
 /// Agents that the tables have rows for although the program may not have them yet.
 bool IsPlannedAgent(const std::string& agent);

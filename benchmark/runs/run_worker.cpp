@@ -60,7 +60,7 @@ agent::BatchAgent& RunWorker::AgentFor(std::size_t row) {
     for (int i = 0; i < agent.entry.lanes; ++i) {
       truths.push_back(&lanes_[static_cast<std::size_t>(i)]->truth);
     }
-    built = Build(agent, RigOf(plan_.config, setting), truths);
+    built = Build(agent, plan_.config, setting, truths);
   }
   return *built;
 }

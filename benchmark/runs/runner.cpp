@@ -141,19 +141,11 @@ struct Work {
   std::vector<RunJob> jobs;
 };
 
-void RequireNoneNeedsTorch(const std::vector<RunAgent>& agents) {
-  for (const RunAgent& agent : agents) {
-    if (!agent.needs_torch()) continue;
-    throw sim::Error(agent.entry.name + " needs a program with the learned functions");
-  }
-}
-
 Work PlanWork(RunConfig config, const RunOptions& options, int workers, const RunHooks& hooks) {
   Work work;
   work.plan = std::make_shared<RunPlan>();
   RunPlan& plan = *work.plan;
-  plan.agents = options.loaders ? FindAgents(config, options.loaders) : FindAgents(config);
-  if (!options.loaders) RequireNoneNeedsTorch(plan.agents);
+  plan.agents = FindAgents(config);
   if (options.require_all) RequireAll(plan.agents);
   RequireSome(plan.agents);
   const StartProgress quiet = [](const std::string& /*what*/, int /*total*/) {

@@ -18,7 +18,6 @@ struct RunOptions {
   int workers = 0;              // < 1: one a processor
   bool require_all = false;     // agents that cannot run are errors, not remarks in the table
   bool retry_failed = false;    // play episodes that failed again
-  ModelLoaders loaders = {};    // for agents with learned functions; empty: they cannot be played
 };
 
 /// What a run tells while it goes on; all may be empty.

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "agent/perception/safetensors.h"
+#include "agent/models/safetensors.h"
 #include "agent/perception/torch.h"
 
 namespace bulletnav::bench {

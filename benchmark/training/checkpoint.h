@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "agent/perception/safetensors.h"
+#include "agent/models/safetensors.h"
 #include "agent/perception/torch.h"
 #include "benchmark/training/adam.h"
 

@@ -223,6 +223,14 @@ T LoadYamlText(const std::string& text, const std::filesystem::path& name) {
   return value;
 }
 
+/// Reads a block that may be absent or empty, which leaves a T as it is by default.
+template <class T>
+T ReadBlock(const std::optional<YamlNode>& block) {
+  T value;
+  if (block && !block->yaml().IsNull()) YamlReader::Read(*block, value);
+  return value;
+}
+
 /// Reads `file` into a T. Throws FileError.
 template <class T>
 T LoadYaml(const std::filesystem::path& file);

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "agent/models/goal_estimator.h"
+#include "agent/models/usual_slots.h"
 #include "agent/registry.h"
 #include "sim/base/error.h"
 #include "sim/simulator.h"
@@ -16,24 +18,17 @@ namespace {
 
 using Actions = std::vector<sim::Action>;
 
-/// A goal 2 m to the left for as long as it is asked to see one.
-class FixedEstimator final : public GoalEstimator {
+/// Answers from the brightness of a panorama's corner, whatever it shows; the goal is always, or
+/// never, in one place.
+class FixedModel final : public SemanticModel, public GoalEstimator {
  public:
-  explicit FixedEstimator(bool sees) : sees_(sees) {}
+  explicit FixedModel(bool sees) : sees_(sees) {}
+
   std::optional<RelativeGoal> Estimate(const Panorama& /*here*/,
                                        const Panorama& /*goal*/) override {
     if (!sees_) return std::nullopt;
     return RelativeGoal{2.0, 1.5};
   }
-
- private:
-  bool sees_;
-};
-
-/// Answers from the brightness of a panorama's corner, whatever it shows.
-class FixedModel final : public SemanticModel {
- public:
-  explicit FixedModel(bool sees) : sees_(sees) {}
 
   std::vector<PanoramaCode> Encode(std::span<const Panorama> panoramas) override {
     std::vector<PanoramaCode> codes;
@@ -97,15 +92,14 @@ sim::SimulatorSpec SmallSpec() {
 AgentContext Context(bool sees = false) {
   AgentContext context;
   context.rig.panorama = SmallSpec().panorama;
-  context.goal_estimator = std::make_shared<FixedEstimator>(sees);
-  context.semantic_model = std::make_shared<FixedModel>(sees);
+  context.models.Set("semantic_model", std::make_shared<FixedModel>(sees));
   return context;
 }
 
 AgentContext ColorContext() {
   AgentContext context = Context();
   context.rig.has_depth = false;
-  context.mapper = std::make_shared<FixedMapper>();
+  context.models.Set("mapper", std::make_shared<FixedMapper>());
   return context;
 }
 
@@ -175,6 +169,7 @@ TEST_P(Conformance, WorksFromColorAloneWithAMapper) {
   try {
     Make(GetParam(), std::array{ColorContext()});
   } catch (const sim::Error& e) {
+    ASSERT_THAT(e.what(), testing::HasSubstr("depth"));
     GTEST_SKIP() << "needs more than colour: " << e.what();
   }
   const Actions first = act();
@@ -239,16 +234,35 @@ TEST_P(Conformance, TakesANextGoalInTheSameEpisode) {
   ExpectLegal({action[0]});
 }
 
-TEST_P(Conformance, WithoutWhatItNeedsItSaysSoOrDoesWithout) {
+std::vector<ModelSlot> NeededSlots(const std::string& name, const Rig& rig) {
+  std::vector<ModelSlot> slots = ModelSlotsOf(name, rig);
+  std::erase_if(slots, [](const ModelSlot& slot) {
+    return !slot.is_needed;
+  });
+  return slots;
+}
+
+TEST_P(Conformance, ModelsThatItNeedsAreNamedWhereTheyAreMissing) {
   AgentContext bare;
   bare.rig.panorama = SmallSpec().panorama;
-  AgentContext color_only = Context();
-  color_only.rig.has_depth = false;
-  for (const AgentContext& context : {bare, color_only}) {
-    try {
-      EXPECT_EQ(Make(GetParam(), std::array{context})->lanes(), 1);
-    } catch (const sim::Error& e) {
-      EXPECT_NE(std::string(e.what()), "");
+  const std::vector<ModelSlot> needed = NeededSlots(GetParam(), bare.rig);
+  try {
+    EXPECT_EQ(Make(GetParam(), std::array{bare})->lanes(), 1);
+    EXPECT_TRUE(needed.empty()) << "does without '" << needed.front().name << "'";
+  } catch (const sim::Error& e) {
+    ASSERT_FALSE(needed.empty()) << e.what();
+    EXPECT_THAT(e.what(), testing::HasSubstr("models: {" + needed.front().name));
+  }
+}
+
+TEST_P(Conformance, TakesTheModelsThatItsSlotsAccept) {
+  for (const AgentContext& context : {Context(), ColorContext()}) {
+    for (const ModelSlot& slot : NeededSlots(GetParam(), context.rig)) {
+      const auto model = context.models.Find<Model>(slot.name);
+      ASSERT_NE(model, nullptr) << slot.name;
+      EXPECT_TRUE(slot.accepts(*model));
+      EXPECT_FALSE(slot.accepts(Model()));
+      EXPECT_FALSE(slot.interface.empty());
     }
   }
 }

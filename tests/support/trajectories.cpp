@@ -88,10 +88,8 @@ bench::EpisodeTrajectory RecordAgent(const std::shared_ptr<const sim::World>& wo
   spec.noise = noise;
   sim::Simulator simulator(world, spec);
   bench::GroundTruth truth{world, spec.body, trial.start, trial.goal};
-  const std::array contexts = {
-      agent::AgentContext{{spec.panorama, true, true, spec.body.camera_height},
-                          std::make_shared<bench::OracleGoalEstimator>(truth),
-                          std::make_shared<bench::OracleSemanticModel>(truth)}};
+  std::array contexts = {agent::AgentContext{{spec.panorama, true, true, spec.body.camera_height}}};
+  contexts[0].models.Set("semantic_model", std::make_shared<bench::OracleSemanticModel>(truth));
   const auto lanes = agent::ConfigureAgent(agent)(contexts);
   const sim::Image goal = bench::LookFrom(*world, spec.body, spec.panorama, trial.goal);
   truth.goal_panorama = {goal.pixels, {}};

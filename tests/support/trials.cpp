@@ -62,10 +62,9 @@ TrialResult RunTrial(sim::Simulator* simulator, const Trial& trial, const agent:
   const sim::Observation goal = LookFrom(*world, spec, trial.goal);
   bench::GroundTruth truth{world, spec.body, trial.start, trial.goal,
                            agent::View(goal, 0).panorama};
-  const std::array contexts = {
-      agent::AgentContext{{spec.panorama, spec.color, spec.depth, spec.body.camera_height},
-                          std::make_shared<bench::OracleGoalEstimator>(truth),
-                          std::make_shared<bench::OracleSemanticModel>(truth)}};
+  std::array contexts = {
+      agent::AgentContext{{spec.panorama, spec.color, spec.depth, spec.body.camera_height}}};
+  contexts[0].models.Set("semantic_model", std::make_shared<bench::OracleSemanticModel>(truth));
   const auto agent = maker(contexts);
   agent->Reset(0, agent::View(goal, 0).panorama, trial.key.episode);
   const sim::Observation* seen = &simulator->Reset(trial.start, trial.key);

@@ -29,7 +29,8 @@ class Blindfold final : public GoalEstimator {
 std::unique_ptr<BatchAgent> Explorer() {
   Rig rig;
   rig.has_color = false;
-  const std::array contexts = {AgentContext{rig, std::make_shared<Blindfold>()}};
+  std::array contexts = {AgentContext{rig}};
+  contexts[0].models.Set("semantic_model", std::make_shared<Blindfold>());
   auto agent = ConfigureAgent("metric_map_fbe")(contexts);
   agent->Reset(0, {}, 1);
   return agent;

@@ -26,10 +26,10 @@ class NtsAgentTest : public testing::Test {
     };
     AgentContext context;
     context.rig = tests::SmallRig();
-    context.semantic_model = model_;
+    context.models.Set("semantic_model", model_);
     NtsSpec spec;
     spec.policy.opening_reach = 0.0;  // known floor ends all around a body that sees nothing
-    agent_ = std::make_unique<NtsAgent>(spec, context, "nts", GhostChoice::kScore);
+    agent_ = std::make_unique<NtsAgent>(spec, context, GhostChoice::kScore);
   }
 
   /// Steps until it stops, or 300.
@@ -122,10 +122,10 @@ TEST(NtsAgent, GoesWhereKnownFloorEndsIfNoDirectionIsExplorable) {
     return panorama.depth.empty() ? CodeAt(6, 0) : CodeAt(0, 0);
   };
   AgentContext context;
-  context.semantic_model = model;
+  context.models.Set("semantic_model", model);
   NtsSpec spec;
   spec.policy.opening_reach = 4.0;
-  NtsAgent agent(spec, context, "nts", GhostChoice::kScore);
+  NtsAgent agent(spec, context, GhostChoice::kScore);
   agent.Reset({}, 3);
   const auto depth = tests::CorridorDepth(0.0);
   agent.Act({{{}, depth}, {}, false, 0});
@@ -147,11 +147,11 @@ TEST(NtsAgent, AsksTheMapBeforeItWalksToAGhostBehindAWall) {
       return std::cos(heading) > 0.9 || std::sin(heading) > 0.9;
     };
     AgentContext context;
-    context.semantic_model = model;
+    context.models.Set("semantic_model", model);
     NtsSpec spec;
     spec.policy.opening_reach = 0.0;
     spec.policy.path_weight = 1.0;
-    NtsAgent agent(spec, context, "nts", GhostChoice::kScore);
+    NtsAgent agent(spec, context, GhostChoice::kScore);
     agent.Reset({}, 3);
     const auto corridor = tests::CorridorDepth(0.0);
     const std::vector<float> nothing(corridor.size(), 0.0f);
@@ -168,7 +168,7 @@ TEST(NtsAgent, WithoutAModelSaysWhereToNameOne) {
   AgentContext context;
   context.rig = tests::SmallRig();
   try {
-    const NtsAgent agent(NtsSpec{}, context, "nts", GhostChoice::kScore);
+    const NtsAgent agent(NtsSpec{}, context, GhostChoice::kScore);
     FAIL();
   } catch (const sim::Error& e) {
     EXPECT_NE(std::string(e.what()).find("semantic_model"), std::string::npos);

@@ -24,15 +24,6 @@ namespace fs = std::filesystem;
 using testing::AllOf;
 using testing::HasSubstr;
 
-ModelLoaders Load() {
-  return {[](const fs::path& weights, const agent::Rig& rig) {
-            return std::make_shared<agent::LearnedModel>(weights, rig);
-          },
-          [](const fs::path& weights, const agent::Rig& rig) {
-            return std::make_shared<agent::LearnedMapper>(weights, rig);
-          }};
-}
-
 class LearnedRunTest : public testing::Test {
  protected:
   LearnedRunTest() {
@@ -59,23 +50,22 @@ class LearnedRunTest : public testing::Test {
     agent::SaveNet(agent::SemanticNet(model, seed), {}, agent::StoredType::kFloat32, weights());
   }
   RunConfig Config(const std::string& agents =
-                       "{agent: nts, semantic_model: learned, lanes: 2}, "
-                       "{agent: metric_map_fbe, semantic_model: learned}",
+                       "{agent: nts, lanes: 2}, "
+                       "{agent: metric_map_fbe}",
                    const std::string& more = "") const {
     return ParseRunConfig(
-        fmt::format(
-            "name: test\nmax_steps: 12\nweights: {{rgb: {}, rgbd: {}, mapper: {}}}\n{}\nepisodes:\n"
-            "  file: {}/episodes.json\n  draw:\n    houses: {{index: {}/index.json}}\n"
-            "    counts: {{easy: 3}}\nagents: [{}]\n",
-            weights().string(), weights().string(), mapper().string(), more,
-            folder_.path().string(), folder_.path().string(), agents),
+        fmt::format("name: test\nmax_steps: 12\nweights: {{nts_rgb: {}, nts_rgbd: {}, mapper_rgb: "
+                    "{}}}\n{}\nepisodes:\n"
+                    "  file: {}/episodes.json\n  draw:\n    houses: {{index: {}/index.json}}\n"
+                    "    counts: {{easy: 3}}\nagents: [{}]\n",
+                    weights().string(), weights().string(), mapper().string(), more,
+                    folder_.path().string(), folder_.path().string(), agents),
         "test.yaml");
   }
   std::vector<std::string> Lines(const RunConfig& config, const std::string& name,
                                  int workers) const {
     RunOptions options;
     options.workers = workers;
-    options.loaders = Load();
     RunBenchmark(config, folder_.path() / name, options);
     std::istringstream file(sim::ReadTextFile(folder_.path() / name / "episodes.jsonl"));
     std::vector<std::string> lines;
@@ -110,7 +100,7 @@ TEST_F(LearnedRunTest, OtherWeightsAreNotMixedIntoResults) {
 }
 
 TEST_F(LearnedRunTest, GoesOnWhenWeightsComeLater) {
-  const std::string agents = "{agent: random}, {agent: nts, semantic_model: learned}";
+  const std::string agents = "{agent: random}, {agent: nts}";
   const RunConfig config = Config(agents);
   fs::rename(weights(), folder_.path() / "aside");
   const auto before = Lines(config, "run", 1);
@@ -124,19 +114,12 @@ TEST_F(LearnedRunTest, GoesOnWhenWeightsComeLater) {
   EXPECT_THROW(Lines(LoadRunConfig(folder_.path() / "run/config.yaml"), "gone", 1), sim::Error);
 }
 
-TEST_F(LearnedRunTest, WithoutALoaderNothingIsPlayed) {
-  EXPECT_THAT(Complaint(Config(), {}), HasSubstr("learned functions"));
-}
-
 TEST_F(LearnedRunTest, RowsSayWhatIsWrongWithWeights) {
   const auto note = [&](const RunConfig& config) {
-    const std::string loaded = FindAgents(config, Load()).front().row().note;
-    EXPECT_EQ(FindAgents(config).front().row().note, loaded);
-    return loaded;
+    return FindAgents(config).front().row().note;
   };
   EXPECT_EQ(note(Config()), "");
-  EXPECT_THAT(note(Config("{agent: nts, semantic_model: learned}", "panorama: {rows: 64}")),
-              HasSubstr("128 x 512"));
+  EXPECT_THAT(note(Config("{agent: nts}", "panorama: {rows: 64}")), HasSubstr("128 x 512"));
   std::string bytes = sim::ReadTextFile(weights());
   bytes[bytes.size() - 2] ^= 1;
   sim::WriteFileAtomically(weights(), bytes);
@@ -147,8 +130,7 @@ TEST_F(LearnedRunTest, RowsSayWhatIsWrongWithWeights) {
 
 TEST_F(LearnedRunTest, PlaysNothingWithDamagedWeights) {
   RunOptions options;
-  options.loaders = Load();
-  const RunConfig config = Config("{agent: random}, {agent: nts, semantic_model: learned}");
+  const RunConfig config = Config("{agent: random}, {agent: nts}");
   const std::string bytes = sim::ReadTextFile(weights());
   sim::WriteFileAtomically(weights(), bytes.substr(0, bytes.size() / 2));
   EXPECT_THAT(Complaint(config, options), HasSubstr("tiny.safetensors"));
@@ -160,8 +142,7 @@ TEST_F(LearnedRunTest, PlaysNothingWithDamagedWeights) {
 
 TEST_F(LearnedRunTest, SaysWhyNothingCanBePlayed) {
   RunOptions options;
-  options.loaders = Load();
-  const RunConfig config = Config("{agent: nts, semantic_model: learned}");
+  const RunConfig config = Config("{agent: nts}");
   fs::remove(weights());
   EXPECT_THAT(Complaint(config, options),
               AllOf(HasSubstr("no agent can run: nts"), HasSubstr("does not exist; train it")));
@@ -171,8 +152,8 @@ TEST_F(LearnedRunTest, SaysWhyNothingCanBePlayed) {
 TEST_F(LearnedRunTest, WithoutDepthAgentsMapByColour) {
   WriteWeights(1, agent::DepthFusion::kNone);
   const RunConfig config = Config(
-      "{agent: nts, semantic_model: learned, lanes: 2}, "
-      "{agent: metric_map_fbe, semantic_model: oracle}",
+      "{agent: nts, lanes: 2}, "
+      "{agent: metric_map_fbe, models: {semantic_model: oracle}}",
       "settings: [rgb]");
   const auto one = Lines(config, "one", 1);
   EXPECT_EQ(one.size(), 6u);
@@ -184,18 +165,16 @@ TEST_F(LearnedRunTest, WithoutDepthAgentsMapByColour) {
 
 TEST_F(LearnedRunTest, RowsSayWhatIsWrongWithTheMapper) {
   const RunConfig config =
-      Config("{agent: metric_map_fbe, semantic_model: oracle}", "settings: [rgb]");
+      Config("{agent: metric_map_fbe, models: {semantic_model: oracle}}", "settings: [rgb]");
   const auto note = [&] {
-    const std::string loaded = FindAgents(config, Load()).front().row().note;
-    EXPECT_EQ(FindAgents(config).front().row().note, loaded);
-    return loaded;
+    return FindAgents(config).front().row().note;
   };
   EXPECT_EQ(note(), "oracle");
-  EXPECT_THAT(Complaint(config, {}), HasSubstr("learned functions"));
+  WriteWeights(1, agent::DepthFusion::kNone);
   fs::copy_file(weights(), mapper(), fs::copy_options::overwrite_existing);
-  EXPECT_THAT(note(), HasSubstr("does not hold the weights of a mapper"));
+  EXPECT_THAT(note(), HasSubstr("holds no mapper, which 'mapper' takes"));
   fs::remove(mapper());
-  EXPECT_THAT(note(), HasSubstr("needs depth"));
+  EXPECT_THAT(note(), AllOf(HasSubstr("mapper.safetensors"), HasSubstr("does not exist")));
 }
 
 }  // namespace

@@ -6,7 +6,9 @@
 #include <gmock/gmock.h>
 
 #include "benchmark/runs/run_agents.h"
+#include "sim/base/files.h"
 #include "sim/config/yaml_writer.h"
+#include "tests/support/temporary_folder.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -20,7 +22,7 @@ constexpr const char* kGood =
     "conditions: [noise, no_stop]\n"
     "agents:\n"
     "  - {agent: random, parameters: {stop: 0.5, forward: 0.25}}\n"
-    "  - {agent: metric_map_fbe, semantic_model: oracle, settings: [rgbd]}\n"
+    "  - {agent: metric_map_fbe, models: {semantic_model: oracle}, settings: [rgbd]}\n"
     "  - {agent: shortest_path, name: ceiling}\n"
     "  - {agent: nts}\n";
 
@@ -50,7 +52,7 @@ TEST(RunConfig, FillsInNamesAndParameters) {
 
 TEST(RunConfig, SavedOneReadsBackTheSame) {
   RunConfig config = ParseRunConfig(kGood, "night.yaml");
-  config.fingerprints = Fingerprints{"0123", {{"a.glb", "77e1"}}, {{"rgbd", "5a5a"}}};
+  config.fingerprints = Fingerprints{"0123", {{"a.glb", "77e1"}}, {{"nts_rgbd", "5a5a"}}};
   const std::string text = sim::ToYaml(config);
   const RunConfig again = ParseRunConfig(text, "config.yaml");
   EXPECT_EQ(sim::ToYaml(again), text);
@@ -71,6 +73,8 @@ TEST(RunConfig, ErrorsNameThePlace) {
   EXPECT_THAT(ErrorOf(With("{agent: nts}", "{agent: random}")),
               AllOf(StartsWith("c.yaml:7:5: "), HasSubstr("two agents are called 'random'")));
   EXPECT_THAT(ErrorOf(With("name: ceiling", "weight: 3")), StartsWith("c.yaml:6:28: unknown key"));
+  EXPECT_THAT(ErrorOf(With("{agent: nts}", "{agent: nts, models: {brain: learned}}")),
+              AllOf(StartsWith("c.yaml:7:"), HasSubstr("nts takes no model called 'brain'")));
   EXPECT_THAT(ErrorOf(With("[noise, no_stop]", "[noise, noise]")),
               AllOf(StartsWith("c.yaml:2:13: "), HasSubstr("a value twice")));
   EXPECT_THAT(ErrorOf("episodess: {file: e}\nagents: [{agent: nts}]\n"),
@@ -81,10 +85,29 @@ TEST(RunConfig, ErrorsNameThePlace) {
   EXPECT_THAT(ErrorOf("agents: [{agent: nts}]\n"), HasSubstr("key 'episodes' is missing"));
 }
 
+TEST(RunConfig, ReadsWhatEarlierVersionsSaved) {
+  const tests::TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "config.yaml";
+  sim::WriteFileAtomically(
+      file,
+      "episodes: {file: e.json}\nweights: {rgb: a, rgbd: b, mapper: c}\nagents:\n"
+      "  - {agent: random, semantic_model: none}\n"
+      "  - {agent: nts, semantic_model: oracle, oracle_functions: []}\n"
+      "  - {agent: metric_map_fbe, semantic_model: learned, oracle_functions: []}\n"
+      "fingerprints: {episodes: '01', scenes: {}, weights: {rgb: '2', mapper: '3'}}\n");
+  const RunConfig config = LoadSavedRunConfig(file);
+  using Names = std::map<std::string, std::string>;
+  EXPECT_EQ(config.weights, (Names{{"mapper_rgb", "c"}, {"nts_rgb", "a"}, {"nts_rgbd", "b"}}));
+  EXPECT_EQ(config.fingerprints->weights, (Names{{"mapper_rgb", "3"}, {"nts_rgb", "2"}}));
+  EXPECT_TRUE(config.agents[0].models.empty());
+  EXPECT_EQ(config.agents[1].models.at("semantic_model"), "oracle");
+  EXPECT_EQ(config.agents[2].models.at("semantic_model"), "learned");
+}
+
 TEST(RunAgents, SayWhatIsMissing) {
   RunConfig config = ParseRunConfig(kGood, "c.yaml");
   config.settings = {Setting::kRgb, Setting::kRgbd};
-  config.weights = {"none.safetensors", "none.safetensors", "none.safetensors"};
+  for (const char* key : {"nts_rgb", "nts_rgbd", "mapper_rgb"}) config.weights[key] = "none";
   config.agents[1].settings.clear();
   const auto agents = FindAgents(config);
   EXPECT_EQ(agents[0].row().note, "");
@@ -92,7 +115,7 @@ TEST(RunAgents, SayWhatIsMissing) {
   EXPECT_THAT(agents[1].row().note, StartsWith("oracle; not in rgb: "));
   EXPECT_EQ(agents[2].row().note, "privileged");
   EXPECT_TRUE(agents[3].settings.empty());
-  EXPECT_THAT(agents[3].row().note, HasSubstr("semantic_model: learned"));
+  EXPECT_THAT(agents[3].row().note, HasSubstr("does not exist; train it"));
   try {
     RequireAll(agents);
     FAIL();
@@ -103,14 +126,15 @@ TEST(RunAgents, SayWhatIsMissing) {
 }
 
 TEST(RunAgents, WithoutAnEstimatorAnAgentThatNeedsOneIsMissing) {
-  const RunConfig config =
-      ParseRunConfig(With("semantic_model: oracle", "semantic_model: none"), "c.yaml");
-  EXPECT_THAT(FindAgents(config)[1].row().note, HasSubstr("recognises the goal"));
+  const RunConfig config = ParseRunConfig(
+      With("models: {semantic_model: oracle}", "models: {semantic_model: none}"), "c.yaml");
+  EXPECT_THAT(FindAgents(config)[1].row().note,
+              HasSubstr("needs a semantic model; 'models: {semantic_model"));
 }
 
 TEST(RunAgents, WithOracleFunctionsTheRowSaysSo) {
-  const RunConfig config =
-      ParseRunConfig(With("{agent: nts}", "{agent: nts, semantic_model: oracle}"), "c.yaml");
+  const RunConfig config = ParseRunConfig(
+      With("{agent: nts}", "{agent: nts, models: {semantic_model: oracle}}"), "c.yaml");
   EXPECT_EQ(FindAgents(config)[3].row().note, "oracle");
 }
 

@@ -135,8 +135,9 @@ class RunnerTest : public testing::Test {
 tests::TemporaryFolder* RunnerTest::houses_ = nullptr;
 
 constexpr const char* kAgents =
-    "{agent: shortest_path}, {agent: random}, {agent: metric_map_fbe, semantic_model: oracle}, "
-    "{agent: nts, semantic_model: oracle}, {agent: active_neural_slam}";
+    "{agent: shortest_path}, {agent: random}, {agent: metric_map_fbe, models: {semantic_model: "
+    "oracle}}, "
+    "{agent: nts, models: {semantic_model: oracle}}, {agent: active_neural_slam}";
 
 TEST_F(RunnerTest, AnyNumberOfWorkersGivesTheSameBytes) {
   const RunConfig config = Config(kAgents, "conditions: [noise, no_noise]\nseeds: [3, 4]");
@@ -389,8 +390,8 @@ TEST_F(RunnerTest, GoldenRun) {
   std::string text;
   for (const EpisodeResult& result :
        Play(Config("{agent: shortest_path}, {agent: random}, {agent: behaves}, "
-                   "{agent: metric_map_fbe, semantic_model: oracle}, "
-                   "{agent: nts, semantic_model: oracle}",
+                   "{agent: metric_map_fbe, models: {semantic_model: oracle}}, "
+                   "{agent: nts, models: {semantic_model: oracle}}",
                    "conditions: [noise, no_stop]"),
             "golden")) {
     const GoalMetrics& goal = result.goals[0];

@@ -6,8 +6,8 @@
 
 #include <gmock/gmock.h>
 
+#include "agent/models/safetensors.h"
 #include "agent/perception/learned_mapper.h"
-#include "agent/perception/safetensors.h"
 #include "sim/base/error.h"
 #include "sim/base/files.h"
 #include "tests/benchmark/training/bar_world.h"

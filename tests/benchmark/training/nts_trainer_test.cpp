@@ -6,7 +6,7 @@
 
 #include <gmock/gmock.h>
 
-#include "agent/perception/safetensors.h"
+#include "agent/models/safetensors.h"
 #include "benchmark/training/training_log.h"
 #include "sim/base/error.h"
 #include "sim/base/files.h"

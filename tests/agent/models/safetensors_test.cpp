@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "agent/perception/safetensors.h"
+#include "agent/models/safetensors.h"
 
 #include <cmath>
 #include <cstring>

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "agent/models/model_registry.h"
+
+#include <map>
+#include <mutex>
+#include <utility>
+
+#include <yaml-cpp/yaml.h>
+
+#include "agent/models/safetensors.h"
+#include "sim/base/error.h"
+
+namespace bulletnav::agent {
+namespace {
+
+/// Filled before main, or by SetMoreModelKinds' function, and only read after that.
+std::map<std::string, ModelLoader, std::less<>>& Registered() {
+  static std::map<std::string, ModelLoader, std::less<>> kinds;
+  return kinds;
+}
+
+struct MoreKinds {
+  std::mutex mutex;
+  std::function<void()> take_in;
+};
+
+MoreKinds& More() {
+  static MoreKinds more;
+  return more;
+}
+
+const ModelLoader* FindLoader(const TensorFile& file) {
+  for (const auto& [key, loader] : Registered()) {
+    if (file.metadata.contains(key)) return &loader;
+  }
+  return nullptr;
+}
+
+/// Whether there may be more kinds now than before.
+bool TookInMore() {
+  const std::lock_guard lock(More().mutex);
+  if (!More().take_in) return false;
+  std::exchange(More().take_in, nullptr)();
+  return true;
+}
+
+/// Files written before there was an entry `frames` tell it by what was trained.
+std::optional<std::int64_t> FramesOfOldFile(const TensorFile& file) {
+  const auto step = file.metadata.find("step");
+  const auto training = file.metadata.find("training");
+  if (step == file.metadata.end() || training == file.metadata.end()) return std::nullopt;
+  try {
+    const YAML::Node plan = YAML::Load(training->second);
+    return std::stoll(step->second) * plan["scenes"].as<std::int64_t>() *
+           plan["panoramas"].as<std::int64_t>();
+  } catch (const std::exception&) {
+    return std::nullopt;  // of another program
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> ModelKinds() {
+  std::vector<std::string> keys;
+  for (const auto& [key, loader] : Registered()) keys.push_back(key);
+  return keys;
+}
+
+std::shared_ptr<Model> LoadModel(const std::filesystem::path& weights, const Rig& rig) {
+  const TensorFile file = ReadTensorFile(weights);
+  const ModelLoader* loader = FindLoader(file);
+  if (loader == nullptr && TookInMore()) loader = FindLoader(file);
+  if (loader != nullptr) return (*loader)(weights, rig);
+  std::string known;
+  for (const std::string& key : ModelKinds()) known += (known.empty() ? "" : ", ") + key;
+  if (known.empty()) known = "none: it was built without learning";
+  throw sim::FileError(weights, "",
+                       "holds no kind of model that this program knows (" + known + ")");
+}
+
+std::optional<std::int64_t> FramesTrained(const std::filesystem::path& weights) {
+  const TensorFile file = ReadTensorFile(weights);
+  const auto frames = file.metadata.find("frames");
+  if (frames == file.metadata.end()) return FramesOfOldFile(file);
+  try {
+    return std::stoll(frames->second);
+  } catch (const std::exception&) {
+    throw sim::FileError(weights, "", "its metadata's 'frames' is no number");
+  }
+}
+
+void SetMoreModelKinds(std::function<void()> take_in) {
+  More().take_in = std::move(take_in);
+}
+
+void internal::RegisterModel(std::string_view key, ModelLoader loader) {
+  if (!Registered().try_emplace(std::string(key), std::move(loader)).second) {
+    throw sim::Error("two kinds of models are called '" + std::string(key) + "'");
+  }
+}
+
+}  // namespace bulletnav::agent

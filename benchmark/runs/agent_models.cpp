@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/runs/agent_models.h"
+
+#include <set>
+
+#include "agent/models/model_registry.h"
+#include "agent/models/usual_slots.h"
+#include "agent/registry.h"
+#include "benchmark/privileged/oracle_semantic_model.h"
+
+namespace bulletnav::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// As FindWeights; absent if there is no such file.
+std::optional<fs::path> FindIfThere(const std::string& weights) {
+  if (fs::exists(weights)) return weights;
+  fs::path folder = fs::read_symlink("/proc/self/exe");
+  while (fs::path(weights).is_relative() && folder.has_relative_path()) {
+    folder = folder.parent_path();
+    if (fs::exists(folder / weights)) return folder / weights;
+  }
+  return std::nullopt;
+}
+
+SlotSource SourceOf(agent::ModelSlot slot, const std::string& given, const RunConfig& config,
+                    Setting setting) {
+  SlotSource source{std::move(slot), given == kOracleModel, "", "", std::nullopt};
+  if (source.is_oracle) return source;
+  if (given == kLearnedModel) {
+    source.key = source.slot.weights + "_" + std::string(sim::NameOf(setting));
+    source.name = config.weights_file(source.key);
+  } else {
+    source.key = given;
+    source.name = given;
+  }
+  source.file = FindIfThere(source.name);
+  return source;
+}
+
+std::shared_ptr<agent::Model> LoadInto(const SlotSource& source, const agent::Rig& rig) {
+  const fs::path file = FindWeights(source.name);
+  std::shared_ptr<agent::Model> model = agent::LoadModel(file, rig);
+  if (source.slot.accepts(*model)) return model;
+  throw sim::FileError(
+      file, "", "holds no " + source.slot.interface + ", which '" + source.slot.name + "' takes");
+}
+
+/// Takes an agent's oracle, or some functions of it in the place of the model's.
+void AddOracles(const AgentEntry& entry, std::span<const SlotSource> sources,
+                const GroundTruth& truth, agent::Models* models) {
+  for (const SlotSource& source : sources) {
+    const bool takes_functions =
+        source.slot.name == agent::kSemanticModel && !entry.oracle_functions.empty();
+    if (!source.is_oracle && !takes_functions) continue;
+    const auto oracle = std::make_shared<OracleSemanticModel>(truth);
+    if (!source.slot.accepts(*oracle)) {
+      throw sim::Error("there is no oracle for '" + source.slot.name + "'");
+    }
+    if (source.is_oracle) {
+      models->Set(source.slot.name, oracle);
+      continue;
+    }
+    const auto& functions = entry.oracle_functions;
+    models->Set(source.slot.name,
+                std::make_shared<MixedSemanticModel>(
+                    models->Need<agent::SemanticModel>(source.slot.name), oracle,
+                    std::set<SemanticFunction>(functions.begin(), functions.end())));
+  }
+}
+
+}  // namespace
+
+std::vector<SlotSource> SourcesOf(const AgentEntry& entry, const RunConfig& config,
+                                  Setting setting) {
+  std::vector<SlotSource> sources;
+  for (agent::ModelSlot& slot : agent::ModelSlotsOf(entry.agent, RigOf(config, setting))) {
+    const auto given = entry.models.find(slot.name);
+    const std::string& model = given == entry.models.end() ? kLearnedModel : given->second;
+    if (model == kNoModel) continue;
+    SlotSource source = SourceOf(std::move(slot), model, config, setting);
+    const bool is_left_out = !source.is_oracle && !source.file && !source.slot.is_needed;
+    if (!is_left_out) sources.push_back(std::move(source));
+  }
+  return sources;
+}
+
+std::map<std::string, fs::path> UsedWeights(const RunConfig& config) {
+  const std::vector<std::string> known = agent::AgentNames();
+  std::map<std::string, fs::path> used;
+  for (const AgentEntry& entry : config.agents) {
+    if (std::find(known.begin(), known.end(), entry.agent) == known.end()) continue;
+    for (const Setting setting : entry.settings.empty() ? config.settings : entry.settings) {
+      for (const SlotSource& source : SourcesOf(entry, config, setting)) {
+        if (source.file) used[source.key] = *source.file;
+      }
+    }
+  }
+  return used;
+}
+
+fs::path FindWeights(const std::string& weights) {
+  if (const auto file = FindIfThere(weights)) return *file;
+  throw sim::FileError(weights, "",
+                       "does not exist; train it: ./bulletnav train configs/train/...");
+}
+
+std::vector<agent::AgentContext> ContextsOf(const AgentEntry& entry,
+                                            std::span<const SlotSource> sources,
+                                            const agent::Rig& rig,
+                                            std::span<const GroundTruth* const> truths) {
+  agent::AgentContext shared{rig};
+  for (const SlotSource& source : sources) {
+    if (!source.is_oracle) shared.models.Set(source.slot.name, LoadInto(source, rig));
+  }
+  std::vector<agent::AgentContext> contexts(truths.size(), shared);
+  for (std::size_t i = 0; i < truths.size(); ++i) {
+    AddOracles(entry, sources, *truths[i], &contexts[i].models);
+  }
+  return contexts;
+}
+
+}  // namespace bulletnav::bench
