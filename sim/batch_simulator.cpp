@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <map>
+#include <numeric>
 
 #include "sim/base/check.h"
 #include "sim/threads/worker_pool.h"
@@ -44,12 +45,12 @@ struct BatchSimulator::Impl {
 
   const RenderScene& scene(std::size_t lane) const { return bodies[lane]->world().render_scene(); }
 
-  /// Draws lanes [first, end) of one world.
-  void Draw(std::size_t first, std::size_t end, int worker, const BatchObservations& out) {
+  /// Draws lanes [first, first + n) of one world.
+  void Draw(std::size_t first, std::size_t n, int worker, const BatchObservations& out) {
+    if (out.color.empty() && out.depth.empty()) return;
     const std::size_t pixels = spec.panorama.pixels();
     std::vector<CameraPose> cameras;
-    for (std::size_t i = first; i < end; ++i) cameras.push_back(bodies[i]->camera_pose());
-    const std::size_t n = end - first;
+    for (std::size_t i = first; i < first + n; ++i) cameras.push_back(bodies[i]->camera_pose());
     RendererOf(scene(first), worker)
         .Render(
             cameras,
@@ -60,27 +61,41 @@ struct BatchSimulator::Impl {
   bool DrawsTogether(std::size_t lane) { return RendererOf(scene(lane), 0).preferred_batch() > 1; }
 
   /// Runs of neighbouring lanes in one world, in one call each.
-  void DrawTogether(const BatchObservations& out) {
-    std::size_t first = 0;
-    while (first < bodies.size()) {
-      std::size_t end = first + 1;
-      while (end < bodies.size() && &scene(end) == &scene(first)) ++end;
-      if (DrawsTogether(first)) Draw(first, end, 0, out);
-      first = end;
+  void DrawTogether(std::span<const int> lanes, const BatchObservations& out) {
+    for (std::size_t i = 0; i < lanes.size();) {
+      const auto first = static_cast<std::size_t>(lanes[i]);
+      std::size_t n = 1;
+      while (i + n < lanes.size() && lanes[i + n] == lanes[i] + static_cast<int>(n) &&
+             &scene(first + n) == &scene(first)) {
+        ++n;
+      }
+      if (DrawsTogether(first)) Draw(first, n, 0, out);
+      i += n;
     }
   }
 
-  /// Lets every lane act, then draws what it sees.
-  void ForEachLane(const std::function<void(std::size_t lane)>& act, const BatchObservations& out) {
+  /// Lets some lanes act, then draws what they see. `act` gets the place among `lanes`.
+  void ForEachLane(std::span<const int> lanes, const std::function<void(std::size_t place)>& act,
+                   const BatchObservations& out) {
     CheckSizes(out);
+    const bool draws = !out.color.empty() || !out.depth.empty();
     std::vector<char> together;
-    for (std::size_t i = 0; i < bodies.size(); ++i) together.push_back(DrawsTogether(i) ? 1 : 0);
-    pool.ForEach(static_cast<int>(bodies.size()), [&](int lane, int worker) {
-      const auto i = static_cast<std::size_t>(lane);
+    for (const int lane : lanes) {
+      body(lane);  // throws if there is none
+      together.push_back(draws && DrawsTogether(static_cast<std::size_t>(lane)) ? 1 : 0);
+    }
+    pool.ForEach(static_cast<int>(lanes.size()), [&](int place, int worker) {
+      const auto i = static_cast<std::size_t>(place);
       act(i);
-      if (together[i] == 0) Draw(i, i + 1, worker, out);
+      if (together[i] == 0) Draw(static_cast<std::size_t>(lanes[i]), 1, worker, out);
     });
-    DrawTogether(out);
+    if (draws) DrawTogether(lanes, out);
+  }
+
+  std::vector<int> AllLanes() const {
+    std::vector<int> lanes(bodies.size());
+    std::iota(lanes.begin(), lanes.end(), 0);
+    return lanes;
   }
 
   void CheckSizes(const BatchObservations& out) const {
@@ -122,17 +137,33 @@ void BatchSimulator::SetWorld(int lane, std::shared_ptr<const World> world) {
 
 void BatchSimulator::Step(std::span<const Action> actions, std::span<Sensors> sensors,
                           const BatchObservations& out) {
-  CHECK_EQ(actions.size(), impl_->bodies.size());
-  CHECK_EQ(sensors.size(), impl_->bodies.size());
+  Step(impl_->AllLanes(), actions, sensors, out);
+}
+
+void BatchSimulator::Step(std::span<const int> lanes, std::span<const Action> actions,
+                          std::span<Sensors> sensors, const BatchObservations& out) {
+  CHECK_EQ(actions.size(), lanes.size());
+  CHECK_EQ(sensors.size(), lanes.size());
   impl_->ForEachLane(
-      [&](std::size_t lane) {
-        sensors[lane] = impl_->bodies[lane]->Step(actions[lane]);
+      lanes,
+      [&](std::size_t place) {
+        sensors[place] = impl_->body(lanes[place]).Step(actions[place]);
       },
       out);
 }
 
 void BatchSimulator::Observe(const BatchObservations& out) {
-  impl_->ForEachLane([](std::size_t) {}, out);
+  Observe(impl_->AllLanes(), out);
+}
+
+void BatchSimulator::Observe(std::span<const int> lanes, const BatchObservations& out) {
+  impl_->ForEachLane(
+      lanes, [](std::size_t) {}, out);
+}
+
+void BatchSimulator::Render(int lane, const CameraPose& camera, const BatchObservations& out) {
+  const RenderScene& scene = impl_->body(lane).world().render_scene();
+  impl_->RendererOf(scene, 0).Render({&camera, 1}, out.color, out.depth);
 }
 
 const SimulatedBody& BatchSimulator::body(int lane) const {

@@ -45,8 +45,16 @@ class BatchSimulator {
   /// (checked).
   void Step(std::span<const Action> actions, std::span<Sensors> sensors,
             const BatchObservations& out);
-  /// The observations alone, after resets.
+  /// The same for some lanes, in rising order: actions and sensors in their order, `out` still of
+  /// all lanes. Empty spans in `out`: nothing is drawn.
+  void Step(std::span<const int> lanes, std::span<const Action> actions, std::span<Sensors> sensors,
+            const BatchObservations& out);
+  /// The observations alone, after resets: of all lanes, or of some.
   void Observe(const BatchObservations& out);
+  void Observe(std::span<const int> lanes, const BatchObservations& out);
+  /// What a camera anywhere in a lane's world would see, by the renderers that are there: one
+  /// panorama.
+  void Render(int lane, const CameraPose& camera, const BatchObservations& out);
 
   /// Ground truth of a lane.
   const SimulatedBody& body(int lane) const;

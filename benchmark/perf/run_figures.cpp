@@ -8,7 +8,7 @@
 
 #include <fmt/core.h>
 
-#include "benchmark/play/episode_run.h"
+#include "benchmark/play/environment.h"
 #include "benchmark/runs/runner.h"
 #include "sim/base/temporary_folder.h"
 
@@ -53,7 +53,7 @@ class RunBench {
     episodes_ = PrepareEpisodes(&copy, {}, 1, [](const std::string&, int) {
       return [] {};
     });
-    truth_.world = sim::World::Load(scene.file, config_.world_options());
+    world_ = sim::World::Load(scene.file, config_.world_options());
   }
 
   PlainTimes Plain() {
@@ -61,7 +61,11 @@ class RunBench {
     const Clock::time_point start = Clock::now();
     const GroundTruth* truth = &truth_;
     const auto agent = Build(agents_.front(), config_, Setting::kRgbd, {&truth, 1});
-    for (const Episode& episode : episodes_.episodes) PlayPlain(episode, agent.get(), &times);
+    Environment environment(TaskOf(config_, Setting::kRgbd, Condition::kNoise, /*sees=*/true),
+                            {&truth_}, 1);
+    for (const Episode& episode : episodes_.episodes) {
+      PlayPlain(episode, &environment, agent.get(), &times);
+    }
     times.all_s = SecondsSince(start);
     return times;
   }
@@ -89,20 +93,24 @@ class RunBench {
   }
 
  private:
-  void PlayPlain(const Episode& episode, agent::BatchAgent* agent, PlainTimes* times) {
+  void PlayPlain(const Episode& episode, Environment* environment, agent::BatchAgent* agent,
+                 PlainTimes* times) {
+    const int lane = 0;
     EpisodeTask task;
     task.episode = episode;
     task.scene_file = episodes_.scene_files.at(episode.scene);
-    const EpisodeRules rules = RulesOf(config_, Setting::kRgbd, Condition::kNoise, /*sees=*/true);
-    EpisodeRun run(std::move(task), rules, truth_.world, &truth_);
-    while (!run.is_over()) {
-      if (run.TakeNewGoal()) agent->Reset(0, run.goal(), run.agent_seed());
-      const agent::LaneObservation seen = {0, run.Look()};
+    environment->Reset(lane, std::move(task), world_);
+    while (!environment->is_over(lane)) {
+      if (environment->TakeNewGoal(lane)) {
+        agent->Reset(lane, environment->goal(lane), environment->agent_seed(lane));
+      }
+      environment->Observe({&lane, 1});
+      const agent::LaneObservation seen = {lane, environment->observation(lane)};
       sim::Action action = sim::Action::kStop;
       const Clock::time_point start = Clock::now();
       agent->Act({&seen, 1}, {&action, 1});
       times->agent_s += SecondsSince(start);
-      run.Apply(action);
+      environment->Step({&lane, 1}, {&action, 1});
       ++times->steps;
     }
   }
@@ -111,6 +119,7 @@ class RunBench {
   RunConfig config_;
   std::vector<RunAgent> agents_;
   RunEpisodes episodes_;
+  std::shared_ptr<const sim::World> world_;
   GroundTruth truth_;
 };
 

@@ -59,11 +59,11 @@ class GoalWatch {
   void Step(const Eigen::Vector3d& position, bool collided);
   /// Whether the body is near the goal now. Cost: one geodesic if the straight line is short.
   bool Reached() const;
+  /// Metres of way left from where the body now is.
+  double Geodesic() const;
   GoalMetrics Finish(bool stopped) const;
 
  private:
-  double Geodesic() const;
-
   const sim::NavmeshQuery& query_;
   Eigen::Vector3d position_;
   Eigen::Vector3d goal_;

@@ -179,16 +179,16 @@ void RequireAll(std::span<const RunAgent> agents) {
   throw sim::Error(fmt::format("not all agents can run: {}", fmt::join(missing, "; ")));
 }
 
-EpisodeRules RulesOf(const RunConfig& config, Setting setting, Condition condition, bool sees) {
-  EpisodeRules rules;
-  rules.body = config.body;
-  rules.panorama = config.panorama;
-  rules.color = sees;
-  rules.depth = sees && setting == Setting::kRgbd;
-  rules.noise = condition == Condition::kNoNoise ? sim::NoiseMode::kNone : config.noise;
-  rules.success = {config.success_distance, condition == Condition::kNoStop};
-  rules.max_steps = config.max_steps;
-  return rules;
+Task TaskOf(const RunConfig& config, Setting setting, Condition condition, bool sees) {
+  Task task;
+  task.body = config.body;
+  task.panorama = config.panorama;
+  task.color = sees;
+  task.depth = sees && setting == Setting::kRgbd;
+  task.noise = condition == Condition::kNoNoise ? sim::NoiseMode::kNone : config.noise;
+  task.success = {config.success_distance, condition == Condition::kNoStop};
+  task.max_steps = config.max_steps;
+  return task;
 }
 
 std::unique_ptr<agent::BatchAgent> Build(const RunAgent& agent, const RunConfig& config,

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "agent/registry.h"
-#include "benchmark/play/episode_run.h"
 #include "benchmark/play/ground_truth.h"
+#include "benchmark/play/task.h"
 #include "benchmark/privileged/privileged_agent.h"
 #include "benchmark/runs/agent_models.h"
 #include "benchmark/runs/run_config.h"
@@ -45,8 +45,8 @@ void RequireSome(std::span<const RunAgent> agents);
 /// Throws sim::Error that names every agent that cannot run in all of its settings.
 void RequireAll(std::span<const RunAgent> agents);
 
-/// How the episodes of a run are played. `sees`: the agent is shown panoramas.
-EpisodeRules RulesOf(const RunConfig& config, Setting setting, Condition condition, bool sees);
+/// What the episodes of a run ask for. `sees`: the agent is shown panoramas.
+Task TaskOf(const RunConfig& config, Setting setting, Condition condition, bool sees);
 
 /// Builds an agent with one lane for each of `truths`, which must outlive it and be up to date at
 /// every call; only oracles and privileged agents look at them. May be called from several threads.

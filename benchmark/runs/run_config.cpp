@@ -112,10 +112,6 @@ RunConfig Parse(const YamlNode& root, const std::filesystem::path& file,
 
 }  // namespace
 
-void TimeBudget::Validate() const {
-  if (!(call_s > 0.0 && episode_s > 0.0)) throw Error("time budgets must be positive");
-}
-
 void AgentEntry::Validate() const {
   RequireDistinct(settings, "settings", true);
   if (lanes < 1 || lanes > 4096) throw KeyError("lanes", "lanes must lie between 1 and 4096");

@@ -72,20 +72,6 @@ struct EpisodeSource {
   }
 };
 
-/// How long an agent may think, in seconds that the program runs: against agents that hang. Those
-/// that keep to it are not influenced by it.
-struct TimeBudget {
-  double call_s = 30.0;      // one answer
-  double episode_s = 900.0;  // all of an episode's
-
-  template <class V>
-  void Visit(V& v) {
-    v("call_s", call_s);
-    v("episode_s", episode_s);
-  }
-  void Validate() const;
-};
-
 /// What a slot of an agent may be filled with besides a file of weights: nothing, the ground truth,
 /// or the weights that RunConfig::weights names for it.
 inline const std::string kNoModel = "none";
@@ -150,7 +136,6 @@ struct RunConfig {
   std::vector<std::uint64_t> seeds = {0};
   double success_distance = 1.0;  // metres
   int max_steps = 500;            // a goal
-  TimeBudget time_budget;
   /// Files of learned models by SLOT'S WEIGHTS_SETTING, as nts_rgbd. Those that are not named are
   /// in assets/weights.
   std::map<std::string, std::string> weights;
@@ -174,7 +159,6 @@ struct RunConfig {
     v("seeds", seeds);
     v("success_distance", success_distance);
     v("max_steps", max_steps);
-    v("time_budget", time_budget);
     v("weights", weights);
     v("trajectories", trajectories);
     v.Required("agents", agents);

@@ -4,10 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <optional>
 
 #include <fmt/core.h>
-#include <sched.h>
-#include <unistd.h>
 
 namespace bulletnav::bench {
 namespace {
@@ -19,6 +18,12 @@ bool IsAction(sim::Action action) {
 
 bool IsFinite(const std::optional<sim::PlanarPose>& pose) {
   return !pose || (std::isfinite(pose->x) && std::isfinite(pose->y) && std::isfinite(pose->yaw));
+}
+
+std::size_t MostLanes(const RunPlan& plan) {
+  int lanes = 1;
+  for (const RunAgent& agent : plan.agents) lanes = std::max(lanes, agent.entry.lanes);
+  return static_cast<std::size_t>(lanes);
 }
 
 }  // namespace
@@ -34,213 +39,170 @@ ResultKey RunPlan::KeyOf(const RunJob& job) const {
           episode.id};
 }
 
+RunWorker::RunWorker(RunShared* shared)
+    : shared_(*shared), plan_(shared->plan), truths_(MostLanes(plan_)), jobs_(truths_.size()) {}
+
 void RunWorker::Work() {
   try {
-    thread_ = ::gettid();
-    std::size_t lanes = 1;
-    for (const RunAgent& agent : plan_.agents) {
-      lanes = std::max(lanes, static_cast<std::size_t>(agent.entry.lanes));
-    }
-    for (std::size_t i = 0; i < lanes; ++i) lanes_.push_back(std::make_unique<Lane>());
-    while (const auto job = shared_->queue.Take()) {
-      if (!PlayRow(*job)) return;
-    }
+    while (const auto job = shared_.queue.Take()) PlayRow(*job);
   } catch (...) {
-    shared_->queue.Abort(std::current_exception());
+    shared_.queue.Abort(std::current_exception());
   }
 }
 
 agent::BatchAgent& RunWorker::AgentFor(std::size_t row) {
-  const RunAgent& agent = plan_.agents[agent_of(row)];
-  const Setting setting = plan_.rows[row].setting;
-  std::unique_ptr<agent::BatchAgent>& built = agents_[{agent_of(row), setting}];
+  const RunRow& of = plan_.rows[row];
+  std::unique_ptr<agent::BatchAgent>& built = agents_[{of.agent, of.setting}];
   if (!built) {
     std::vector<const GroundTruth*> truths;
-    truths.reserve(lanes_.size());
-    for (int i = 0; i < agent.entry.lanes; ++i) {
-      truths.push_back(&lanes_[static_cast<std::size_t>(i)]->truth);
+    for (int i = 0; i < agent_of(row).entry.lanes; ++i) {
+      truths.push_back(&truths_[static_cast<std::size_t>(i)]);
     }
-    built = Build(agent, plan_.config, setting, truths);
+    built = Build(agent_of(row), plan_.config, of.setting, truths);
   }
   return *built;
 }
 
-void RunWorker::StartLane(Lane* lane, const RunJob& job) {
+/// Makes ready to play a row, if that is not what was played last.
+void RunWorker::Enter(std::size_t row) {
+  if (environment_ && row_ == row) return;
+  row_ = row;
+  const RunRow& of = plan_.rows[row];
+  std::vector<GroundTruth*> truths;
+  for (int i = 0; i < agent_of(row).entry.lanes; ++i) {
+    truths.push_back(&truths_[static_cast<std::size_t>(i)]);
+  }
+  const bool sees = !agent_of(row).is_privileged;
+  environment_ = std::make_unique<Environment>(TaskOf(plan_.config, of.setting, of.condition, sees),
+                                               std::move(truths), /*threads=*/1);
+}
+
+void RunWorker::Start(int lane, const RunJob& job) {
   const Episode& episode = plan_.episodes.episodes[job.episode];
-  EpisodeTask task{plan_.KeyOf(job), episode, plan_.episodes.scene_files.at(episode.scene)};
-  const bool sees = !plan_.agents[agent_of(job.row)].is_privileged;
-  const RunRow& row = plan_.rows[job.row];
-  lane->job = job;
-  lane->agent_s = 0.0;
-  lane->run.emplace(std::move(task), RulesOf(plan_.config, row.setting, row.condition, sees),
-                    shared_->worlds.Get(episode.scene), &lane->truth);
+  jobs_[static_cast<std::size_t>(lane)] = job;
+  environment_->Reset(lane,
+                      {plan_.KeyOf(job), episode, plan_.episodes.scene_files.at(episode.scene)},
+                      shared_.worlds.Get(episode.scene));
 }
 
-bool RunWorker::PlayRow(const RunJob& first) {
-  row_ = first.row;
-  const auto lanes = static_cast<std::size_t>(plan_.agents[agent_of(row_)].entry.lanes);
-  StartLane(lanes_[0].get(), first);
+void RunWorker::PlayRow(const RunJob& first) {
+  Enter(first.row);
+  Start(0, first);
   while (true) {
-    for (std::size_t i = 0; i < lanes && !first.alone; ++i) {
-      if (lanes_[i]->run) continue;
-      const auto job = shared_->queue.TakeOfRow(row_);
+    for (int lane = 0; lane < environment_->lanes() && !first.alone; ++lane) {
+      if (environment_->has_episode(lane)) continue;
+      const auto job = shared_.queue.TakeOfRow(row_);
       if (!job) break;
-      StartLane(lanes_[i].get(), *job);
+      Start(lane, *job);
     }
-    if (Going().empty()) return true;
-    if (!PlayOn()) return false;
+    if (Playing().empty() || shared_.queue.aborted()) return;
+    PlayOn();
   }
 }
 
-std::vector<std::size_t> RunWorker::Going() const {
-  std::vector<std::size_t> going;
-  for (std::size_t i = 0; i < lanes_.size(); ++i) {
-    if (lanes_[i]->run) going.push_back(i);
+/// Lanes that have an episode.
+std::vector<int> RunWorker::Playing() const {
+  std::vector<int> playing;
+  for (int lane = 0; lane < environment_->lanes(); ++lane) {
+    if (environment_->has_episode(lane)) playing.push_back(lane);
   }
-  return going;
-}
-
-/// What the agent believes, for drawing. That is no part of the episode: if it fails, there is
-/// none. Absent if the worker was given up.
-std::optional<agent::Belief> RunWorker::AskBelief(std::size_t lane) {
-  agent::Belief belief;
-  if (!plan_.config.trajectories) return belief;
-  if (!clock_.Begin()) return std::nullopt;
-  try {
-    belief = AgentFor(row_).belief(static_cast<int>(lane));
-  } catch (const std::exception&) {
-    belief = {};
-  }
-  if (!clock_.End()) return std::nullopt;
-  if (!IsFinite(belief.pose) || !IsFinite(belief.target)) belief = {};
-  return belief;
+  return playing;
 }
 
 /// One step of all lanes.
-bool RunWorker::PlayOn() {
-  if (shared_->queue.aborted()) return false;
-  for (const std::size_t lane : Going()) {
-    if (lanes_[lane]->run->TakeNewGoal() && !TellGoal(lane)) return false;
+void RunWorker::PlayOn() {
+  for (const int lane : Playing()) {
+    if (environment_->TakeNewGoal(lane) && !environment_->is_over(lane)) TellGoal(lane);
   }
-  std::vector<std::size_t> lanes;
-  for (const std::size_t lane : Going()) {
-    if (!lanes_[lane]->run->is_over()) lanes.push_back(lane);
+  std::vector<int> lanes;
+  for (const int lane : Playing()) {
+    if (!environment_->is_over(lane)) lanes.push_back(lane);
   }
-  if (!lanes.empty() && !Act(lanes)) return false;
-  for (const std::size_t lane : Going()) {
-    if (!lanes_[lane]->run->is_over()) continue;
-    std::optional<agent::Belief> belief = AskBelief(lane);
-    if (!belief) return false;
-    Settle(lanes_[lane].get(), std::move(*belief));
+  if (!lanes.empty()) Act(lanes);
+  for (const int lane : Playing()) {
+    if (environment_->is_over(lane)) Settle(lane);
   }
-  return true;
 }
 
-bool RunWorker::TellGoal(std::size_t lane) {
-  EpisodeRun& run = *lanes_[lane]->run;
-  if (run.is_over()) return true;
+void RunWorker::TellGoal(int lane) {
   agent::BatchAgent& agent = AgentFor(row_);
-  const Called called = Call({lane}, [&] {
-    const auto number = static_cast<int>(lane);
-    if (run.is_first_goal()) {
-      agent.Reset(number, run.goal(), run.agent_seed());
+  Call({lane}, [&] {
+    if (environment_->is_first_goal(lane)) {
+      agent.Reset(lane, environment_->goal(lane), environment_->agent_seed(lane));
     } else {
-      agent.NextGoal(number, run.goal(), run.agent_seed());
+      agent.NextGoal(lane, environment_->goal(lane), environment_->agent_seed(lane));
     }
   });
-  return called != Called::kGivenUp;
 }
 
-bool RunWorker::Act(const std::vector<std::size_t>& lanes) {
+void RunWorker::Act(const std::vector<int>& lanes) {
+  environment_->Observe(lanes);
   std::vector<agent::LaneObservation> observations;
   observations.reserve(lanes.size());
-  for (const std::size_t lane : lanes) {
-    observations.push_back({static_cast<int>(lane), lanes_[lane]->run->Look()});
-  }
+  for (const int lane : lanes) observations.push_back({lane, environment_->observation(lane)});
   // What an agent does not answer is no action.
   std::vector<sim::Action> actions(lanes.size(), static_cast<sim::Action>(-1));
   agent::BatchAgent& agent = AgentFor(row_);
-  const Called called = Call(lanes, [&] {
+  const bool acted = Call(lanes, [&] {
     agent.Act(observations, actions);
   });
-  if (called != Called::kWell) return called == Called::kFailed;
+  if (!acted) return;
+  std::vector<int> moving;
+  std::vector<sim::Action> taken;
   for (std::size_t i = 0; i < lanes.size(); ++i) {
     if (IsAction(actions[i])) {
-      lanes_[lanes[i]]->run->Apply(actions[i]);
+      moving.push_back(lanes[i]);
+      taken.push_back(actions[i]);
     } else {
-      lanes_[lanes[i]]->run->Fail(
-          fmt::format("answered {}, which is no action", static_cast<int>(actions[i])));
+      environment_->Fail(
+          lanes[i], fmt::format("answered {}, which is no action", static_cast<int>(actions[i])));
     }
   }
-  return true;
+  environment_->Step(moving, taken);
 }
 
-RunWorker::Called RunWorker::Call(const std::vector<std::size_t>& lanes,
-                                  const std::function<void()>& call) {
-  if (!clock_.Begin()) return Called::kGivenUp;
-  std::string why;
+bool RunWorker::Call(const std::vector<int>& lanes, const std::function<void()>& call) {
   try {
     call();
+    return true;
   } catch (const std::exception& e) {
-    why = std::string("threw: ") + e.what();
+    FailLanes(lanes, std::string("threw: ") + e.what());
   } catch (...) {
-    why = "threw something that is no exception";
+    FailLanes(lanes, "threw something that is no exception");
   }
-  const std::optional<double> seconds = clock_.End();
-  if (!seconds) return Called::kGivenUp;
-  const TimeBudget& budget = plan_.config.time_budget;
-  for (const std::size_t lane : lanes) {
-    lanes_[lane]->agent_s += *seconds / static_cast<double>(lanes.size());
-    if (why.empty() && lanes_[lane]->agent_s > budget.episode_s) {
-      why = fmt::format("took longer than {:g} s for an episode", budget.episode_s);
-    }
-  }
-  if (why.empty()) return Called::kWell;
-  FailLanes(lanes, why);
-  return Called::kFailed;
-}
-
-std::string RunWorker::TooSlow() const {
-  return fmt::format("took longer than {:g} s for one answer", plan_.config.time_budget.call_s);
+  return false;
 }
 
 /// Of several lanes nobody knows which one was to blame: each is played again by itself.
-void RunWorker::FailLanes(const std::vector<std::size_t>& lanes, const std::string& why) {
-  for (const std::size_t lane : lanes) {
+void RunWorker::FailLanes(const std::vector<int>& lanes, const std::string& why) {
+  for (const int lane : lanes) {
     if (lanes.size() == 1) {
-      lanes_[lane]->run->Fail(why);
+      environment_->Fail(lane, why);
     } else {
-      shared_->queue.PutBackAlone(lanes_[lane]->job);
-      lanes_[lane]->run.reset();
+      shared_.queue.PutBackAlone(jobs_[static_cast<std::size_t>(lane)]);
+      environment_->Clear(lane);
     }
   }
 }
 
-void RunWorker::Settle(Lane* lane, agent::Belief belief) {
-  const EpisodeTrajectory trajectory = lane->run->Finish(std::move(belief));
-  lane->run.reset();
-  shared_->finish(trajectory);
-  shared_->worlds.Done(trajectory.result.key.scene);
+/// What the agent believes, for drawing. That is no part of the episode: if it fails, there is
+/// none.
+agent::Belief RunWorker::AskBelief(int lane) {
+  if (!plan_.config.trajectories) return {};
+  try {
+    agent::Belief belief = AgentFor(row_).belief(lane);
+    if (IsFinite(belief.pose) && IsFinite(belief.target)) return belief;
+  } catch (const std::exception&) {
+    // Nothing is drawn then.
+  }
+  return {};
 }
 
-bool RunWorker::GiveUpIfHung(double seconds) {
-  if (!clock_.Tick(seconds, plan_.config.time_budget.call_s)) return false;
-  // It may spin for ever; let it take only what nobody else wants.
-  const sched_param idle{};
-  ::sched_setscheduler(thread_, SCHED_IDLE, &idle);
-  const std::vector<std::size_t> lanes = Going();
-  for (const std::size_t lane : lanes) {
-    EpisodeRun& run = *lanes_[lane]->run;
-    if (lanes.size() > 1 && !run.is_over()) {
-      shared_->queue.PutBackAlone(lanes_[lane]->job);
-      continue;
-    }
-    if (!run.is_over()) run.Fail(TooSlow());
-    const EpisodeTrajectory trajectory = run.Finish({});
-    shared_->finish(trajectory);
-    shared_->worlds.Done(trajectory.result.key.scene);
-  }
-  return true;
+void RunWorker::Settle(int lane) {
+  const EpisodeTrajectory trajectory = environment_->Finish(lane, AskBelief(lane));
+  environment_->Clear(lane);
+  shared_.finish(trajectory);
+  shared_.worlds.Done(trajectory.result.key.scene);
 }
 
 }  // namespace bulletnav::bench

@@ -2,8 +2,6 @@
 #include "benchmark/runs/runner.h"
 
 #include <algorithm>
-#include <atomic>
-#include <chrono>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -23,8 +21,6 @@ namespace bulletnav::bench {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr double kWatchStepS = 0.05;
 
 void AddRows(const RunConfig& config, std::size_t agent, Setting setting,
              std::vector<RunRow>* rows) {
@@ -64,69 +60,17 @@ int WorkerCount(int workers) {
   return workers > 0 ? workers : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-/// The threads of a run.
-class Crew {
- public:
-  Crew(const std::shared_ptr<RunShared>& shared, int workers) : shared_(shared) {
-    for (int i = 0; i < workers; ++i) Hire();
-  }
-
-  /// Until all jobs are done. Returns how many workers had to be given up.
-  int Watch() {
-    while (!AllLeft()) {
-      std::this_thread::sleep_for(std::chrono::duration<double>(kWatchStepS));
-      for (std::size_t i = 0; i < members_.size(); ++i) Check(i);
-    }
-    shared_->queue.Rethrow();
-    return hung_;
-  }
-
- private:
-  struct Member {
-    std::shared_ptr<RunWorker> worker;
-    std::thread thread;
-    std::shared_ptr<std::atomic<bool>> left;
-  };
-
-  void Hire() {
-    Member& member = members_.emplace_back();
-    member.worker = std::make_shared<RunWorker>(shared_);
-    member.left = std::make_shared<std::atomic<bool>>(false);
-    member.thread = std::thread([worker = member.worker, left = member.left]() mutable {
-      worker->Work();
-      worker.reset();
-      *left = true;
+/// Plays all jobs in threads of their own.
+void PlayAll(RunShared* shared, std::size_t workers) {
+  std::vector<std::thread> threads;
+  for (std::size_t i = 0; i < workers; ++i) {
+    threads.emplace_back([shared] {
+      RunWorker(shared).Work();
     });
   }
-
-  void Check(std::size_t i) {
-    if (!members_[i].thread.joinable()) return;
-    if (*members_[i].left) {
-      members_[i].thread.join();
-      members_[i].worker.reset();
-      return;
-    }
-    try {
-      if (!members_[i].worker->GiveUpIfHung(kWatchStepS)) return;
-    } catch (...) {
-      shared_->queue.Abort(std::current_exception());
-    }
-    members_[i].thread.detach();
-    members_[i].worker.reset();
-    ++hung_;
-    Hire();
-  }
-
-  bool AllLeft() const {
-    return std::none_of(members_.begin(), members_.end(), [](const Member& member) {
-      return member.thread.joinable();
-    });
-  }
-
-  std::shared_ptr<RunShared> shared_;
-  std::vector<Member> members_;
-  int hung_ = 0;
-};
+  for (std::thread& thread : threads) thread.join();
+  shared->queue.Rethrow();
+}
 
 std::vector<AgentRow> AgentRows(const std::vector<RunAgent>& agents) {
   std::vector<AgentRow> rows;
@@ -173,8 +117,8 @@ std::vector<EpisodeResult> TakeDone(const ResultStore& store, Work* work) {
   return done;
 }
 
-int Play(const Work& work, const fs::path& folder, int workers, const RunHooks& hooks,
-         ResultStore* store) {
+void Play(const Work& work, const fs::path& folder, int workers, const RunHooks& hooks,
+          ResultStore* store) {
   const RunConfig& config = work.plan->config;
   std::mutex telling;
   const auto finish = [&](const EpisodeTrajectory& trajectory) {
@@ -186,12 +130,10 @@ int Play(const Work& work, const fs::path& folder, int workers, const RunHooks& 
     const std::lock_guard lock(telling);
     if (hooks.finish) hooks.finish(trajectory.result);
   };
-  const std::shared_ptr<RunShared> shared(
-      new RunShared{work.plan, RunQueue(work.jobs),
-                    WorldCache(config.world_options(), work.plan->episodes.scene_files), finish});
-  for (const RunJob& job : work.jobs) shared->worlds.Expect(work.plan->KeyOf(job).scene);
-  const auto crew = std::min(static_cast<std::size_t>(workers), work.jobs.size());
-  return Crew(shared, static_cast<int>(crew)).Watch();
+  RunShared shared{*work.plan, RunQueue(work.jobs),
+                   WorldCache(config.world_options(), work.plan->episodes.scene_files), finish};
+  for (const RunJob& job : work.jobs) shared.worlds.Expect(work.plan->KeyOf(job).scene);
+  PlayAll(&shared, std::min(static_cast<std::size_t>(workers), work.jobs.size()));
 }
 
 /// Whether a saved config is this one but for weights that were not there yet: no agent that needs
@@ -238,7 +180,7 @@ RunOutcome RunBenchmark(RunConfig config, const fs::path& folder, const RunOptio
   if (hooks.missing) hooks.missing(MissingAgents(work.plan->agents));
   if (hooks.begin) hooks.begin(done.size() + work.jobs.size(), done);
   RunOutcome outcome;
-  outcome.hung = Play(work, folder, workers, hooks, &store);
+  Play(work, folder, workers, hooks, &store);
   outcome.results = store.results();
   outcome.failures = TellFailures(outcome.results);
   outcome.agents = AgentRows(work.plan->agents);

@@ -34,9 +34,6 @@ struct RunHooks {
 struct RunOutcome {
   std::vector<EpisodeResult> results;  // all of the folder's, those of earlier calls too
   std::vector<AgentRow> agents;        // how tables speak of the run's agents
-  /// Threads of agents that never came back. They can only be ended with the process, which must
-  /// then leave by _Exit.
-  int hung = 0;
   /// "3 episodes of NAME failed, as EPISODE: threw: ...", one an agent that failed any.
   std::vector<std::string> failures;
 };
@@ -44,8 +41,8 @@ struct RunOutcome {
 /// Plays every episode of a config that `folder` has no result of yet, and writes there config.yaml
 /// (everything that results depend on), episodes.jsonl and trajectories. Results depend on the
 /// config alone: not on workers, on other episodes, or on how often the run was killed and
-/// started again. An agent that throws, answers with no action or exceeds its time budget fails
-/// that episode, with the reason in its result.
+/// started again. An agent that throws or answers with no action fails that episode, with the
+/// reason in its result; one that never answers is ended with the process.
 /// Throws sim::Error: see PrepareEpisodes, RequireSome, RequireAll and ResultStore.
 RunOutcome RunBenchmark(RunConfig config, const std::filesystem::path& folder,
                         const RunOptions& options, const RunHooks& hooks = {});

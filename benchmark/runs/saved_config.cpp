@@ -34,6 +34,7 @@ void BringUpToDate(YAML::Node config) {
   if (config["agents"] && config["agents"].IsSequence()) {
     for (YAML::Node agent : config["agents"]) MoveModels(agent);
   }
+  config.remove("time_budget");  // agents are no longer timed
   if (config["weights"]) RenameWeights(config["weights"]);
   if (config["fingerprints"] && config["fingerprints"].IsMap()) {
     RenameWeights(config["fingerprints"]["weights"]);

@@ -28,16 +28,13 @@ namespace bulletnav::agent {
 namespace {
 
 /// How the agents below misbehave in one of three episodes, chosen by the seed.
-enum class Trouble { kThrow, kNoAction, kHang, kNothing };
-
-std::atomic<bool> released{false};  // lets those that hang go, when a test is over
+enum class Trouble { kThrow, kNoAction, kNothing };
 
 template <Trouble trouble>
 class TroubledAgent final : public Agent {
  public:
   static constexpr std::string_view kName = trouble == Trouble::kThrow      ? "throws"
                                             : trouble == Trouble::kNoAction ? "no_action"
-                                            : trouble == Trouble::kHang     ? "hangs"
                                                                             : "behaves";
   struct Config {
     template <class V>
@@ -61,9 +58,6 @@ class TroubledAgent final : public Agent {
  private:
   void Misbehave() const {
     if (trouble == Trouble::kThrow) throw sim::Error("lost at step 5");
-    while (trouble == Trouble::kHang && !released) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
   }
 
   std::uint64_t seed_ = 0;
@@ -72,7 +66,6 @@ class TroubledAgent final : public Agent {
 
 const AgentRegistration<TroubledAgent<Trouble::kThrow>> throws;
 const AgentRegistration<TroubledAgent<Trouble::kNoAction>> no_action;
-const AgentRegistration<TroubledAgent<Trouble::kHang>> hangs;
 const AgentRegistration<TroubledAgent<Trouble::kNothing>> behaves;
 
 }  // namespace
@@ -180,9 +173,7 @@ TEST_F(RunnerTest, KilledAtAnyMomentItGoesOnToTheSameBytes) {
 
 TEST_F(RunnerTest, TroubledAgentsFailTheirEpisodesAndNothingElse) {
   const auto alone = Play(Config("{agent: behaves}"), "alone");
-  const RunConfig config =
-      Config("{agent: throws}, {agent: no_action}, {agent: hangs}, {agent: behaves}",
-             "time_budget: {call_s: 0.3}");
+  const RunConfig config = Config("{agent: throws}, {agent: no_action}, {agent: behaves}");
   const RunOutcome outcome =
       RunBenchmark(config, folder("all"), {.episodes = {}, .workers = 2, .require_all = true});
   std::map<std::string, std::vector<EpisodeResult>> by_agent;
@@ -191,9 +182,7 @@ TEST_F(RunnerTest, TroubledAgentsFailTheirEpisodesAndNothingElse) {
   }
   EXPECT_EQ(by_agent["behaves"], alone);
   const std::map<std::string, std::string> reasons = {
-      {"throws", "threw: lost at step 5"},
-      {"no_action", "answered 17, which is no action"},
-      {"hangs", "took longer than 0.3 s for one answer"}};
+      {"throws", "threw: lost at step 5"}, {"no_action", "answered 17, which is no action"}};
   int failed = 0;
   for (const auto& [agent, reason] : reasons) {
     ASSERT_EQ(by_agent[agent].size(), alone.size());
@@ -209,15 +198,11 @@ TEST_F(RunnerTest, TroubledAgentsFailTheirEpisodesAndNothingElse) {
       EXPECT_EQ(result.goals[0].steps, agent == "no_action" ? 8 : 4);
     }
   }
-  EXPECT_GT(failed, 2);
-  EXPECT_EQ(outcome.hung, failed / 3);
+  EXPECT_GE(failed, 2);
   EXPECT_THAT(RebuildTables(folder("all")), HasSubstr("of them failed"));
-  EXPECT_EQ(outcome.failures.size(), 3u);
+  EXPECT_EQ(outcome.failures.size(), 2u);
   EXPECT_THAT(outcome.failures, testing::Contains(HasSubstr("of throws failed, as ")));
   EXPECT_THAT(outcome.failures, testing::Contains(HasSubstr("threw: lost at step 5")));
-  agent::released = true;
-  std::this_thread::sleep_for(std::chrono::milliseconds(100));
-  agent::released = false;
 }
 
 TEST_F(RunnerTest, FailedEpisodesArePlayedAgainWhereAsked) {
@@ -254,16 +239,12 @@ TEST_F(RunnerTest, ResultsOfAgentsThatAreGoneCanStillBeShown) {
 }
 
 TEST_F(RunnerTest, LanesChangeNothingNotEvenBesideOneThatFails) {
-  for (const char* agent : {"behaves", "throws", "hangs"}) {
+  for (const char* agent : {"behaves", "throws"}) {
     const std::string name = agent;
-    const auto one = Play(Config("{agent: " + name + "}", "time_budget: {call_s: 0.3}"), name);
-    const auto three = Play(Config("{agent: " + name + ", lanes: 3}", "time_budget: {call_s: 0.3}"),
-                            name + "3", 1);
+    const auto one = Play(Config("{agent: " + name + "}"), name);
+    const auto three = Play(Config("{agent: " + name + ", lanes: 3}"), name + "3", 1);
     EXPECT_EQ(one, three);
   }
-  agent::released = true;
-  std::this_thread::sleep_for(std::chrono::milliseconds(100));
-  agent::released = false;
 }
 
 TEST_F(RunnerTest, WithoutStopNoAgentDoesWorse) {

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/play/environment.h"
+
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "sim/base/check.h"
+#include "sim/base/error.h"
+
+namespace bulletnav::bench {
+
+Environment::Environment(const Task& task, std::vector<GroundTruth*> truths, int threads)
+    : task_(task), threads_(threads), lanes_(truths.size()), worlds_(truths.size()) {
+  for (std::size_t i = 0; i < truths.size(); ++i) lanes_[i].truth = truths[i];
+  const std::size_t pixels = lanes_.size() * task.panorama.pixels();
+  if (task.color) color_.resize(3 * pixels);
+  if (task.depth) depth_.resize(pixels);
+}
+
+Environment::~Environment() = default;
+
+Environment::Lane& Environment::at(int lane) {
+  return lanes_.at(static_cast<std::size_t>(lane));
+}
+
+const Environment::Lane& Environment::at(int lane) const {
+  return lanes_.at(static_cast<std::size_t>(lane));
+}
+
+const TaskEpisode& Environment::episode(int lane) const {
+  const Lane& own = at(lane);
+  if (!own.episode) throw sim::Error(fmt::format("lane {} has no episode; Reset it first", lane));
+  return *own.episode;
+}
+
+void Environment::Enter(int lane, const std::shared_ptr<const sim::World>& world) {
+  if (!simulator_) {
+    worlds_.assign(worlds_.size(), world);
+    const sim::SimulatorSpec spec = {task_.body, task_.panorama, task_.noise, task_.color,
+                                     task_.depth};
+    simulator_ = std::make_unique<sim::BatchSimulator>(worlds_, spec, threads_);
+  }
+  std::shared_ptr<const sim::World>& own = worlds_[static_cast<std::size_t>(lane)];
+  if (own == world) return;
+  simulator_->SetWorld(lane, world);
+  own = world;
+}
+
+void Environment::Reset(int lane, EpisodeTask episode, std::shared_ptr<const sim::World> world) {
+  Clear(lane);
+  const std::string name =
+      fmt::format("episode '{}' in {}", episode.episode.id, episode.episode.scene);
+  const sim::BodyPose start = episode.episode.start();
+  Enter(lane, world);
+  Lane& own = at(lane);
+  own.sensors = {};
+  try {
+    own.episode.emplace(std::move(episode), task_, std::move(world));
+    simulator_->Reset(lane, start, own.episode->random_key());
+    StartGoals(lane);
+  } catch (const sim::Error& e) {
+    Clear(lane);
+    throw sim::Error(name + ": " + e.what());
+  }
+}
+
+void Environment::Clear(int lane) {
+  at(lane).episode.reset();
+}
+
+/// Begins the present goal; one that the body is at already is followed by the next.
+void Environment::StartGoals(int lane) {
+  Lane& own = at(lane);
+  while (!own.episode->is_over()) {
+    const sim::BodyPose here = simulator_->body(lane).true_pose();
+    own.episode->StartGoal(here);
+    *own.truth = {worlds_[static_cast<std::size_t>(lane)], task_.body, here,
+                  own.episode->goal_pose()};
+    own.has_new_goal = true;
+    DrawGoal(lane);
+    own.truth->goal_panorama = goal(lane);
+    if (!own.episode->IsThere()) return;
+    own.episode->EndGoal(false);
+  }
+}
+
+void Environment::DrawGoal(int lane) {
+  if (!draws()) return;
+  Lane& own = at(lane);
+  if (task_.color) own.goal_color.resize(3 * task_.panorama.pixels());
+  if (task_.depth) own.goal_depth.resize(task_.panorama.pixels());
+  const sim::BodyPose pose = own.episode->goal_pose();
+  const Eigen::Vector3d eye = pose.position + Eigen::Vector3d(0, task_.body.camera_height, 0);
+  simulator_->Render(lane, {eye.cast<float>(), static_cast<float>(pose.yaw)},
+                     {own.goal_color, own.goal_depth});
+}
+
+bool Environment::TakeNewGoal(int lane) {
+  return std::exchange(at(lane).has_new_goal, false);
+}
+
+agent::Panorama Environment::goal(int lane) const {
+  return {at(lane).goal_color, at(lane).goal_depth};
+}
+
+void Environment::Observe(std::span<const int> lanes) {
+  for (const int lane : lanes) CHECK(!is_over(lane));
+  if (draws()) simulator_->Observe(lanes, {color_, depth_});
+}
+
+agent::Observation Environment::observation(int lane) const {
+  const auto pixels = static_cast<std::size_t>(lane) * task_.panorama.pixels();
+  agent::Observation seen;
+  if (task_.color) {
+    seen.panorama.color = std::span(color_).subspan(3 * pixels, 3 * task_.panorama.pixels());
+  }
+  if (task_.depth) seen.panorama.depth = std::span(depth_).subspan(pixels, task_.panorama.pixels());
+  seen.odometry = at(lane).sensors.odometry;
+  seen.collided = at(lane).sensors.collided;
+  seen.step = simulator_->body(lane).steps();
+  return seen;
+}
+
+std::span<const StepOutcome> Environment::Step(std::span<const int> lanes,
+                                               std::span<const sim::Action> actions) {
+  for (const int lane : lanes) CHECK(!is_over(lane));
+  read_.resize(lanes.size());
+  simulator_->Step(lanes, actions, read_, {});
+  outcomes_.clear();
+  for (std::size_t i = 0; i < lanes.size(); ++i) {
+    Lane& own = at(lanes[i]);
+    own.sensors = read_[i];
+    const sim::BodyPose now = simulator_->body(lanes[i]).true_pose();
+    own.truth->pose = now;
+    const StepOutcome outcome = own.episode->Take(actions[i], now, own.sensors);
+    outcomes_.push_back(outcome);
+    if (!outcome.terminated && !outcome.truncated) continue;
+    try {
+      StartGoals(lanes[i]);
+    } catch (const sim::Error& e) {
+      Fail(lanes[i], e.what());
+    }
+  }
+  return outcomes_;
+}
+
+void Environment::Fail(int lane, const std::string& why) {
+  episode(lane);
+  at(lane).episode->Fail(why, simulator_->body(lane).true_pose());
+}
+
+}  // namespace bulletnav::bench
