@@ -11,7 +11,7 @@
 namespace bulletnav::sim {
 
 struct BatchSimulator::Impl {
-  using Renderers = std::map<const RenderScene*, std::unique_ptr<PanoramaRenderer>>;
+  using Renderers = std::map<const RenderScene*, std::unique_ptr<Renderer>>;
 
   Impl(std::vector<std::shared_ptr<const World>> worlds, const SimulatorSpec& the_spec, int workers)
       : spec(the_spec), noise(the_spec.noise), pool(workers) {
@@ -29,7 +29,7 @@ struct BatchSimulator::Impl {
     return *bodies[static_cast<std::size_t>(lane)];
   }
 
-  PanoramaRenderer& RendererOf(const RenderScene& scene, int worker) {
+  Renderer& RendererOf(const RenderScene& scene, int worker) {
     auto& renderer = renderers[static_cast<std::size_t>(worker)][&scene];
     if (!renderer) renderer = scene.MakeRenderer(spec.panorama);
     return *renderer;

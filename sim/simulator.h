@@ -51,7 +51,7 @@ class Simulator {
 
   SimulatorSpec spec_;
   SimulatedBody body_;
-  std::unique_ptr<PanoramaRenderer> renderer_;
+  std::unique_ptr<Renderer> renderer_;
   Observation observation_;
 };
 

@@ -12,8 +12,9 @@ namespace {
 
 constexpr double kMostDeviation = 0.01;  // metres
 
-sim::Image Render(const sim::CameraPose& camera, sim::PanoramaRenderer* renderer) {
-  sim::Image image(renderer->spec().cols, renderer->spec().rows, 3);
+sim::Image Render(const sim::CameraPose& camera, sim::Renderer* renderer) {
+  const sim::PictureSize size = sim::SizeOf(renderer->spec());
+  sim::Image image(size.cols, size.rows, 3);
   renderer->Render({&camera, 1}, image.pixels, {});
   return image;
 }

@@ -7,7 +7,7 @@
 
 #include "benchmark/training/data_config.h"
 #include "sim/math/pose.h"
-#include "sim/render/panorama_renderer.h"
+#include "sim/render/renderer.h"
 
 namespace bulletnav::bench {
 
@@ -23,13 +23,13 @@ class ScenePanoramas {
   ScenePanoramas(const sim::RenderScene& scene, const DataConfig& config);
 
   /// For each of `samples`, an index into `poses`: color u8 [n, rows, cols, 3], depth f32
-  /// [n, rows, cols]; see sim::PanoramaRenderer. An empty span: not wanted.
+  /// [n, rows, cols]; see sim::Renderer. An empty span: not wanted.
   /// Expects: indices within the poses, span sizes that fit (checked).
   void Render(std::span<const sim::BodyPose> poses, std::span<const int> samples,
               std::span<std::uint8_t> color, std::span<float> depth);
 
  private:
-  std::unique_ptr<sim::PanoramaRenderer> renderer_;
+  std::unique_ptr<sim::Renderer> renderer_;
   double camera_height_;
 };
 

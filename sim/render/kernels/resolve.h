@@ -7,6 +7,7 @@
 // the id nearest to the ray is believed although the ray just misses its triangle.
 #include "sim/render/kernels/kernels.h"
 #include "sim/render/kernels/simd.h"
+#include "sim/render/kernels/tilt.h"
 
 namespace bulletnav::sim {
 namespace {
@@ -51,6 +52,7 @@ class Resolver {
         {Load<FW>(frame_.x + column), Splat<FW>(grid_.y[row]), Load<FW>(frame_.z + column)},
         IdsAt(place + (nearest & 1) + (nearest >> 1) * picture_.width),
         grid_.area[row]};
+    MakeWorld(frame_, look.ray);
     BestHit best;
     best.miss = Splat<FW>(-1e30f);
     best.id = Splat<IW>(-1);

@@ -5,6 +5,7 @@
 // they see many, each lane reads a record of its own.
 #include "sim/render/kernels/kernels.h"
 #include "sim/render/kernels/simd.h"
+#include "sim/render/kernels/tilt.h"
 #include "sim/render/kernels/triangle_shadings.h"
 
 namespace bulletnav::sim {
@@ -145,9 +146,10 @@ class Shader {
 
   void WriteColor(int row, int column, FW t, int lanes, std::uint8_t* out) const {
     const IW ids = Load<IW>(hits_.id + row * grid_.stride + column);
-    const FW point[3] = {frame_.origin[0] + t * Load<FW>(frame_.x + column),
-                         frame_.origin[1] + t * grid_.y[row],
-                         frame_.origin[2] + t * Load<FW>(frame_.z + column)};
+    FW ray[3] = {Load<FW>(frame_.x + column), Splat<FW>(grid_.y[row]), Load<FW>(frame_.z + column)};
+    MakeWorld(frame_, ray);
+    const FW point[3] = {frame_.origin[0] + t * ray[0], frame_.origin[1] + t * ray[1],
+                         frame_.origin[2] + t * ray[2]};
     const FW footprint = t * t * t * grid_.area[row];
     Fragment fragment;
     if (__builtin_popcount(Bits(ids != Rotated(ids))) > kManyTriangles) {

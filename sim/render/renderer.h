@@ -28,31 +28,33 @@ struct CameraPose {
   float yaw = 0.0f;
 };
 
-/// Draws RGBD panoramas of one scene; one renderer a thread, any number a scene.
+/// Draws RGBD pictures of one scene with one kind of camera; one renderer a thread, any number a
+/// scene.
 /// Output, for n cameras, into the caller's memory without a further copy:
 ///   color u8 [n, rows, cols, 3] RGB, black where nothing is seen;
 ///   depth f32 [n, rows, cols] metres, *range* along the ray, clipped at spec.max_depth_m,
 ///   0 = no return. An empty span: not wanted.
-/// Column 0 looks 180 degrees behind, columns go clockwise, the middle column looks forward.
-/// Pixels are sampled at their centres; both backends evaluate the same rays and textures.
-/// Expects: span sizes that fit (checked).  Throws: RenderError if the GL context is lost.
-/// Source: ours, after the observation of Neural Topological SLAM, section 5.
-class PanoramaRenderer {
+/// The middle of the picture looks forward; of a panorama, column 0 looks 180 degrees behind and
+/// columns go clockwise; a pinhole camera's column 0 is on the left. Pixels are sampled at their
+/// centres; both backends evaluate the same rays and textures. Throws: Error if a span does not fit
+/// or a pose is not finite, RenderError if the GL context is lost. Source: ours, after the
+/// observation of Neural Topological SLAM, section 5.
+class Renderer {
  public:
-  virtual ~PanoramaRenderer() = default;
-  PanoramaRenderer(const PanoramaRenderer&) = delete;
-  PanoramaRenderer& operator=(const PanoramaRenderer&) = delete;
-  PanoramaRenderer(PanoramaRenderer&&) = delete;
-  PanoramaRenderer& operator=(PanoramaRenderer&&) = delete;
+  virtual ~Renderer() = default;
+  Renderer(const Renderer&) = delete;
+  Renderer& operator=(const Renderer&) = delete;
+  Renderer(Renderer&&) = delete;
+  Renderer& operator=(Renderer&&) = delete;
 
-  virtual const PanoramaSpec& spec() const = 0;
+  virtual const CameraSpec& spec() const = 0;
   /// How many cameras at once this backend likes: 1 on a CPU, many on a GPU.
   virtual int preferred_batch() const = 0;
   virtual void Render(std::span<const CameraPose> cameras, std::span<std::uint8_t> color,
                       std::span<float> depth) = 0;
 
  protected:
-  PanoramaRenderer() = default;
+  Renderer() = default;
 };
 
 /// A scene prepared for one backend: geometry, acceleration structure, textures. Immutable; threads
@@ -69,7 +71,7 @@ class RenderScene {
   /// What draws: "Embree 3, AVX-512" or the GL_RENDERER string.
   virtual std::string description() const = 0;
   /// Throws Error on a bad spec, RenderError where the device cannot do it.
-  virtual std::unique_ptr<PanoramaRenderer> MakeRenderer(const PanoramaSpec& spec) const = 0;
+  virtual std::unique_ptr<Renderer> MakeRenderer(const CameraSpec& spec) const = 0;
 
  protected:
   RenderScene() = default;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "sim/render/panorama_renderer.h"
+#include "sim/render/renderer.h"
 
 #include "sim/render/cpu/cpu_scene.h"
 #include "sim/render/egl/egl_scene.h"
