@@ -24,7 +24,7 @@ const std::vector<std::vector<std::string>> kFloors = {
     {"sim/grid/", "sim/image/", "sim/noise/"},
     {"sim/render/projection", "sim/observation.h"},
     {"sim/scene/"},
-    {"sim/physics/", "sim/navmesh/", "sim/render/"},
+    {"sim/import/", "sim/physics/", "sim/navmesh/", "sim/render/"},
     {"sim/house/", "sim/"},
     {"agent/observation.h", "agent/belief.h"},
     {"agent/models/"},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "sim/scene/ply_check.h"
+#include "sim/import/ply_check.h"
 
 #include <algorithm>
 #include <charconv>

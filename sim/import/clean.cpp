@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "sim/scene/clean.h"
+#include "sim/import/clean.h"
 
 #include <algorithm>
 #include <array>

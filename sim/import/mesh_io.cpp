@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "sim/scene/mesh_io.h"
+#include "sim/import/mesh_io.h"
 
 #include <algorithm>
 
 #include <assimp/MemoryIOWrapper.h>
 
-#include "sim/base/isolated.h"
-#include "sim/scene/uri.h"
+#include "sim/import/cpu_time.h"
+#include "sim/import/uri.h"
 
 namespace bulletnav::sim {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "sim/scene/assimp_scene.h"
+#include "sim/import/assimp_scene.h"
 
 #include <cmath>
 #include <map>
@@ -13,10 +13,10 @@
 
 #include "sim/base/error.h"
 #include "sim/base/files.h"
-#include "sim/base/isolated.h"
-#include "sim/scene/mesh_file_check.h"
-#include "sim/scene/mesh_io.h"
-#include "sim/scene/texture_files.h"
+#include "sim/import/cpu_time.h"
+#include "sim/import/mesh_file_check.h"
+#include "sim/import/mesh_io.h"
+#include "sim/import/texture_files.h"
 
 namespace bulletnav::sim {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "sim/scene/uri.h"
+#include "sim/import/uri.h"
 
 #include <array>
 #include <cctype>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "sim/scene/mesh_file_check.h"
+#include "sim/import/mesh_file_check.h"
 
 #include <algorithm>
 #include <array>
@@ -11,8 +11,8 @@
 
 #include "sim/base/error.h"
 #include "sim/base/files.h"
-#include "sim/scene/gltf_check.h"
-#include "sim/scene/ply_check.h"
+#include "sim/import/gltf_check.h"
+#include "sim/import/ply_check.h"
 
 namespace bulletnav::sim {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "sim/scene/gltf_check.h"
+#include "sim/import/gltf_check.h"
 
 #include <deque>
 #include <map>
@@ -9,9 +9,9 @@
 
 #include "sim/base/error.h"
 #include "sim/base/files.h"
-#include "sim/scene/gltf_document.h"
-#include "sim/scene/mesh_file_check.h"
-#include "sim/scene/uri.h"
+#include "sim/import/gltf_document.h"
+#include "sim/import/mesh_file_check.h"
+#include "sim/import/uri.h"
 
 namespace bulletnav::sim {
 namespace {

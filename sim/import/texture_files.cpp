@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "sim/scene/texture_files.h"
+#include "sim/import/texture_files.h"
 
 #include <algorithm>
 #include <array>
 #include <cctype>
 
-#include "sim/scene/uri.h"
+#include "sim/import/uri.h"
 
 namespace bulletnav::sim {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "sim/scene/texture_files.h"
+#include "sim/import/texture_files.h"
 
 #include <gtest/gtest.h>
 

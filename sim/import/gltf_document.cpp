@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "sim/scene/gltf_document.h"
+#include "sim/import/gltf_document.h"
 
 #include <cmath>
 

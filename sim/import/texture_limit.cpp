@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "sim/scene/texture_limit.h"
+#include "sim/import/texture_limit.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "sim/scene/up_axis.h"
+#include "sim/import/up_axis.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <span>
 
-#include "sim/scene/mesh_file_check.h"
+#include "sim/import/mesh_file_check.h"
 
 namespace bulletnav::sim {
 
