@@ -1,39 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "sim/render/panorama_renderer.h"
 
-#include "sim/base/error.h"
 #include "sim/render/cpu/cpu_scene.h"
-#ifdef BULLETNAV_EGL
-#include "sim/render/egl/egl_scene.h"
-#endif
+#include "sim/render/egl_backend.h"
 
 namespace bulletnav::sim {
-namespace {
-
-#ifdef BULLETNAV_EGL
-/// Null if there is none.
-std::unique_ptr<const RenderScene> MakeGpuScene(const SceneMesh& mesh) {
-  return HasHardwareGpu() ? MakeEglScene(mesh, GlDevice::kHardware) : nullptr;
-}
-#else
-std::unique_ptr<const RenderScene> MakeGpuScene(const SceneMesh& /*mesh*/) {
-  return nullptr;
-}
-std::unique_ptr<const RenderScene> MakeEglScene(const SceneMesh& /*mesh*/) {
-  throw RenderError("the backend egl is not there: built without EGL (BULLETNAV_EGL)");
-}
-#endif
-
-}  // namespace
 
 std::unique_ptr<const RenderScene> MakeRenderScene(const SceneMesh& mesh, Backend backend) {
   switch (backend) {
     case Backend::kEgl:
-      return MakeEglScene(mesh);
+      return MakeEglRenderScene(mesh, /*on_hardware=*/false);
     case Backend::kEmbree:
       break;
     case Backend::kAuto:
-      if (auto scene = MakeGpuScene(mesh)) return scene;
+      if (HasHardwareGpu()) return MakeEglRenderScene(mesh, /*on_hardware=*/true);
       break;
   }
   return MakeCpuScene(mesh);

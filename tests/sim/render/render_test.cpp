@@ -10,6 +10,7 @@
 #include "sim/render/cpu/cpu_scene.h"
 #include "sim/render/cpu/raycaster.h"
 #include "sim/render/egl/egl_scene.h"
+#include "sim/render/egl_backend.h"
 #include "sim/render/panorama_renderer.h"
 #include "sim/render/render_mesh.h"
 #include "tests/support/panoramas.h"
