@@ -2,7 +2,6 @@
 #include "benchmark/play/episode_run.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/core.h>
 
@@ -11,20 +10,6 @@
 #include "sim/base/files.h"
 
 namespace bulletnav::bench {
-namespace {
-
-/// A goal that nobody set out for.
-GoalMetrics NeverTried(const sim::NavmeshQuery& query, const Eigen::Vector3d& from,
-                       const EpisodeGoal& goal) {
-  GoalRecord record;
-  const double geodesic = query.GeodesicDistance(from.cast<float>(), goal.position.cast<float>());
-  record.start_distance = std::isfinite(geodesic) ? geodesic : goal.geodesic_distance;
-  record.distance_to_goal = geodesic;
-  record.euclidean_distance = (goal.position - from).norm();
-  return Measure(record, {});
-}
-
-}  // namespace
 
 EpisodeRun::EpisodeRun(EpisodeTask task, const EpisodeRules& rules,
                        std::shared_ptr<const sim::World> world, GroundTruth* truth)
@@ -112,17 +97,14 @@ void EpisodeRun::Fail(const std::string& why) {
   const auto& goals = task_.episode.goals;
   Eigen::Vector3d from = body_.true_pose().position;
   if (!is_over() && watch_ && goal_steps_ > 0) {
-    GoalMetrics metrics = watch_->Finish(false);
-    metrics.success = false;
-    metrics.success_euclidean = false;
-    metrics.spl = 0.0;
-    metrics_.push_back(metrics);
+    metrics_.push_back(watch_->Fail());
     from = goals[goal_].position;
     ++goal_;
   }
   for (; !is_over(); ++goal_) {
-    metrics_.push_back(NeverTried(query_, from, goals[goal_]));
-    from = goals[goal_].position;
+    const EpisodeGoal& goal = goals[goal_];
+    metrics_.push_back(UntriedGoal(query_, from, goal.position, goal.geodesic_distance));
+    from = goal.position;
   }
 }
 

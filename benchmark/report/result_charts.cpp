@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <optional>
 #include <tuple>
 
 #include <fmt/core.h>
@@ -44,20 +45,29 @@ std::string NameOf(const LineKey& key, std::span<const AgentRow> agents) {
                      note);
 }
 
-/// Success and SPL with nothing in them yet.
+/// One of each main measure, with nothing in them yet.
 std::vector<Chart> EmptyCharts(const std::string& x_label) {
-  return {{x_label, "success", {}}, {x_label, "SPL", {}}};
+  std::vector<Chart> charts;
+  for (const Measure& measure : MainMeasures()) {
+    charts.push_back({x_label, std::string(measure.label), {}});
+  }
+  return charts;
 }
 
-struct Bin {
-  std::vector<double> spl;
-  int successes = 0;
-};
+using Bin = std::vector<const GoalMetrics*>;
 
-/// The same for the same values in any order.
-Interval SplInterval(std::vector<double> spl) {
-  std::sort(spl.begin(), spl.end());
-  return BootstrapInterval(spl, kBootstrapSeed);
+/// A mean with its interval, if there is something to take it of; the same for the same goals in
+/// any order.
+std::optional<Chart::Value> ValueAt(double x, const Bin& bin, const Measure& measure) {
+  std::vector<double> values;
+  for (const GoalMetrics* goal : bin) {
+    if (const auto value = EpisodeValue(measure, {goal, 1})) values.push_back(*value);
+  }
+  if (values.empty()) return std::nullopt;
+  std::sort(values.begin(), values.end());
+  const bool is_share = measure.kind == MeasureKind::kYesNo;
+  return Chart::Value{x, Mean(values),
+                      is_share ? ShareInterval(values) : BootstrapInterval(values, kBootstrapSeed)};
 }
 
 using Bins = std::map<int, Bin>;  // by the metre they begin at
@@ -65,7 +75,7 @@ using Bins = std::map<int, Bin>;  // by the metre they begin at
 Bins Filled(const Bins& bins) {
   Bins filled;
   for (const auto& [metre, bin] : bins) {
-    if (bin.spl.size() >= kLeastEpisodes) filled[metre] = bin;
+    if (bin.size() >= kLeastEpisodes) filled[metre] = bin;
   }
   return filled;
 }
@@ -81,13 +91,16 @@ std::vector<Chart> GoalCountCharts(std::span<const SummaryRow> rows,
     lines[KeyOf(row, agents)][goals] = &row;
   }
   if (lines.empty()) return {};
+  const std::vector<Measure> measures = MainMeasures();
   std::vector<Chart> charts = EmptyCharts("number of goals");
   for (const auto& [key, line] : lines) {
-    for (Chart& chart : charts) chart.series.push_back({NameOf(key, agents), {}});
-    for (const auto& [goals, row] : line) {
-      const auto x = static_cast<double>(goals);
-      charts[0].series.back().values.push_back({x, row->success, row->success_ci});
-      charts[1].series.back().values.push_back({x, row->spl, row->spl_ci});
+    for (std::size_t i = 0; i < charts.size(); ++i) {
+      auto& values = charts[i].series.emplace_back(NameOf(key, agents)).values;
+      for (const auto& [goals, row] : line) {
+        const Average average = row->Of(measures[i].name);
+        if (!average.mean || !average.interval) continue;
+        values.push_back({static_cast<double>(goals), *average.mean, *average.interval});
+      }
     }
   }
   return charts;
@@ -99,23 +112,21 @@ std::vector<Chart> DistanceCharts(std::span<const EpisodeResult> results,
   for (const EpisodeResult& result : results) {
     if (result.goals.size() != 1) continue;
     const GoalMetrics& goal = result.goals.front();
-    Bin& bin = lines[KeyOf(result.key, agents)][static_cast<int>(std::floor(goal.start_distance))];
-    bin.spl.push_back(goal.spl);
-    bin.successes += goal.success ? 1 : 0;
+    const auto metre = static_cast<int>(std::floor(goal.Value("start_distance")));
+    lines[KeyOf(result.key, agents)][metre].push_back(&goal);
   }
+  const std::vector<Measure> measures = MainMeasures();
   std::vector<Chart> charts = EmptyCharts("geodesic distance to the goal (m)");
   bool left_out = false;
   for (const auto& [key, bins] : lines) {
     const Bins filled = Filled(bins);
     left_out = left_out || filled.size() < bins.size();
     if (filled.empty()) continue;
-    for (Chart& chart : charts) chart.series.push_back({NameOf(key, agents), {}});
-    for (const auto& [metre, bin] : filled) {
-      const double x = metre + 0.5;
-      const auto count = static_cast<int>(bin.spl.size());
-      const double share = static_cast<double>(bin.successes) / count;
-      charts[0].series.back().values.push_back({x, share, WilsonInterval(bin.successes, count)});
-      charts[1].series.back().values.push_back({x, Mean(bin.spl), SplInterval(bin.spl)});
+    for (std::size_t i = 0; i < charts.size(); ++i) {
+      auto& values = charts[i].series.emplace_back(NameOf(key, agents)).values;
+      for (const auto& [metre, bin] : filled) {
+        if (const auto value = ValueAt(metre + 0.5, bin, measures[i])) values.push_back(*value);
+      }
     }
   }
   if (charts.front().series.empty()) return {};

@@ -11,6 +11,7 @@
 
 #include "benchmark/episodes/generator.h"
 #include "benchmark/episodes/made_houses.h"
+#include "benchmark/play/condition.h"
 #include "benchmark/privileged/mixed_semantic_model.h"
 #include "sim/noise/noise_model.h"
 #include "sim/simulator.h"
@@ -19,9 +20,6 @@ namespace bulletnav::bench {
 
 /// What the panoramas hold.
 enum class Setting { kRgb, kRgbd };
-/// kNoNoise: exact motion and odometry. kNoStop: being near the goal ends the episode, a stop does
-/// nothing. Source: Neural Topological SLAM, table 2.
-enum class Condition { kNoise, kNoNoise, kNoStop };
 /// Who answers the four functions of Neural Topological SLAM: the ground truth, or weights.
 enum class SemanticModelKind { kNone, kOracle, kLearned };
 
@@ -38,13 +36,6 @@ template <>
 struct bulletnav::sim::EnumNames<bulletnav::bench::Setting> {
   static constexpr std::array kNames = {std::pair{"rgb", bulletnav::bench::Setting::kRgb},
                                         std::pair{"rgbd", bulletnav::bench::Setting::kRgbd}};
-};
-template <>
-struct bulletnav::sim::EnumNames<bulletnav::bench::Condition> {
-  static constexpr std::array kNames = {
-      std::pair{"noise", bulletnav::bench::Condition::kNoise},
-      std::pair{"no_noise", bulletnav::bench::Condition::kNoNoise},
-      std::pair{"no_stop", bulletnav::bench::Condition::kNoStop}};
 };
 
 namespace bulletnav::bench {

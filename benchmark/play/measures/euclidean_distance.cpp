@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/play/measure.h"
+
+namespace bulletnav::bench {
+namespace {
+
+/// Metres at the end, as the crow flies.
+double EuclideanDistance(const GoalRecord& record, const SuccessRule& /*rule*/) {
+  return record.euclidean_distance;
+}
+
+const MeasureRegistration registration({
+    .name = "euclidean_distance",
+    .value = EuclideanDistance,
+    .place = 70,
+});
+
+}  // namespace
+}  // namespace bulletnav::bench
