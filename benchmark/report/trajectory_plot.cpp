@@ -37,20 +37,17 @@ double DrawColumn(const EpisodeTrajectory& trajectory, const MapPlace& place,
 std::string Verdict(const EpisodeTrajectory& trajectory) {
   const auto& goals = trajectory.result.goals;
   if (!trajectory.result.failure.empty()) return "failed: " + trajectory.result.failure;
+  const double spl = EpisodeValue(FindMeasure("spl"), goals).value_or(0.0);
   if (goals.size() > 1) {
-    double spl = 0.0;
-    for (const GoalMetrics& goal : goals)
-      spl += goal.Value("spl") / static_cast<double>(goals.size());
     const auto reached = std::count_if(goals.begin(), goals.end(), [](const GoalMetrics& goal) {
       return goal.success();
     });
     return fmt::format("{} of {} goals, SPL {:.2f}", reached, goals.size(), spl);
   }
-  if (goals.front().success())
-    return fmt::format("success, SPL {:.2f}", goals.front().Value("spl"));
-  if (!std::isfinite(goals.front().Value("distance_to_goal")))
-    return "failed, cut off from the goal";
-  return fmt::format("failed, {:.1f} m from the goal", goals.front().Value("distance_to_goal"));
+  if (goals.front().success()) return fmt::format("success, SPL {:.2f}", spl);
+  const double left = goals.front().Value("distance_to_goal");
+  if (!std::isfinite(left)) return "failed, cut off from the goal";
+  return fmt::format("failed, {:.1f} m from the goal", left);
 }
 
 /// What was walked, and the shortest way: of all goals, or of several those that were reached, for

@@ -5,13 +5,11 @@ namespace bulletnav::bench {
 namespace {
 
 /// Steps in which the body met something.
-double Collisions(const GoalRecord& record, const SuccessRule& /*rule*/) {
-  return record.collisions;
-}
-
 const MeasureRegistration registration({
     .name = "collisions",
-    .value = Collisions,
+    .value = [](const GoalRecord& record, const SuccessRule& /*rule*/) -> double {
+      return record.collisions;
+    },
     .kind = MeasureKind::kWhole,
     .place = 100,
     .over_goals = OverGoals::kSum,

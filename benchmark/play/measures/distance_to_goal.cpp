@@ -5,13 +5,12 @@ namespace bulletnav::bench {
 namespace {
 
 /// Geodesic metres at the end; infinite off the goal's island, where means take the straight line.
-double DistanceToGoal(const GoalRecord& record, const SuccessRule& /*rule*/) {
-  return record.distance_to_goal;
-}
-
 const MeasureRegistration registration({
     .name = "distance_to_goal",
-    .value = DistanceToGoal,
+    .value =
+        [](const GoalRecord& record, const SuccessRule& /*rule*/) {
+          return record.distance_to_goal;
+        },
     .kind = MeasureKind::kRealOrInfinite,
     .place = 60,
     .if_infinite = "euclidean_distance",

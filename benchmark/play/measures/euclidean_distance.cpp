@@ -5,13 +5,12 @@ namespace bulletnav::bench {
 namespace {
 
 /// Metres at the end, as the crow flies.
-double EuclideanDistance(const GoalRecord& record, const SuccessRule& /*rule*/) {
-  return record.euclidean_distance;
-}
-
 const MeasureRegistration registration({
     .name = "euclidean_distance",
-    .value = EuclideanDistance,
+    .value =
+        [](const GoalRecord& record, const SuccessRule& /*rule*/) {
+          return record.euclidean_distance;
+        },
     .place = 70,
 });
 

@@ -5,13 +5,12 @@ namespace bulletnav::bench {
 namespace {
 
 /// Metres really moved.
-double PathLength(const GoalRecord& record, const SuccessRule& /*rule*/) {
-  return record.path_length;
-}
-
 const MeasureRegistration registration({
     .name = "path_length",
-    .value = PathLength,
+    .value =
+        [](const GoalRecord& record, const SuccessRule& /*rule*/) {
+          return record.path_length;
+        },
     .place = 80,
 });
 

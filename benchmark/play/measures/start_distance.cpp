@@ -5,13 +5,12 @@ namespace bulletnav::bench {
 namespace {
 
 /// Geodesic metres from start to goal.
-double StartDistance(const GoalRecord& record, const SuccessRule& /*rule*/) {
-  return record.start_distance;
-}
-
 const MeasureRegistration registration({
     .name = "start_distance",
-    .value = StartDistance,
+    .value =
+        [](const GoalRecord& record, const SuccessRule& /*rule*/) {
+          return record.start_distance;
+        },
     .place = 50,
 });
 

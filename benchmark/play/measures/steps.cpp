@@ -5,13 +5,11 @@ namespace bulletnav::bench {
 namespace {
 
 /// Actions but for the stop that ends the goal.
-double Steps(const GoalRecord& record, const SuccessRule& /*rule*/) {
-  return record.steps;
-}
-
 const MeasureRegistration registration({
     .name = "steps",
-    .value = Steps,
+    .value = [](const GoalRecord& record, const SuccessRule& /*rule*/) -> double {
+      return record.steps;
+    },
     .kind = MeasureKind::kWhole,
     .place = 90,
     .over_goals = OverGoals::kSum,

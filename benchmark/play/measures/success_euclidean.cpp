@@ -5,13 +5,12 @@ namespace bulletnav::bench {
 namespace {
 
 /// Success by the straight line: stops behind a wall count too.
-double SuccessEuclidean(const GoalRecord& record, const SuccessRule& rule) {
-  return IsNear(record.euclidean_distance, record, rule) ? 1.0 : 0.0;
-}
-
 const MeasureRegistration registration({
     .name = "success_euclidean",
-    .value = SuccessEuclidean,
+    .value =
+        [](const GoalRecord& record, const SuccessRule& rule) {
+          return IsNear(record.euclidean_distance, record, rule) ? 1.0 : 0.0;
+        },
     .kind = MeasureKind::kYesNo,
     .place = 20,
     .column = "success_euclidean",

@@ -2,7 +2,10 @@
 #include "benchmark/play/metrics.h"
 
 #include <cmath>
+#include <filesystem>
 #include <limits>
+#include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 
@@ -108,6 +111,66 @@ TEST(Measure, EndOffTheGoalsIslandIsInfinitelyFar) {
   EXPECT_EQ(m.Value("distance_to_goal"), kInfinity);
 }
 
+TEST(Measure, OfAnAgentThatWasTakenOffIsNoSuccess) {
+  GoalRecord record = StoppedAt(0.5);
+  record.failed = true;
+  for (const SuccessRule& rule : {kStop, kNoStop}) {
+    const GoalMetrics m = MeasureGoal(record, rule);
+    EXPECT_FALSE(m.success());
+    EXPECT_EQ(m.Value("success_euclidean"), 0.0);
+    EXPECT_EQ(m.Value("spl"), 0.0);
+    EXPECT_DOUBLE_EQ(m.Value("soft_spl"), (1.0 - 0.5 / 4.0) * 4.0 / 5.0);
+  }
+}
+
+TEST(Measures, AreTheFilesOfTheirFolder) {
+  std::vector<std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(BULLETNAV_MEASURES)) {
+    if (entry.path().extension() == ".cpp") files.push_back(entry.path().stem().string());
+  }
+  std::vector<std::string> names;
+  for (const Measure& measure : AllMeasures()) names.emplace_back(measure.name);
+  EXPECT_THAT(names, testing::UnorderedElementsAreArray(files));
+}
+
+TEST(Measures, UnknownNamesAreRefusedWithTheKnownOnes) {
+  try {
+    FindMeasure("sucess");
+    FAIL();
+  } catch (const sim::Error& e) {
+    EXPECT_THAT(e.what(), testing::AllOf(testing::HasSubstr("'sucess'"),
+                                         testing::HasSubstr("success, success_euclidean, spl")));
+  }
+}
+
+TEST(EpisodeValue, GoesOverTheGoalsAsTheMeasureSays) {
+  const std::vector<GoalMetrics> goals = {
+      {{"success", 1.0}, {"steps", 10.0}, {"distance_to_goal", 0.5}},
+      {{"success", 0.0},
+       {"steps", 20.0},
+       {"distance_to_goal", kInfinity},
+       {"euclidean_distance", 4.5}}};
+  EXPECT_EQ(EpisodeValue(FindMeasure("success"), goals), 0.5);
+  EXPECT_EQ(EpisodeValue(FindMeasure("steps"), goals), 30.0);
+  EXPECT_EQ(EpisodeValue(FindMeasure("distance_to_goal"), goals), 2.5) << "the straight line";
+  EXPECT_EQ(EpisodeValue(FindMeasure("collisions"), goals), std::nullopt) << "not measured";
+  Measure steps = FindMeasure("steps");
+  steps.over_goals = OverGoals::kMeanOfReached;
+  EXPECT_EQ(EpisodeValue(steps, goals), 10.0);
+  EXPECT_EQ(EpisodeValue(steps, {&goals[1], 1}), std::nullopt);
+}
+
+TEST(GoalMetrics, WhatIsMissingIsNamed) {
+  const GoalMetrics m = {{"success", 1.0}};
+  EXPECT_EQ(m.Find("spl"), std::nullopt);
+  try {
+    m.Value("spl");
+    FAIL();
+  } catch (const sim::Error& e) {
+    EXPECT_THAT(e.what(), testing::HasSubstr("no 'spl'"));
+  }
+}
+
 /// A room of 6 x 6 m cut by a wall of 0.1 m along z = -3, with a gap of a metre at x > 5.
 class GoalWatchTest : public testing::Test {
  protected:
@@ -167,6 +230,29 @@ TEST_F(GoalWatchTest, StartNearTheGoalIsReachedWithoutAStep) {
   EXPECT_TRUE(m.success());
   EXPECT_EQ(m.Value("spl"), 1.0);
   EXPECT_EQ(m.Whole("steps"), 0);
+}
+
+TEST_F(GoalWatchTest, FailureKeepsWhatWasWalked) {
+  for (const SuccessRule& rule : {kStop, kNoStop}) {
+    GoalWatch watch(query_, {1, 0, -1}, {1.5, 0, -1}, rule);
+    watch.Step({1.25, 0, -1}, true);
+    const GoalMetrics m = watch.Fail();
+    EXPECT_FALSE(m.success());
+    EXPECT_EQ(m.Value("spl"), 0.0);
+    EXPECT_EQ(m.Whole("steps"), 1);
+    EXPECT_EQ(m.Whole("collisions"), 1);
+    EXPECT_NEAR(m.Value("path_length"), 0.25, 1e-9);
+  }
+}
+
+TEST_F(GoalWatchTest, UntriedGoalsAreAsFarAsTheyWere) {
+  const GoalMetrics near = UntriedGoal(query_, {1, 0, -1}, {1.5, 0, -1}, 7.0);
+  EXPECT_FALSE(near.success()) << "though it is near";
+  EXPECT_NEAR(near.Value("start_distance"), 0.5, 0.02);
+  EXPECT_EQ(near.Whole("steps"), 0);
+  const GoalMetrics cut_off = UntriedGoal(query_, {1, 0, -1}, {100, 0, -1}, 7.0);
+  EXPECT_EQ(cut_off.Value("start_distance"), 7.0);
+  EXPECT_EQ(cut_off.Value("distance_to_goal"), kInfinity);
 }
 
 TEST_F(GoalWatchTest, RefusesGoalsThatCannotBeReached) {
