@@ -11,6 +11,8 @@
 namespace bulletnav::bench {
 namespace {
 
+constexpr std::uint64_t kMostWhole = std::numeric_limits<int>::max();
+
 Json ValueToJson(double value, MeasureKind kind) {
   switch (kind) {
     case MeasureKind::kYesNo:
@@ -33,31 +35,16 @@ void WriteMetrics(const GoalMetrics& metrics, Json* json) {
   }
 }
 
-bool Truth(const JsonCursor& json) {
-  if (!json.value().is_boolean()) json.Fail("expected true or false here");
-  return json.value().get<bool>();
-}
-
-template <class Integer>
-Integer Whole(const JsonCursor& json) {
-  if (!json.value().is_number_unsigned()) json.Fail("expected a whole number here");
-  const auto value = json.value().get<std::uint64_t>();
-  if (value > static_cast<std::uint64_t>(std::numeric_limits<Integer>::max())) {
-    json.Fail("is too large a number");
-  }
-  return static_cast<Integer>(value);
-}
-
 double ReadValue(const JsonCursor& json, MeasureKind kind) {
   switch (kind) {
     case MeasureKind::kYesNo:
-      return Truth(json) ? 1.0 : 0.0;
+      return json.Truth() ? 1.0 : 0.0;
     case MeasureKind::kWhole:
-      return Whole<int>(json);
+      return static_cast<double>(json.Whole(kMostWhole));
     case MeasureKind::kReal:
       return json.Number();
     case MeasureKind::kRealOrInfinite:
-      return json.value().is_null() ? std::numeric_limits<double>::infinity() : json.Number();
+      return json.IsNull() ? std::numeric_limits<double>::infinity() : json.Number();
   }
   return 0.0;
 }
@@ -78,20 +65,19 @@ EpisodeResult FromJson(const JsonCursor& json) {
   result.key.agent = json.At("agent").Text();
   result.key.setting = json.At("setting").Text();
   result.key.condition = json.At("condition").Text();
-  result.key.seed = Whole<std::uint64_t>(json.At("seed"));
+  result.key.seed = json.At("seed").Whole();
   result.key.scene = json.At("scene").Text();
   result.key.episode = json.At("episode").Text();
-  if (!json.At("difficulty").value().is_null()) {
+  if (!json.At("difficulty").IsNull()) {
     result.difficulty = DifficultyNamed(json.At("difficulty").Text());
   }
-  if (!json.At("failure").value().is_null()) result.failure = json.At("failure").Text();
+  if (!json.At("failure").IsNull()) result.failure = json.At("failure").Text();
   if (!json.Has("goals")) {
     result.goals = {ReadMetrics(json)};
     return result;
   }
   const JsonCursor goals = json.At("goals");
-  goals.ExpectList();
-  for (std::size_t i = 0; i < goals.value().size(); ++i) {
+  for (std::size_t i = 0; i < goals.Size(); ++i) {
     result.goals.push_back(ReadMetrics(goals.Item(i)));
   }
   return result;

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 
+#include "benchmark/play/condition.h"
+
 namespace bulletnav::bench {
 namespace {
 
 /// Under the condition "no_stop" a stop is a step that does nothing.
 bool StopsCount(const EpisodeTrajectory& trajectory) {
-  return trajectory.result.key.condition != "no_stop";
+  return trajectory.result.key.condition != sim::NameOf(Condition::kNoStop);
 }
 
 }  // namespace
