@@ -80,29 +80,48 @@ Bins Filled(const Bins& bins) {
   return filled;
 }
 
+using GoalCounts = std::map<int, const SummaryRow*>;
+
+std::vector<Chart::Value> ValuesOf(const GoalCounts& counts, const Measure& measure) {
+  std::vector<Chart::Value> values;
+  for (const auto& [goals, row] : counts) {
+    const Average average = row->Of(measure.name);
+    if (!average.mean || !average.interval) continue;
+    values.push_back({static_cast<double>(goals), *average.mean, *average.interval});
+  }
+  return values;
+}
+
+std::vector<Chart::Value> ValuesOf(const Bins& bins, const Measure& measure) {
+  std::vector<Chart::Value> values;
+  for (const auto& [metre, bin] : bins) {
+    if (const auto value = ValueAt(metre + 0.5, bin, measure)) values.push_back(*value);
+  }
+  return values;
+}
+
+/// A series for `line` in the chart of each main measure.
+template <class Line>
+void AddSeries(const std::string& name, const Line& line, std::vector<Chart>* charts) {
+  const std::vector<Measure> measures = MainMeasures();
+  for (std::size_t i = 0; i < measures.size(); ++i) {
+    (*charts)[i].series.push_back({name, ValuesOf(line, measures[i])});
+  }
+}
+
 }  // namespace
 
 std::vector<Chart> GoalCountCharts(std::span<const SummaryRow> rows,
                                    std::span<const AgentRow> agents) {
-  std::map<LineKey, std::map<int, const SummaryRow*>> lines;
+  std::map<LineKey, GoalCounts> lines;
   for (const SummaryRow& row : rows) {
     int goals = 0;
     if (std::sscanf(row.difficulty.c_str(), "goals_%9d", &goals) != 1) continue;
     lines[KeyOf(row, agents)][goals] = &row;
   }
   if (lines.empty()) return {};
-  const std::vector<Measure> measures = MainMeasures();
   std::vector<Chart> charts = EmptyCharts("number of goals");
-  for (const auto& [key, line] : lines) {
-    for (std::size_t i = 0; i < charts.size(); ++i) {
-      auto& values = charts[i].series.emplace_back(NameOf(key, agents)).values;
-      for (const auto& [goals, row] : line) {
-        const Average average = row->Of(measures[i].name);
-        if (!average.mean || !average.interval) continue;
-        values.push_back({static_cast<double>(goals), *average.mean, *average.interval});
-      }
-    }
-  }
+  for (const auto& [key, line] : lines) AddSeries(NameOf(key, agents), line, &charts);
   return charts;
 }
 
@@ -115,19 +134,12 @@ std::vector<Chart> DistanceCharts(std::span<const EpisodeResult> results,
     const auto metre = static_cast<int>(std::floor(goal.Value("start_distance")));
     lines[KeyOf(result.key, agents)][metre].push_back(&goal);
   }
-  const std::vector<Measure> measures = MainMeasures();
   std::vector<Chart> charts = EmptyCharts("geodesic distance to the goal (m)");
   bool left_out = false;
   for (const auto& [key, bins] : lines) {
     const Bins filled = Filled(bins);
     left_out = left_out || filled.size() < bins.size();
-    if (filled.empty()) continue;
-    for (std::size_t i = 0; i < charts.size(); ++i) {
-      auto& values = charts[i].series.emplace_back(NameOf(key, agents)).values;
-      for (const auto& [metre, bin] : filled) {
-        if (const auto value = ValueAt(metre + 0.5, bin, measures[i])) values.push_back(*value);
-      }
-    }
+    if (!filled.empty()) AddSeries(NameOf(key, agents), filled, &charts);
   }
   if (charts.front().series.empty()) return {};
   for (Chart& chart : charts) {

@@ -151,19 +151,25 @@ std::string Percent95(const Interval& interval) {
   return fmt::format("{:.2f}-{:.2f}", interval.low, interval.high);
 }
 
-/// "0.78-0.87 / 0.55-0.66": of each measure that has an interval, in its last column.
+/// Of a measure, in its last column that the rows have.
+std::optional<Interval> LastInterval(const TableLayout& layout, std::span<const SummaryRow> rows,
+                                     const SummaryRow& like, const Measure& measure) {
+  std::optional<Interval> last;
+  for (const Column& column : layout.columns) {
+    if (column.measure.name != measure.name) continue;
+    const SummaryRow* row = Find(rows, like, column);
+    if (row != nullptr) last = row->Of(measure.name).interval;
+  }
+  return last;
+}
+
+/// "0.78-0.87 / 0.55-0.66": of each main measure that has a column.
 std::string Intervals(const TableLayout& layout, std::span<const SummaryRow> rows,
                       const SummaryRow& like) {
   std::string text;
   for (const Measure& measure : MainMeasures()) {
-    std::optional<Interval> last;
-    for (const Column& column : layout.columns) {
-      const SummaryRow* row = Find(rows, like, column);
-      if (row != nullptr && column.measure.name == measure.name) {
-        last = row->Of(measure.name).interval;
-      }
-    }
-    if (last) text += (text.empty() ? "" : " / ") + Percent95(*last);
+    const auto interval = LastInterval(layout, rows, like, measure);
+    if (interval) text += (text.empty() ? "" : " / ") + Percent95(*interval);
   }
   return text;
 }
