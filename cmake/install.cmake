@@ -10,7 +10,7 @@ foreach(name base config image math navmesh noise physics render_projection rend
 endforeach()
 list(APPEND installed bulletnav_sim)
 if(BULLETNAV_HOUSES)
-  list(APPEND installed bulletnav_sim_house)
+  list(APPEND installed bulletnav_sim_config_json bulletnav_sim_house)
 endif()
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/bulletnav)

@@ -1,27 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/play/task_episode.h"
 
-#include <cmath>
-
 #include "sim/base/check.h"
 #include "sim/base/files.h"
 
 namespace bulletnav::bench {
-namespace {
-
-/// A goal that the agent did not come to because it failed before.
-GoalMetrics NeverTried(const sim::NavmeshQuery& query, const Eigen::Vector3d& from,
-                       const EpisodeGoal& goal) {
-  GoalRecord record;
-  const double geodesic = query.GeodesicDistance(from.cast<float>(), goal.position.cast<float>());
-  record.start_distance = std::isfinite(geodesic) ? geodesic : goal.geodesic_distance;
-  record.distance_to_goal = geodesic;
-  record.euclidean_distance = (goal.position - from).norm();
-  return Measure(record, {});
-}
-
-}  // namespace
-
 TaskEpisode::TaskEpisode(EpisodeTask episode, const Task& task,
                          std::shared_ptr<const sim::World> world)
     : episode_(std::move(episode)),
@@ -61,7 +44,7 @@ StepOutcome TaskEpisode::Take(sim::Action action, const sim::BodyPose& now,
   if (outcome.terminated || outcome.truncated) EndGoal(stops);
   if (task_.reward) {
     outcome.reward = task_.reward->step + task_.reward->progress * (left - distance_left_);
-    if (outcome.terminated) outcome.reward += task_.reward->success * metrics_.back().spl;
+    if (outcome.terminated) outcome.reward += task_.reward->success * metrics_.back().Value("spl");
   }
   return outcome;
 }
@@ -76,17 +59,14 @@ void TaskEpisode::Fail(const std::string& why, const sim::BodyPose& here) {
   const auto& goals = episode_.episode.goals;
   Eigen::Vector3d from = here.position;
   if (!is_over() && watch_ && goal_steps_ > 0) {
-    GoalMetrics metrics = watch_->Finish(false);
-    metrics.success = false;
-    metrics.success_euclidean = false;
-    metrics.spl = 0.0;
-    metrics_.push_back(metrics);
+    metrics_.push_back(watch_->Fail());
     from = goals[goal_].position;
     ++goal_;
   }
   for (; !is_over(); ++goal_) {
-    metrics_.push_back(NeverTried(query_, from, goals[goal_]));
-    from = goals[goal_].position;
+    const EpisodeGoal& goal = goals[goal_];
+    metrics_.push_back(UntriedGoal(query_, from, goal.position, goal.geodesic_distance));
+    from = goal.position;
   }
 }
 

@@ -45,6 +45,11 @@ Interval WilsonInterval(int successes, int count) {
   return {successes == 0 ? 0.0 : centre - half, successes == count ? 1.0 : centre + half};
 }
 
+Interval ShareInterval(std::span<const double> values) {
+  const auto ones = std::count(values.begin(), values.end(), 1.0);
+  return WilsonInterval(static_cast<int>(ones), static_cast<int>(values.size()));
+}
+
 Interval BootstrapInterval(std::span<const double> values, std::uint64_t seed) {
   if (values.empty()) return {};
   sim::Rng rng(seed, "bootstrap");
