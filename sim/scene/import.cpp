@@ -21,6 +21,18 @@ namespace {
   throw FileError(file, "", "is damaged: reading it fails; export or download it again");
 }
 
+/// An exception's text, as it was thrown over there: "FILE: what" or "FILE:place: what".
+[[noreturn]] void FailAsTold(const std::filesystem::path& file, const std::string& text) {
+  const std::string name = file.string();
+  const std::size_t end = text.find(": ", name.size());
+  if (!text.starts_with(name) || end == std::string::npos) {
+    throw FileError(file, "", "cannot be read: " + text);  // a library's, or the standard's
+  }
+  const std::string place =
+      end == name.size() ? "" : text.substr(name.size() + 1, end - name.size() - 1);
+  throw FileError(file, place, text.substr(end + 2));
+}
+
 }  // namespace
 
 ImportedScene ImportScene(const std::filesystem::path& file, const ImportOptions& options) {
@@ -36,11 +48,8 @@ ImportedScene ImportScene(const std::filesystem::path& file, const ImportOptions
     case ImportEnd::kScene:
       if (!reader.signal()) return FromBlob(content);
       break;
-    case ImportEnd::kError: {
-      const std::string text(content.begin(), content.end());
-      if (text.starts_with(file.string())) throw Error(text);
-      throw FileError(file, "", "cannot be read: " + text);  // a library's, or the standard's
-    }
+    case ImportEnd::kError:
+      FailAsTold(file, std::string(content.begin(), content.end()));
     case ImportEnd::kTooLarge:
       throw FileError(file, "", "asks for more memory than there is; is it damaged?");
   }
