@@ -511,7 +511,7 @@ TEST(Import, RandomDamageEndsInAnError) {
     }
     const std::string error = ErrorOf(folder.Write(name, bytes));
     EXPECT_THAT(error, testing::Not(HasSubstr("\n")));
-    if (error != "no error") EXPECT_THAT(error, HasSubstr(folder.path().string()));
+    EXPECT_THAT(error, testing::AnyOf("no error", HasSubstr(folder.path().string())));
   }
 }
 
