@@ -287,14 +287,17 @@ double NavmeshQuery::GeodesicDistance(const Vec& from, const Vec& to) const {
 
 Vec NavmeshQuery::RandomPoint(Rng* rng, int island) const {
   const auto& islands = impl_->mesh.islands;
-  CHECK(!islands.empty() && island >= -1);
+  if (islands.empty()) throw Error("the scene has no floor to draw a point from");
+  const auto count = static_cast<int>(islands.size());
+  if (island < -1 || island >= count) {
+    throw Error(fmt::format("there is no island {} to draw a point from, of {}", island, count));
+  }
   if (island == -1) {
     std::vector<double> areas;
     for (const auto& i : islands) areas.push_back(i.area);
     island = static_cast<int>(rng->Weighted(areas));
   }
   const auto n = static_cast<std::size_t>(island);
-  CHECK_LT(n, islands.size());
   const auto& sums = impl_->mesh.area_up_to[n];
   const auto target = static_cast<float>(rng->Uniform() * sums.back());
   const auto found = std::upper_bound(sums.begin(), sums.end(), target);
