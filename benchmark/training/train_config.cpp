@@ -93,7 +93,7 @@ Trained TrainedBy(const std::filesystem::path& file) {
 
 DataConfig ValidationData(const TrainPlan& plan) {
   if (plan.validation) return *plan.validation;
-  CHECK(plan.data && plan.data->houses);
+  BULLETNAV_CHECK(plan.data && plan.data->houses);
   DataConfig validation = *plan.data;
   validation.scenes.clear();
   validation.more_houses.reset();
