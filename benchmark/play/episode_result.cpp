@@ -29,7 +29,7 @@ Json ValueToJson(double value, MeasureKind kind) {
 void WriteMetrics(const GoalMetrics& metrics, Json* json) {
   for (const Measure& measure : AllMeasures()) {
     const std::string name(measure.name);
-    CHECK(!json->contains(name));  // a measure called like a part of the key
+    BULLETNAV_CHECK(!json->contains(name));  // a measure called like a part of the key
     const std::optional<double> value = metrics.Find(name);
     if (value) (*json)[name] = ValueToJson(*value, measure.kind);
   }
@@ -86,7 +86,7 @@ EpisodeResult FromJson(const JsonCursor& json) {
 }  // namespace
 
 std::string ToJsonLine(const EpisodeResult& result) {
-  CHECK(!result.goals.empty());
+  BULLETNAV_CHECK(!result.goals.empty());
   Json json = {
       {"agent", result.key.agent},
       {"setting", result.key.setting},

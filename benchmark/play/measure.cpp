@@ -64,7 +64,7 @@ const Measure& FindMeasure(std::string_view name) {
 }
 
 MeasureRegistration::MeasureRegistration(const Measure& measure) {
-  CHECK(!measure.name.empty() && measure.value != nullptr);
+  BULLETNAV_CHECK(!measure.name.empty() && measure.value != nullptr);
   if (Find(measure.name) != nullptr) {
     throw sim::Error("two measures are called '" + std::string(measure.name) + "'");
   }

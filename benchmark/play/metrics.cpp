@@ -32,12 +32,12 @@ double GoalMetrics::Value(std::string_view name) const {
 }
 
 GoalMetrics MeasureGoal(const GoalRecord& record, const SuccessRule& rule) {
-  CHECK(std::isfinite(record.start_distance) && record.start_distance >= 0.0);
-  CHECK(record.path_length >= 0.0 && record.distance_to_goal >= 0.0);
+  BULLETNAV_CHECK(std::isfinite(record.start_distance) && record.start_distance >= 0.0);
+  BULLETNAV_CHECK(record.path_length >= 0.0 && record.distance_to_goal >= 0.0);
   GoalMetrics metrics;
   for (const Measure& measure : AllMeasures()) {
     const double value = measure.value(record, rule);
-    CHECK(!measure.is_main() || (value >= 0.0 && value <= 1.0));
+    BULLETNAV_CHECK(!measure.is_main() || (value >= 0.0 && value <= 1.0));
     metrics[std::string(measure.name)] = value;
   }
   return metrics;
@@ -55,7 +55,7 @@ GoalMetrics UntriedGoal(const sim::NavmeshQuery& query, const Eigen::Vector3d& f
 }
 
 std::optional<double> EpisodeValue(const Measure& measure, std::span<const GoalMetrics> goals) {
-  CHECK(!goals.empty());
+  BULLETNAV_CHECK(!goals.empty());
   double sum = 0.0;
   int count = 0;
   for (const GoalMetrics& goal : goals) {

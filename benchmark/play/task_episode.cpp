@@ -30,7 +30,7 @@ bool TaskEpisode::IsThere() const {
 
 StepOutcome TaskEpisode::Take(sim::Action action, const sim::BodyPose& now,
                               const sim::Sensors& sensors) {
-  CHECK(!is_over());
+  BULLETNAV_CHECK(!is_over());
   believed_ = Compose(believed_, sensors.odometry);
   steps_.push_back({action, now, believed_, sensors.collided});
   ++goal_steps_;
@@ -83,7 +83,7 @@ std::vector<Eigen::Vector3d> TaskEpisode::ShortestPath() const {
 }
 
 EpisodeTrajectory TaskEpisode::Finish(agent::Belief belief) const {
-  CHECK(is_over());
+  BULLETNAV_CHECK(is_over());
   EpisodeTrajectory trajectory;
   trajectory.result = {episode_.key, episode_.episode.difficulty, metrics_, failure_};
   trajectory.scene_file = episode_.scene_file;

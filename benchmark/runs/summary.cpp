@@ -140,7 +140,7 @@ void WriteAverages(const SummaryRow& row, ColumnPlace place, Json* json) {
   for (const Measure& measure : AllMeasures()) {
     if (measure.column.empty() || measure.column_place != place) continue;
     const std::string column(measure.column);
-    CHECK(!json->contains(column));  // two columns of one name
+    BULLETNAV_CHECK(!json->contains(column));  // two columns of one name
     const Average average = row.Of(measure.name);
     (*json)[column] = OrNull(average.mean);
     if (!measure.is_main()) continue;

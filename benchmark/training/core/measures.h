@@ -35,7 +35,7 @@ class Measures {
     const auto found = std::find_if(items_.begin(), items_.end(), [&](const Item& item) {
       return item.name == name;
     });
-    CHECK(found != items_.end());
+    BULLETNAV_CHECK(found != items_.end());
     return found->value;
   }
 

@@ -12,7 +12,7 @@ torch::Tensor InputOf(const agent::ModelConfig& config, PairBatch* batch) {
       torch::kUInt8);
   torch::Tensor depth;
   if (config.uses_depth()) {
-    CHECK(!batch->depth.empty());
+    BULLETNAV_CHECK(!batch->depth.empty());
     depth = torch::from_blob(batch->depth.data(),
                              {batch->count, agent::kPanoramaRows, agent::kPanoramaCols},
                              torch::kFloat32);

@@ -35,7 +35,7 @@ bool GoalSight::IsSameNode(std::span<const float> depth, const sim::PlanarPose& 
 
 double GoalSight::FarthestRange(std::span<const float> depth, double bearing,
                                 double elevation) const {
-  CHECK_EQ(depth.size(), rays_.x.size() * rays_.y.size());
+  BULLETNAV_CHECK_EQ(depth.size(), rays_.x.size() * rays_.y.size());
   const double middle = std::atan(std::clamp(elevation, -kSteepest, kSteepest));
   const Patch patch = {bearing, std::tan(middle - kHalfPatch), std::tan(middle),
                        std::tan(middle + kHalfPatch)};

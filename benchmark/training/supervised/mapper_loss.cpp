@@ -13,7 +13,7 @@ using agent::FreeSpace;
 
 torch::Tensor FreeSpaceLabels(const PairBatch& batch, TrueFreeSpace* truth) {
   constexpr std::size_t kPixels = std::size_t{agent::kPanoramaRows} * agent::kPanoramaCols;
-  CHECK_EQ(batch.depth.size(), static_cast<std::size_t>(batch.count) * kPixels);
+  BULLETNAV_CHECK_EQ(batch.depth.size(), static_cast<std::size_t>(batch.count) * kPixels);
   const torch::Tensor labels =
       torch::empty({batch.count, 2, FreeSpace::kSide, FreeSpace::kSide}, torch::kFloat32);
   float* out = labels.data_ptr<float>();

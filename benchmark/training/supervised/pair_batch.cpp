@@ -44,18 +44,18 @@ std::span<T> Part(std::vector<T>* all, int index, std::size_t size) {
 void PairBatch::Check() const {
   const auto n = static_cast<std::size_t>(count);
   constexpr std::size_t kPixels = std::size_t{kPanoramaRows} * kPanoramaCols;
-  CHECK_GT(count, 1);
-  CHECK_EQ(color.size(), n * kPixels * 3);
-  CHECK(depth.empty() || depth.size() == n * kPixels);
-  CHECK_EQ(explorable.size(), n * kDirections);
-  CHECK_EQ(same_node.size(), n * n);
-  CHECK_EQ(direction.size(), n * n);
-  CHECK_EQ(distance_score.size(), n * n);
-  CHECK_EQ(scores.size(), n * n * kDirections);
+  BULLETNAV_CHECK_GT(count, 1);
+  BULLETNAV_CHECK_EQ(color.size(), n * kPixels * 3);
+  BULLETNAV_CHECK(depth.empty() || depth.size() == n * kPixels);
+  BULLETNAV_CHECK_EQ(explorable.size(), n * kDirections);
+  BULLETNAV_CHECK_EQ(same_node.size(), n * n);
+  BULLETNAV_CHECK_EQ(direction.size(), n * n);
+  BULLETNAV_CHECK_EQ(distance_score.size(), n * n);
+  BULLETNAV_CHECK_EQ(scores.size(), n * n * kDirections);
 }
 
 void TurnPanorama(int index, int twelfths, PairBatch* batch) {
-  CHECK(twelfths >= 0 && twelfths < kDirections);
+  BULLETNAV_CHECK(twelfths >= 0 && twelfths < kDirections);
   // The camera turns left, so that what it sees moves right.
   const int columns = static_cast<int>(std::lround(twelfths * double{kPanoramaCols} / kDirections));
   constexpr std::size_t kPixels = std::size_t{kPanoramaRows} * kPanoramaCols;

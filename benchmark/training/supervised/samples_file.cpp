@@ -48,7 +48,7 @@ void Append(const std::vector<T>& items, std::vector<std::uint8_t>* bytes) {
 template <class T>
 std::vector<T> Take(std::size_t count, std::span<const std::uint8_t>* bytes) {
   static_assert(std::is_trivially_copyable_v<T>);
-  CHECK_LE(count * sizeof(T), bytes->size());
+  BULLETNAV_CHECK_LE(count * sizeof(T), bytes->size());
   std::vector<T> items(count);
   if (count > 0) std::memcpy(items.data(), bytes->data(), count * sizeof(T));
   *bytes = bytes->subspan(count * sizeof(T));
@@ -82,7 +82,7 @@ void WriteSamples(const std::filesystem::path& file, const SceneSamples& samples
   Append(samples.explorable, &bytes);
   Append(samples.reach, &bytes);
   Append(samples.pairs, &bytes);
-  CHECK_EQ(bytes.size(), sizeof(Header) + BodySize(samples.poses.size()));
+  BULLETNAV_CHECK_EQ(bytes.size(), sizeof(Header) + BodySize(samples.poses.size()));
   Header header;
   header.points = static_cast<std::uint32_t>(samples.count());
   header.key = key;

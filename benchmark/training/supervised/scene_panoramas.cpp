@@ -23,7 +23,7 @@ void ScenePanoramas::Render(std::span<const sim::BodyPose> poses, std::span<cons
   std::vector<sim::CameraPose> cameras;
   cameras.reserve(samples.size());
   for (const int sample : samples) {
-    CHECK(sample >= 0 && static_cast<std::size_t>(sample) < poses.size());
+    BULLETNAV_CHECK(sample >= 0 && static_cast<std::size_t>(sample) < poses.size());
     const sim::BodyPose& pose = poses[static_cast<std::size_t>(sample)];
     const Eigen::Vector3d eye = pose.position + Eigen::Vector3d(0.0, camera_height_, 0.0);
     cameras.push_back({eye.cast<float>(), static_cast<float>(pose.yaw)});

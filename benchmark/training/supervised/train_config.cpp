@@ -60,7 +60,7 @@ void MapperTrainConfig::Validate() const {
 
 DataConfig ValidationData(const SupervisedPlan& plan) {
   if (plan.validation) return *plan.validation;
-  CHECK(plan.data && plan.data->houses);
+  BULLETNAV_CHECK(plan.data && plan.data->houses);
   DataConfig validation = *plan.data;
   validation.scenes.clear();
   validation.more_houses.reset();

@@ -96,7 +96,7 @@ std::vector<const Eigen::Vector3f*> TrianglesOf(const sim::Navmesh& navmesh, con
 }  // namespace
 
 Storey LargestStorey(const sim::Navmesh& navmesh) {
-  CHECK(!navmesh.islands().empty());
+  BULLETNAV_CHECK(!navmesh.islands().empty());
   const std::vector<Floor> floors = FloorsOf(navmesh, 0);
   Floor best;
   double area = 0.0;
@@ -117,7 +117,7 @@ Storey LargestStorey(const sim::Navmesh& navmesh) {
 WalkGrid::WalkGrid(const sim::Navmesh& navmesh, const Storey& storey)
     : storey_(storey), states_(3, sim::CellState::kBlocked) {
   const auto triangles = TrianglesOf(navmesh, storey);
-  CHECK(!triangles.empty());
+  BULLETNAV_CHECK(!triangles.empty());
   Extent extent;
   for (const auto* corners : triangles) {
     for (int k = 0; k < 3; ++k) extent.Add(Flat(corners[k]));

@@ -108,7 +108,7 @@ void Sampling::FillGrid() {
 }
 
 KernelFrame Sampling::Frame(const CameraPose& camera) {
-  CHECK(camera.position.allFinite() && std::isfinite(camera.yaw));
+  BULLETNAV_CHECK(camera.position.allFinite() && std::isfinite(camera.yaw));
   const float c = std::cos(camera.yaw);
   const float s = std::sin(camera.yaw);
   for (std::size_t i = 0; i < rays_.x.size(); ++i) {
@@ -123,8 +123,8 @@ KernelFrame Sampling::Frame(const CameraPose& camera) {
 PanoramaSlices::PanoramaSlices(const PanoramaSpec& spec, std::size_t cameras,
                                std::span<std::uint8_t> color, std::span<float> depth)
     : pixels_(spec.pixels()), color_(color), depth_(depth) {
-  CHECK(color.empty() || color.size() == 3 * pixels_ * cameras);
-  CHECK(depth.empty() || depth.size() == pixels_ * cameras);
+  BULLETNAV_CHECK(color.empty() || color.size() == 3 * pixels_ * cameras);
+  BULLETNAV_CHECK(depth.empty() || depth.size() == pixels_ * cameras);
 }
 
 }  // namespace bulletnav::sim
