@@ -15,10 +15,10 @@ std::string ModelCard(const TrainTask& task, int step, double seconds, const Mea
       "| program | bulletnav {} |\n"
       "| data | {} |\n"
       "| seed | {} |\n"
-      "| steps | {} of {}, {} frames in each, {} in all |\n"
+      "| steps | {} of {}, {} {} in each, {} in all |\n"
       "| time | {:.1f} h, in up to {} threads |\n",
       task.title, ProgramVersion(), task.data, plan.seed, step, plan.steps, task.frames,
-      step * task.frames, seconds / 3600.0, plan.lanes);
+      task.frames_are, step * task.frames, seconds / 3600.0, plan.lanes);
   card += fmt::format("\nOn {}:\n\n| measure | value |\n|---|---:|\n", task.validation);
   for (const Measures::Item& item : validation.items()) {
     card += fmt::format("| {} | {:.4f} |\n", item.name, item.value);

@@ -22,6 +22,7 @@ std::string TimeText(double seconds) {
 TrainingLog::TrainingLog(const TrainTask& task, std::ostream* out)
     : steps_(task.plan.steps),
       frames_(task.frames),
+      frames_are_(task.frames_are),
       out_(out),
       start_(Clock::now()),
       last_(start_) {}
@@ -38,9 +39,9 @@ void TrainingLog::Stepped(int step, double loss) {
   if (std::chrono::duration<double>(now - last_).count() < kPause) return;
   const double elapsed_s = std::chrono::duration<double>(now - start_).count();
   const double rate = (step - first_step_) / elapsed_s;
-  *out_ << fmt::format("step {} of {}: loss {:.3f}, {:.1f} steps/s, {:.0f} frames/s, {} left\n",
-                       step, steps_, loss_sum_ / losses_, rate, rate * static_cast<double>(frames_),
-                       TimeText((steps_ - step) / rate))
+  *out_ << fmt::format("step {} of {}: loss {:.3f}, {:.1f} steps/s, {:.0f} {}/s, {} left\n", step,
+                       steps_, loss_sum_ / losses_, rate, rate * static_cast<double>(frames_),
+                       frames_are_, TimeText((steps_ - step) / rate))
         << std::flush;
   last_ = now;
   loss_sum_ = 0.0;

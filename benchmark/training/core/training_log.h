@@ -24,6 +24,7 @@ class TrainingLog : public TrainObserver {
 
   int steps_;
   std::int64_t frames_;  // a step
+  std::string frames_are_;
   std::ostream* out_;
   int first_step_ = 0;
   Clock::time_point start_;

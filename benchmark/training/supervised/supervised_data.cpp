@@ -60,6 +60,7 @@ SupervisedData LoadSupervisedData(const SupervisedPlan& plan, bool with_depth,
 void DescribeData(const SupervisedPlan& plan, TrainTask* task) {
   task->batches = plan.scenes;
   task->frames = plan.scenes * plan.panoramas;
+  task->frames_are = "panoramas";
   task->data = plan.data
                    ? fmt::format("{} scenes, {} points in each, drawn with seed {}",
                                  ScenesOf(*plan.data).size(), plan.data->points, plan.data->seed)
