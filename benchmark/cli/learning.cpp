@@ -14,9 +14,8 @@ namespace {
 
 constexpr const char* kLibrary = "bulletnav-learning.so";
 
-/// OpenBLAS reads these when it is loaded. Its threads only get into the way of ours and can hang
-/// when two of ours fork at once, as imports of scenes do. Debian 12's takes processors that are
-/// newer than it for ones without AVX-512.
+/// OpenBLAS reads these when it is loaded. Its threads only get in the way of ours. Debian 12's
+/// takes processors that are newer than it for ones without AVX-512.
 void SetUpOpenBlas() {
   constexpr int kKeep = 0;  // what the user has set
   ::setenv("OPENBLAS_NUM_THREADS", "1", kKeep);
