@@ -25,7 +25,7 @@ struct BatchSimulator::Impl {
   }
 
   SimulatedBody& body(int lane) {
-    CHECK(lane >= 0 && static_cast<std::size_t>(lane) < bodies.size());
+    BULLETNAV_CHECK(lane >= 0 && static_cast<std::size_t>(lane) < bodies.size());
     return *bodies[static_cast<std::size_t>(lane)];
   }
 
@@ -100,8 +100,8 @@ struct BatchSimulator::Impl {
 
   void CheckSizes(const BatchObservations& out) const {
     const std::size_t pixels = spec.panorama.pixels() * bodies.size();
-    CHECK(out.color.empty() || out.color.size() == 3 * pixels);
-    CHECK(out.depth.empty() || out.depth.size() == pixels);
+    BULLETNAV_CHECK(out.color.empty() || out.color.size() == 3 * pixels);
+    BULLETNAV_CHECK(out.depth.empty() || out.depth.size() == pixels);
   }
 
   SimulatorSpec spec;
@@ -129,7 +129,7 @@ void BatchSimulator::Reset(int lane, const BodyPose& pose, const EpisodeKey& key
 }
 
 void BatchSimulator::SetWorld(int lane, std::shared_ptr<const World> world) {
-  CHECK(lane >= 0 && lane < lanes());
+  BULLETNAV_CHECK(lane >= 0 && lane < lanes());
   auto& slot = impl_->bodies[static_cast<std::size_t>(lane)];
   const std::unique_ptr<SimulatedBody> old = std::exchange(slot, impl_->NewBody(std::move(world)));
   impl_->DropUnused(old->world());
@@ -142,8 +142,8 @@ void BatchSimulator::Step(std::span<const Action> actions, std::span<Sensors> se
 
 void BatchSimulator::Step(std::span<const int> lanes, std::span<const Action> actions,
                           std::span<Sensors> sensors, const BatchObservations& out) {
-  CHECK_EQ(actions.size(), lanes.size());
-  CHECK_EQ(sensors.size(), lanes.size());
+  BULLETNAV_CHECK_EQ(actions.size(), lanes.size());
+  BULLETNAV_CHECK_EQ(sensors.size(), lanes.size());
   impl_->ForEachLane(
       lanes,
       [&](std::size_t place) {

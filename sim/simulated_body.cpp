@@ -8,7 +8,7 @@ namespace bulletnav::sim {
 namespace {
 
 const World& Checked(const std::shared_ptr<const World>& world) {
-  CHECK(world != nullptr);
+  BULLETNAV_CHECK(world != nullptr);
   return *world;
 }
 
@@ -28,7 +28,7 @@ void SimulatedBody::Reset(const BodyPose& pose, const EpisodeKey& key) {
 }
 
 Sensors SimulatedBody::Step(Action action) {
-  CHECK(is_placed_);
+  BULLETNAV_CHECK(is_placed_);
   const auto rng = [&](Stream stream) {
     return Rng(RngKey{key_.run_seed, world_->id(), key_.episode, static_cast<std::uint32_t>(steps_),
                       stream});
@@ -45,7 +45,7 @@ Sensors SimulatedBody::Step(Action action) {
 }
 
 CameraPose SimulatedBody::camera_pose() const {
-  CHECK(is_placed_);
+  BULLETNAV_CHECK(is_placed_);
   const BodyPose& pose = body_.pose();
   const Eigen::Vector3d eye = pose.position + Eigen::Vector3d(0, body_.spec().camera_height, 0);
   return {eye.cast<float>(), static_cast<float>(pose.yaw)};

@@ -32,8 +32,8 @@ void RequireRecorded(const EpisodeTrajectory& trajectory, std::size_t step,
 /// Takes the steps from one number to another.
 void Walk(const EpisodeTrajectory& trajectory, std::size_t from, std::size_t to,
           sim::SimulatedBody* body) {
-  CHECK_LE(from, to);
-  CHECK_LE(to, trajectory.steps.size());
+  BULLETNAV_CHECK_LE(from, to);
+  BULLETNAV_CHECK_LE(to, trajectory.steps.size());
   for (std::size_t i = from; i < to; ++i) {
     body->Step(trajectory.steps[i].action);
     RequireRecorded(trajectory, i, body->true_pose());

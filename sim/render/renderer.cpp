@@ -2,18 +2,18 @@
 #include "sim/render/renderer.h"
 
 #include "sim/render/cpu/cpu_scene.h"
-#include "sim/render/egl/egl_scene.h"
+#include "sim/render/egl_backend.h"
 
 namespace bulletnav::sim {
 
 std::unique_ptr<const RenderScene> MakeRenderScene(const SceneMesh& mesh, Backend backend) {
   switch (backend) {
     case Backend::kEgl:
-      return MakeEglScene(mesh);
+      return MakeEglRenderScene(mesh, /*on_hardware=*/false);
     case Backend::kEmbree:
       break;
     case Backend::kAuto:
-      if (HasHardwareGpu()) return MakeEglScene(mesh, GlDevice::kHardware);
+      if (HasHardwareGpu()) return MakeEglRenderScene(mesh, /*on_hardware=*/true);
       break;
   }
   return MakeCpuScene(mesh);

@@ -12,6 +12,7 @@
 #include "sim/render/egl/scene_buffers.h"
 #include "sim/render/egl/shader_resolve.h"
 #include "sim/render/egl/views.h"
+#include "sim/render/egl_backend.h"
 #include "sim/render/kernels/sampling.h"
 
 namespace bulletnav::sim {
@@ -162,6 +163,10 @@ class EglScene final : public RenderScene {
 std::unique_ptr<const RenderScene> MakeEglScene(const SceneMesh& mesh, GlDevice device,
                                                 ResolveOn resolve) {
   return std::make_unique<EglScene>(mesh, device, resolve);
+}
+
+std::unique_ptr<const RenderScene> MakeEglRenderScene(const SceneMesh& mesh, bool on_hardware) {
+  return MakeEglScene(mesh, on_hardware ? GlDevice::kHardware : GlDevice::kAny);
 }
 
 }  // namespace bulletnav::sim

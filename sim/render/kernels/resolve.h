@@ -130,7 +130,7 @@ class Resolver {
     const FW sum = Magnitude(edge[0]) + Magnitude(edge[1]) + Magnitude(edge[2]);
     FW miss = Min(Min(edge[0], edge[1]), edge[2]) / Max(sum, Splat<FW>(1e-30f));
     const IW fine = 0.5f * facing * inverse_t * inverse_t < kFinePixels * look.area;
-    miss = fine & (look.nearest_id == id + 1) ? Max(miss, FW{}) : miss;
+    miss = (fine & (look.nearest_id == id + 1)) ? Max(miss, FW{}) : miss;
     const IW inside = miss >= 0.0f;
     const IW best_inside = best->miss >= 0.0f;
     const IW nearer = inside & (~best_inside | (inverse_t > best->inverse_t));

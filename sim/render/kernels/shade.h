@@ -165,9 +165,13 @@ class Shader {
   }
 
   static IW Rotated(IW v) {
-    IW place;
-    for (int i = 0; i < kWidth; ++i) place[i] = (i + 1) % kWidth;
-    return __builtin_shuffle(v, place);
+#if defined(__AVX512F__)
+    return __builtin_shufflevector(v, v, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 0);
+#elif defined(__AVX2__)
+    return __builtin_shufflevector(v, v, 1, 2, 3, 4, 5, 6, 7, 0);
+#else
+    return __builtin_shufflevector(v, v, 1, 2, 3, 0);
+#endif
   }
 
   /// One triangle after the other, for all lanes that see it.
@@ -222,12 +226,12 @@ class Shader {
 
   static void WriteRgb(UW rgb, int lanes, std::uint8_t* out) {
     using Bytes16 = std::uint8_t __attribute__((vector_size(16)));
-    constexpr Bytes16 kDropAlpha = {0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 3, 7, 11, 15};
     if (lanes == kWidth) {
       Bytes16 quads[kWidth / 4];
       std::memcpy(quads, &rgb, sizeof(rgb));
       for (int i = 0; i < kWidth / 4; ++i) {
-        const Bytes16 packed = __builtin_shuffle(quads[i], kDropAlpha);
+        const Bytes16 packed = __builtin_shufflevector(quads[i], quads[i], 0, 1, 2, 4, 5, 6, 8, 9,
+                                                       10, 12, 13, 14, 3, 7, 11, 15);
         std::memcpy(out + 12 * i, &packed, 12);
       }
       return;

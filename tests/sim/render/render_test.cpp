@@ -12,6 +12,7 @@
 #include "sim/render/cpu/cpu_scene.h"
 #include "sim/render/cpu/raycaster.h"
 #include "sim/render/egl/egl_scene.h"
+#include "sim/render/egl_backend.h"
 #include "sim/render/render_mesh.h"
 #include "sim/render/renderer.h"
 #include "tests/support/panoramas.h"
@@ -93,8 +94,10 @@ SceneMesh Clutter(std::uint64_t seed) {
   Rng rng(seed, "clutter");
   SceneMesh mesh = BoxRoom(6, 2.6f, 8);
   const auto point = [&rng] {
-    return Vec(static_cast<float>(rng.Uniform(0, 6)), static_cast<float>(rng.Uniform(0, 2.6)),
-               static_cast<float>(-rng.Uniform(0, 8)));
+    const auto z = static_cast<float>(-rng.Uniform(0, 8));
+    const auto y = static_cast<float>(rng.Uniform(0, 2.6));
+    const auto x = static_cast<float>(rng.Uniform(0, 6));
+    return Vec(x, y, z);
   };
   for (int i = 0; i < 150; ++i) {
     const Vec p = point();
