@@ -7,6 +7,7 @@
 
 #include "benchmark/base/json_cursor.h"
 #include "benchmark/episodes/episode_drawer.h"
+#include "benchmark/episodes/scene_cache.h"
 #include "sim/base/error.h"
 #include "sim/base/files.h"
 #include "sim/threads/worker_pool.h"
@@ -126,7 +127,9 @@ std::vector<std::string> ScenesOf(const GeneratorSpec& spec) {
 
 std::vector<Episode> GenerateEpisodes(const GeneratorSpec& spec,
                                       const std::vector<std::string>& scenes, int workers,
-                                      const std::function<void()>& on_scene) {
+                                      const std::function<void()>& on_scene, SceneCache* cache) {
+  SceneCache own({spec.import.options(), spec.navmesh}, 0);
+  SceneCache& loaded = cache == nullptr ? own : *cache;
   const std::vector<std::string> labels = Labels(scenes);
   std::vector<EpisodesByKind> drawn(scenes.size());
   sim::WorkerPool pool(workers);
@@ -134,7 +137,7 @@ std::vector<Episode> GenerateEpisodes(const GeneratorSpec& spec,
     const auto s = static_cast<std::size_t>(task);
     std::array<int, kKinds> counts = Counts(spec.counts);
     for (int& count : counts) count = Share(count, s, scenes.size());
-    const auto ground = Ground::Load(scenes[s], spec.navmesh, spec.import.options());
+    const auto ground = loaded.LoadGround(scenes[s]);
     EpisodeDrawer drawer(*ground, scenes[s], labels[s], spec.body, spec.seed);
     drawn[s] = DrawScene(&drawer, spec, counts);
     if (on_scene) on_scene();

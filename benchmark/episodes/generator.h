@@ -13,6 +13,8 @@
 
 namespace bulletnav::bench {
 
+class SceneCache;
+
 /// The houses of one split of an index that the house generator wrote.
 struct HouseSelection {
   std::string index;
@@ -77,9 +79,11 @@ std::vector<std::string> ScenesOf(const GeneratorSpec& spec);
 /// count / n, and one more if s < count % n. They come by index, then kind, then scene, so that any
 /// first part of the list is spread evenly too. The same for any number of workers, which take a
 /// scene each; `workers` < 1: one a processor. `on_scene` is called, from any thread, when a scene
-/// is done. Throws sim::Error for a scene that cannot be loaded or has no such episodes.
+/// is done. `cache`, if given, loads the scenes, as the spec says, and keeps them for who plays
+/// them. Throws sim::Error for a scene that cannot be loaded or has no such episodes.
 std::vector<Episode> GenerateEpisodes(const GeneratorSpec& spec,
                                       const std::vector<std::string>& scenes, int workers,
-                                      const std::function<void()>& on_scene = {});
+                                      const std::function<void()>& on_scene = {},
+                                      SceneCache* cache = nullptr);
 
 }  // namespace bulletnav::bench

@@ -7,18 +7,8 @@
 
 #include "sim/base/error.h"
 #include "sim/physics/capsule_body.h"
-#include "sim/world.h"
 
 namespace bulletnav::bench {
-
-std::unique_ptr<const Ground> Ground::Load(const std::filesystem::path& file,
-                                           const sim::NavmeshSpec& spec,
-                                           const sim::ImportOptions& options) {
-  const sim::ImportedScene scene = sim::ImportScene(file, options);
-  auto ground = std::make_unique<const Ground>(file.filename().string(), scene.mesh, spec);
-  sim::RequireFloor(file.string(), scene.report, ground->navmesh);
-  return ground;
-}
 
 void CheckEpisode(const Episode& episode, const sim::PhysicsWorld& physics,
                   const sim::Navmesh& navmesh, const sim::BodySpec& spec) {

@@ -1,26 +1,20 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <filesystem>
-#include <memory>
 #include <string>
 
 #include "benchmark/episodes/episode.h"
 #include "sim/navmesh/navmesh.h"
 #include "sim/physics/body_spec.h"
 #include "sim/physics/physics_world.h"
-#include "sim/scene/import.h"
+#include "sim/scene/mesh.h"
 
 namespace bulletnav::bench {
 
-/// A scene to stand and walk in, without its looks: what episodes are drawn from and checked with,
-/// at a fraction of what a sim::World costs.
+/// A scene to stand and walk in, without its looks: what episodes are drawn from and checked with.
+/// SceneCache loads it.
 struct Ground {
   Ground(std::string scene, const sim::SceneMesh& mesh, const sim::NavmeshSpec& spec)
       : name(std::move(scene)), physics(mesh), navmesh(mesh, spec) {}
-  /// Throws sim::Error if the file is no scene or has next to no floor.
-  static std::unique_ptr<const Ground> Load(const std::filesystem::path& file,
-                                            const sim::NavmeshSpec& spec,
-                                            const sim::ImportOptions& options = {});
 
   std::string name;  // the file's, as sim::World's
   sim::PhysicsWorld physics;

@@ -5,7 +5,6 @@
 #include "benchmark/base/program_version.h"
 #include "benchmark/episodes/draw_record.h"
 #include "benchmark/episodes/episode_file.h"
-#include "benchmark/episodes/ground.h"
 #include "benchmark/runs/run_agents.h"
 #include "sim/base/error.h"
 #include "sim/threads/worker_pool.h"
@@ -14,19 +13,6 @@ namespace bulletnav::bench {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Whether episodes had to be drawn.
-bool DrawEpisodes(const RunConfig& config, int workers, const StartProgress& start) {
-  if (!config.episodes.draw || fs::exists(config.episodes.file)) return false;
-  const GeneratorSpec spec = config.generator();
-  const std::vector<std::string> scenes = ScenesOf(spec);
-  EpisodeSet set;
-  set.episodes = GenerateEpisodes(
-      spec, scenes, workers, start("drawing episodes, scenes", static_cast<int>(scenes.size())));
-  set.other = DrawRecord(spec, scenes);
-  WriteEpisodes(spec.out, set);
-  return true;
-}
 
 /// Scenes in the order in which they first appear.
 std::vector<std::string> ScenesIn(const std::vector<Episode>& episodes) {
@@ -38,11 +24,51 @@ std::vector<std::string> ScenesIn(const std::vector<Episode>& episodes) {
   return scenes;
 }
 
-Fingerprints TakeFingerprints(const RunConfig& config, const RunEpisodes& episodes) {
+void CheckOne(const Episode& episode, const Ground& ground, const RunConfig& config) {
+  try {
+    CheckEpisode(episode, ground.physics, ground.navmesh, config.body);
+  } catch (const sim::Error& e) {
+    throw sim::FileError(config.episodes.file, "", e.what());
+  }
+}
+
+}  // namespace
+
+void MakeRunHouses(const RunConfig& config, const RunTools& tools) {
+  if (config.houses) MakeHouses(*config.houses, CommittedVersion(), tools.workers, tools.start);
+}
+
+bool DrawRunEpisodes(const RunConfig& config, const RunTools& tools) {
+  if (!config.episodes.draw || fs::exists(config.episodes.file)) return false;
+  const GeneratorSpec spec = config.generator();
+  const std::vector<std::string> scenes = ScenesOf(spec);
+  const auto advance = tools.start("drawing episodes, scenes", static_cast<int>(scenes.size()));
+  EpisodeSet set;
+  set.episodes = GenerateEpisodes(spec, scenes, tools.workers, advance, &tools.scenes);
+  set.other = DrawRecord(spec, scenes);
+  WriteEpisodes(spec.out, set);
+  return true;
+}
+
+RunEpisodes ReadRunEpisodes(const RunConfig& config) {
+  RunEpisodes all;
+  EpisodeSet set = ReadEpisodes(config.episodes.file);
+  if (config.episodes.draw) RequireDrawnFrom(set, config.generator(), config.episodes.file);
+  all.episodes = std::move(set.episodes);
+  const std::vector<fs::path> folders(config.episodes.scene_folders.begin(),
+                                      config.episodes.scene_folders.end());
+  for (const std::string& scene : ScenesIn(all.episodes)) {
+    all.scene_files[scene] = FindScene(scene, folders);
+  }
+  return all;
+}
+
+Fingerprints TakeFingerprints(const RunConfig& config, const RunEpisodes& episodes,
+                              SceneCache* scenes) {
   Fingerprints fingerprints;
   fingerprints.episodes = FileHash(config.episodes.file);
   for (const auto& [scene, file] : episodes.scene_files) {
-    fingerprints.scenes[scene] = FileHash(file);
+    fingerprints.scenes[scene] = scenes->HashOf(file);
   }
   for (const auto& [key, file] : UsedWeights(config)) {
     fingerprints.weights[key] = FileHash(file);
@@ -72,52 +98,31 @@ void CheckFingerprints(const RunConfig& config, const Fingerprints& found) {
   }
 }
 
-void CheckOne(const Episode& episode, const Ground& ground, const RunConfig& config) {
-  try {
-    CheckEpisode(episode, ground.physics, ground.navmesh, config.body);
-  } catch (const sim::Error& e) {
-    throw sim::FileError(config.episodes.file, "", e.what());
-  }
-}
-
-void CheckEpisodes(const RunConfig& config, const RunEpisodes& all, int workers,
-                   const StartProgress& start) {
-  const std::vector<std::string> scenes = ScenesIn(all.episodes);
-  const auto advance = start("checking episodes, scenes", static_cast<int>(scenes.size()));
-  sim::WorkerPool pool(workers);
+void CheckRunEpisodes(const RunConfig& config, const RunEpisodes& episodes, const RunTools& tools) {
+  const std::vector<std::string> scenes = ScenesIn(episodes.episodes);
+  const auto advance = tools.start("checking episodes, scenes", static_cast<int>(scenes.size()));
+  sim::WorkerPool pool(tools.workers);
   pool.ForEach(static_cast<int>(scenes.size()), [&](int task, int /*worker*/) {
     const std::string& scene = scenes[static_cast<std::size_t>(task)];
-    const auto ground =
-        Ground::Load(all.scene_files.at(scene), config.navmesh, config.import.options());
-    for (const Episode& episode : all.episodes) {
+    const auto ground = tools.scenes.LoadGround(episodes.scene_files.at(scene));
+    for (const Episode& episode : episodes.episodes) {
       if (episode.scene == scene) CheckOne(episode, *ground, config);
     }
     advance();
   });
 }
 
-}  // namespace
-
-RunEpisodes PrepareEpisodes(RunConfig* config, std::optional<int> first, int workers,
-                            const StartProgress& start) {
-  if (config->houses) MakeHouses(*config->houses, CommittedVersion(), workers, start);
-  const bool drawn = DrawEpisodes(*config, workers, start);
-  RunEpisodes all;
-  EpisodeSet set = ReadEpisodes(config->episodes.file);
-  if (config->episodes.draw) RequireDrawnFrom(set, config->generator(), config->episodes.file);
-  all.episodes = std::move(set.episodes);
-  const std::vector<fs::path> folders(config->episodes.scene_folders.begin(),
-                                      config->episodes.scene_folders.end());
-  for (const std::string& scene : ScenesIn(all.episodes)) {
-    all.scene_files[scene] = FindScene(scene, folders);
-  }
-  const Fingerprints found = TakeFingerprints(*config, all);
+RunEpisodes PrepareEpisodes(RunConfig* config, std::optional<int> first, const RunTools& tools) {
+  MakeRunHouses(*config, tools);
+  const bool drawn = DrawRunEpisodes(*config, tools);
+  RunEpisodes episodes = ReadRunEpisodes(*config);
+  const Fingerprints found = TakeFingerprints(*config, episodes, &tools.scenes);
   CheckFingerprints(*config, found);
   config->fingerprints = found;
   const auto count = static_cast<std::size_t>(first.value_or(0));
-  if (first && count < all.episodes.size()) all.episodes.resize(count);
-  if (!drawn) CheckEpisodes(*config, all, workers, start);
-  return all;
+  if (first && count < episodes.episodes.size()) episodes.episodes.resize(count);
+  if (!drawn) CheckRunEpisodes(*config, episodes, tools);
+  return episodes;
 }
 
 }  // namespace bulletnav::bench

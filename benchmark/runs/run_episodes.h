@@ -8,6 +8,7 @@
 
 #include "benchmark/episodes/episode.h"
 #include "benchmark/episodes/made_houses.h"
+#include "benchmark/episodes/scene_cache.h"
 #include "benchmark/runs/run_config.h"
 
 namespace bulletnav::bench {
@@ -18,12 +19,33 @@ struct RunEpisodes {
   std::map<std::string, std::filesystem::path> scene_files;  // by the scene's name in episodes
 };
 
-/// Reads the episodes of a config, after generating the houses and drawing the episodes that it
-/// describes and that are not there yet. Writes fingerprints of what results depend on to
-/// `config`, and checks them if it has some. Episodes that were not drawn here are checked against
-/// their scenes; `first`: only so many are, and are returned. Throws sim::Error for missing scenes,
-/// starts and goals where no body can stand, or other contents than the fingerprints tell.
-RunEpisodes PrepareEpisodes(RunConfig* config, std::optional<int> first, int workers,
-                            const StartProgress& start);
+/// What the stages of a run work with.
+struct RunTools {
+  SceneCache& scenes;
+  int workers = 0;  // < 1: one a processor
+  StartProgress start;
+};
+
+/// Stage "houses": generates those that the config describes and that are not there yet.
+void MakeRunHouses(const RunConfig& config, const RunTools& tools);
+
+/// Stage "episodes": draws the file of episodes that the config describes, if it is not there yet.
+/// Returns whether it had to. Throws as GenerateEpisodes.
+bool DrawRunEpisodes(const RunConfig& config, const RunTools& tools);
+/// Reads the file. Throws sim::Error if it is damaged, was drawn otherwise than the config says, or
+/// names scenes that are not there.
+RunEpisodes ReadRunEpisodes(const RunConfig& config);
+
+/// Stage "verify": what results depend on, as it is now.
+Fingerprints TakeFingerprints(const RunConfig& config, const RunEpisodes& episodes,
+                              SceneCache* scenes);
+/// Throws sim::Error if the config is a saved one, of other contents. New weights pass.
+void CheckFingerprints(const RunConfig& config, const Fingerprints& found);
+/// Throws sim::Error for starts and goals where no body can stand.
+void CheckRunEpisodes(const RunConfig& config, const RunEpisodes& episodes, const RunTools& tools);
+
+/// These stages in turn. Puts the fingerprints into `config`. Episodes that were not drawn here are
+/// checked; `first`: only so many are, and are returned.
+RunEpisodes PrepareEpisodes(RunConfig* config, std::optional<int> first, const RunTools& tools);
 
 }  // namespace bulletnav::bench

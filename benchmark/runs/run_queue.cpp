@@ -42,31 +42,4 @@ void RunQueue::Rethrow() const {
   if (failure_) std::rethrow_exception(failure_);
 }
 
-std::shared_ptr<WorldCache::Entry> WorldCache::Find(const std::string& scene) {
-  const std::lock_guard lock(mutex_);
-  std::shared_ptr<Entry>& entry = entries_[scene];
-  if (!entry) entry = std::make_shared<Entry>();
-  return entry;
-}
-
-void WorldCache::Expect(const std::string& scene) {
-  ++Find(scene)->expected;
-}
-
-std::shared_ptr<const sim::World> WorldCache::Get(const std::string& scene) {
-  const std::shared_ptr<Entry> entry = Find(scene);
-  const std::lock_guard lock(entry->loading);
-  if (!entry->world) {
-    entry->world = sim::World::Load(files_.at(scene), options_);
-    entry->world->RequireFloor();
-  }
-  return entry->world;
-}
-
-void WorldCache::Done(const std::string& scene) {
-  const std::shared_ptr<Entry> entry = Find(scene);
-  const std::lock_guard lock(mutex_);
-  if (--entry->expected == 0) entries_.erase(scene);
-}
-
 }  // namespace bulletnav::bench

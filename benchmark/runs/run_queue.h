@@ -2,14 +2,11 @@
 #pragma once
 #include <deque>
 #include <exception>
-#include <map>
-#include <memory>
 #include <mutex>
 #include <optional>
 #include <vector>
 
 #include "benchmark/runs/run_config.h"
-#include "sim/world.h"
 
 namespace bulletnav::bench {
 
@@ -47,32 +44,6 @@ class RunQueue {
   mutable std::mutex mutex_;
   std::deque<RunJob> jobs_;
   std::exception_ptr failure_;
-};
-
-/// Worlds that are loaded once, by the first who needs them, and dropped with their last episode.
-class WorldCache {
- public:
-  WorldCache(const sim::WorldOptions& options, std::map<std::string, std::filesystem::path> files)
-      : options_(options), files_(std::move(files)) {}
-
-  /// One more episode will need the scene.
-  void Expect(const std::string& scene);
-  std::shared_ptr<const sim::World> Get(const std::string& scene);
-  /// One episode that was expected is done.
-  void Done(const std::string& scene);
-
- private:
-  struct Entry {
-    std::mutex loading;
-    std::shared_ptr<const sim::World> world;
-    int expected = 0;
-  };
-  std::shared_ptr<Entry> Find(const std::string& scene);
-
-  sim::WorldOptions options_;
-  std::map<std::string, std::filesystem::path> files_;
-  std::mutex mutex_;
-  std::map<std::string, std::shared_ptr<Entry>> entries_;
 };
 
 }  // namespace bulletnav::bench

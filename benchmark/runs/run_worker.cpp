@@ -80,9 +80,8 @@ void RunWorker::Enter(std::size_t row) {
 void RunWorker::Start(int lane, const RunJob& job) {
   const Episode& episode = plan_.episodes.episodes[job.episode];
   jobs_[static_cast<std::size_t>(lane)] = job;
-  environment_->Reset(lane,
-                      {plan_.KeyOf(job), episode, plan_.episodes.scene_files.at(episode.scene)},
-                      shared_.worlds.Get(episode.scene));
+  const std::filesystem::path& scene = plan_.episodes.scene_files.at(episode.scene);
+  environment_->Reset(lane, {plan_.KeyOf(job), episode, scene}, shared_.scenes.Get(scene));
 }
 
 void RunWorker::PlayRow(const RunJob& first) {
@@ -202,7 +201,7 @@ void RunWorker::Settle(int lane) {
   const EpisodeTrajectory trajectory = environment_->Finish(lane, AskBelief(lane));
   environment_->Clear(lane);
   shared_.finish(trajectory);
-  shared_.worlds.Done(trajectory.result.key.scene);
+  shared_.scenes.Done(plan_.episodes.scene_files.at(trajectory.result.key.scene));
 }
 
 }  // namespace bulletnav::bench

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "benchmark/episodes/scene_cache.h"
 #include "benchmark/play/environment.h"
 #include "benchmark/runs/run_agents.h"
 #include "benchmark/runs/run_episodes.h"
@@ -28,7 +29,7 @@ struct RunPlan {
 struct RunShared {
   const RunPlan& plan;
   RunQueue queue;
-  WorldCache worlds;
+  SceneCache& scenes;
   /// Takes a finished episode, from any thread.
   std::function<void(const EpisodeTrajectory&)> finish;
 };

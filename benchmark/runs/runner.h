@@ -10,6 +10,7 @@
 #include "benchmark/runs/run_agents.h"
 #include "benchmark/runs/run_config.h"
 #include "benchmark/runs/run_episodes.h"
+#include "benchmark/runs/run_plan.h"
 
 namespace bulletnav::bench {
 
@@ -38,12 +39,16 @@ struct RunOutcome {
   std::vector<std::string> failures;
 };
 
-/// Plays every episode of a config that `folder` has no result of yet, and writes there config.yaml
-/// (everything that results depend on), episodes.jsonl and trajectories. Results depend on the
-/// config alone: not on workers, on other episodes, or on how often the run was killed and
-/// started again. An agent that throws or answers with no action fails that episode, with the
-/// reason in its result; one that never answers is ended with the process.
-/// Throws sim::Error: see PrepareEpisodes, RequireSome, RequireAll and ResultStore.
+/// Stage "summarise".
+RunOutcome Summarise(const RunPlan& plan, std::vector<EpisodeResult> results);
+
+/// All stages of a run: resolve, houses, episodes, verify (run_episodes.h), plan (run_plan.h), play
+/// (run_play.h), summarise. Plays every episode of a config that `folder` has no result of yet, and
+/// writes there config.yaml (everything that results depend on), episodes.jsonl and trajectories.
+/// Results depend on the config alone: not on workers, on other episodes, or on how often the run
+/// was killed and started again. An agent that throws or answers with no action fails that episode,
+/// with the reason in its result; one that never answers is ended with the process. Throws
+/// sim::Error: see PrepareEpisodes, RequireSome, RequireAll and ResultStore.
 RunOutcome RunBenchmark(RunConfig config, const std::filesystem::path& folder,
                         const RunOptions& options, const RunHooks& hooks = {});
 

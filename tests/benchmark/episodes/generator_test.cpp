@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 
 #include "benchmark/episodes/episode_file.h"
-#include "benchmark/episodes/ground.h"
+#include "benchmark/episodes/scene_cache.h"
 #include "sim/base/error.h"
 #include "sim/base/files.h"
 #include "sim/scene/glb_writer.h"
@@ -120,7 +120,7 @@ TEST_F(GeneratorTest, DrawsFreeEpisodesInHousesOfTheIndex) {
   const auto episodes = GenerateEpisodes(spec_, scenes, 2);
   EXPECT_EQ(episodes.size(), 19u);
   for (const std::string& scene : scenes) {
-    const auto ground = Ground::Load(scene, {});
+    const auto ground = SceneCache({}).LoadGround(scene);
     for (const Episode& episode : episodes) {
       if (episode.scene != scene) continue;
       EXPECT_NO_THROW(CheckEpisode(episode, ground->physics, ground->navmesh, {}));
@@ -135,7 +135,7 @@ TEST_F(GeneratorTest, DrawsFreeEpisodesInHousesOfTheIndex) {
 TEST_F(GeneratorTest, DrawsFreeEpisodesInARealScene) {
   const auto file = tests::SharedScene("aws_small_house");
   if (!file) GTEST_SKIP() << "no shared scenes";
-  const auto ground = Ground::Load(*file, {});
+  const auto ground = SceneCache({}).LoadGround(*file);
   for (const Episode& episode : GenerateEpisodes(spec_, {file->string()}, 1)) {
     EXPECT_NO_THROW(CheckEpisode(episode, ground->physics, ground->navmesh, {}));
   }

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <functional>
 #include <map>
+#include <mutex>
 #include <sstream>
 #include <thread>
 
@@ -20,6 +21,7 @@
 #include "benchmark/play/trajectory.h"
 #include "benchmark/report/run_tables.h"
 #include "benchmark/runs/result_store.h"
+#include "benchmark/runs/run_play.h"
 #include "sim/base/files.h"
 #include "tests/support/houses.h"
 #include "tests/support/temporary_folder.h"
@@ -305,6 +307,31 @@ TEST_F(RunnerTest, FewerEpisodesFirstThenMore) {
   EXPECT_EQ(told, 8u);
   Play(config, "whole");
   EXPECT_EQ(Bytes("parts"), Bytes("whole"));
+}
+
+TEST_F(RunnerTest, StagesCanBeCalledAloneAndImportEachSceneOnce) {
+  ResolvedRun run = ResolveRun(Config("{agent: shortest_path}", "", "{easy: 4}"), true);
+  fs::remove(run.config.episodes.file);
+  SceneCache scenes(run.config.world_options());
+  const RunTools tools = {scenes, 2, [](const std::string&, int) {
+                            return [] {};
+                          }};
+  EXPECT_TRUE(DrawRunEpisodes(run.config, tools));
+  EXPECT_FALSE(DrawRunEpisodes(run.config, tools));
+  RunEpisodes episodes = ReadRunEpisodes(run.config);
+  EXPECT_EQ(episodes.episodes.size(), 4u);
+  CheckRunEpisodes(run.config, episodes, tools);
+  EXPECT_EQ(TakeFingerprints(run.config, episodes, &scenes).scenes.size(), 2u);
+  const RunPlan plan = PlanRun(std::move(run), std::move(episodes));
+  std::mutex adding;
+  std::vector<EpisodeResult> results;
+  PlayJobs(plan, JobsOf(plan), 2, &scenes, [&](const EpisodeTrajectory& trajectory) {
+    const std::lock_guard lock(adding);
+    results.push_back(trajectory.result);
+  });
+  EXPECT_EQ(scenes.imports(), 2);
+  EXPECT_EQ(scenes.kept_bytes(), 0u);
+  EXPECT_EQ(Summarise(plan, results).results.size(), 4u);
 }
 
 TEST_F(RunnerTest, RefusesAFolderOfAnotherConfigOrRun) {
