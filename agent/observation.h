@@ -2,10 +2,15 @@
 #pragma once
 #include <cstdint>
 #include <span>
+#include <string>
+#include <string_view>
+#include <vector>
 
+#include "sim/base/error.h"
 #include "sim/math/pose.h"
 #include "sim/observation.h"
 #include "sim/render/projection.h"
+#include "sim/sensors/array.h"
 
 namespace bulletnav::agent {
 
@@ -22,6 +27,16 @@ struct Observation {
   sim::PlanarPose odometry;  // measured motion of the last step, in the frame before it; noisy
   bool collided = false;     // something was in the way of the last step
   int step = 0;              // actions since Reset
+  /// All that the sensors wrote, by the names of Rig::arrays, these three too; lives likewise.
+  std::vector<sim::ArrayView> arrays = {};
+
+  /// Throws sim::Error for a name that is not there.
+  const sim::ArrayView& array(std::string_view name) const {
+    for (const sim::ArrayView& array : arrays) {
+      if (array.spec().name == name) return array;
+    }
+    throw sim::Error("the body has no sensor that writes '" + std::string(name) + "'");
+  }
 };
 
 /// What an agent knows about the body it steers.
@@ -29,12 +44,27 @@ struct Rig {
   sim::PanoramaSpec panorama;
   bool has_color = true;
   bool has_depth = true;
-  float camera_height = 1.25f;  // metres above the floor
+  float camera_height = 1.25f;              // metres above the floor
+  std::vector<sim::ArraySpec> arrays = {};  // of all sensors; empty: of the panorama alone
+
+  /// Null if no sensor writes an array of this name.
+  const sim::ArraySpec* FindArray(std::string_view name) const {
+    for (const sim::ArraySpec& array : arrays) {
+      if (array.name == name) return &array;
+    }
+    return nullptr;
+  }
 };
 
 /// Shows an agent what a body senses. The result lives as long as `sensed`.
 inline Observation View(const sim::Observation& sensed, int step) {
-  return {{sensed.color, sensed.depth}, sensed.sensors.odometry, sensed.sensors.collided, step};
+  Observation seen = {
+      {sensed.color, sensed.depth}, sensed.sensors.odometry, sensed.sensors.collided, step};
+  seen.arrays.reserve(sensed.arrays.size());
+  for (const sim::NamedArray& array : sensed.arrays) {
+    seen.arrays.push_back(sensed.array(array.spec.name));
+  }
+  return seen;
 }
 
 }  // namespace bulletnav::agent

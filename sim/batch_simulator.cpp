@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <map>
 #include <numeric>
+#include <optional>
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
@@ -15,14 +16,29 @@
 
 namespace bulletnav::sim {
 
+namespace {
+
+/// What a worker draws and reads with in one scene; made when first needed.
+struct Tools {
+  std::unique_ptr<Renderer> renderer;  // of panoramas
+  std::unique_ptr<SensorReader> sensors;
+};
+
+}  // namespace
+
 struct BatchSimulator::Impl {
-  using Renderers = std::map<const RenderScene*, std::unique_ptr<Renderer>>;
+  using ToolsByScene = std::map<const RenderScene*, Tools>;
 
   Impl(std::vector<std::shared_ptr<const World>> worlds, const SimulatorSpec& the_spec, int workers)
-      : spec(the_spec), noise(the_spec.noise), pool(workers) {
+      : spec(the_spec),
+        sensors(the_spec.AllSensors()),
+        arrays(sensors.arrays()),
+        noise(the_spec.noise),
+        pool(workers) {
+    if (const std::optional<PanoramaSpec> camera = sensors.panorama()) spec.panorama = *camera;
     spec.panorama.Validate();
     for (auto& world : worlds) bodies.push_back(NewBody(std::move(world), "BatchSimulator"));
-    renderers.resize(static_cast<std::size_t>(pool.workers()));
+    tools.resize(static_cast<std::size_t>(pool.workers()));
   }
 
   std::unique_ptr<SimulatedBody> NewBody(std::shared_ptr<const World> world,
@@ -39,17 +55,23 @@ struct BatchSimulator::Impl {
   }
 
   Renderer& RendererOf(const RenderScene& scene, int worker) {
-    auto& renderer = renderers[static_cast<std::size_t>(worker)][&scene];
+    auto& renderer = tools[static_cast<std::size_t>(worker)][&scene].renderer;
     if (!renderer) renderer = scene.MakeRenderer(spec.panorama);
     return *renderer;
   }
 
-  /// Forgets the renderers of worlds that no lane is in; they must not outlive their world.
+  SensorReader& SensorsOf(const World& world, int worker) {
+    auto& reader = tools[static_cast<std::size_t>(worker)][&world.render_scene()].sensors;
+    if (!reader) reader = std::make_unique<SensorReader>(sensors, world.sensor_scene());
+    return *reader;
+  }
+
+  /// Forgets what draws worlds that no lane is in; it must not outlive its world.
   void DropUnused(const World& leaving) {
     for (const auto& body : bodies) {
       if (&body->world() == &leaving) return;
     }
-    for (Renderers& mine : renderers) mine.erase(&leaving.render_scene());
+    for (ToolsByScene& mine : tools) mine.erase(&leaving.render_scene());
   }
 
   const RenderScene& scene(std::size_t lane) const { return bodies[lane]->world().render_scene(); }
@@ -65,6 +87,38 @@ struct BatchSimulator::Impl {
             cameras,
             out.color.empty() ? out.color : out.color.subspan(3 * pixels * first, 3 * pixels * n),
             out.depth.empty() ? out.depth : out.depth.subspan(pixels * first, pixels * n));
+  }
+
+  /// Reads the arrays that are wanted of one lane. `wanted`: of all lanes, see Wanted.
+  void Read(std::size_t lane, int worker, std::span<const std::span<std::byte>> wanted) {
+    if (wanted.empty()) return;
+    std::vector<std::span<std::byte>> mine(wanted.size());
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      const std::size_t bytes = wanted[i].size() / bodies.size();
+      mine[i] = wanted[i].subspan(lane * bytes, bytes);
+    }
+    SensorsOf(bodies[lane]->world(), worker).Read(bodies[lane]->sensor_input(), mine);
+  }
+
+  /// The memory for each of the sensors' arrays, empty where it is not wanted; nothing at all if
+  /// none is.
+  std::vector<std::span<std::byte>> Wanted(std::span<const BatchArray> out) const {
+    if (out.empty()) return {};
+    std::vector<std::span<std::byte>> wanted(arrays.size());
+    for (const BatchArray& array : out) wanted[IndexOf(array.name)] = array.bytes;
+    return wanted;
+  }
+
+  /// Where an array is among those of the sensors. Throws Error if nowhere.
+  std::size_t IndexOf(const std::string& name) const {
+    const auto named = [&](const ArraySpec& array) {
+      return array.name == name;
+    };
+    const auto found = std::find_if(arrays.begin(), arrays.end(), named);
+    if (found != arrays.end()) return static_cast<std::size_t>(found - arrays.begin());
+    std::vector<std::string> known;
+    for (const ArraySpec& array : arrays) known.push_back(array.name);
+    throw Error(fmt::format("no sensor writes '{}'; there are: {}", name, fmt::join(known, ", ")));
   }
 
   bool DrawsTogether(std::size_t lane) { return RendererOf(scene(lane), 0).preferred_batch() > 1; }
@@ -88,14 +142,18 @@ struct BatchSimulator::Impl {
                    const std::function<void(SimulatedBody&, std::size_t place)>& act,
                    const BatchObservations& out) {
     const bool draws = !out.color.empty() || !out.depth.empty();
+    const std::vector<std::span<std::byte>> wanted = Wanted(out.arrays);
     std::vector<char> together;
+    together.reserve(lanes.size());
     for (const int lane : lanes) {
       together.push_back(draws && DrawsTogether(static_cast<std::size_t>(lane)) ? 1 : 0);
     }
     pool.ForEach(static_cast<int>(lanes.size()), [&](int place, int worker) {
       const auto i = static_cast<std::size_t>(place);
-      act(*bodies[static_cast<std::size_t>(lanes[i])], i);
-      if (together[i] == 0) Draw(static_cast<std::size_t>(lanes[i]), 1, worker, out);
+      const auto lane = static_cast<std::size_t>(lanes[i]);
+      act(*bodies[lane], i);
+      if (together[i] == 0) Draw(lane, 1, worker, out);
+      Read(lane, worker, wanted);
     });
     if (draws) DrawTogether(lanes, out);
   }
@@ -121,6 +179,10 @@ struct BatchSimulator::Impl {
     const std::size_t pixels = spec.panorama.pixels() * bodies.size();
     CheckSize(call, "values for colour", out.color.size(), {0, 3 * pixels});
     CheckSize(call, "values for depth", out.depth.size(), {0, pixels});
+    for (const BatchArray& array : out.arrays) {
+      const std::size_t bytes = arrays[IndexOf(array.name)].bytes() * bodies.size();
+      CheckSize(call, ("bytes for " + array.name).c_str(), array.bytes.size(), {0, bytes});
+    }
   }
 
   static void CheckSize(const char* call, const char* what, std::size_t size,
@@ -130,10 +192,12 @@ struct BatchSimulator::Impl {
   }
 
   SimulatorSpec spec;
+  SensorSet sensors;
+  std::vector<ArraySpec> arrays;  // of the sensors
   NoiseModel noise;
   WorkerPool pool;
   std::vector<std::unique_ptr<SimulatedBody>> bodies;
-  std::vector<Renderers> renderers;  // one set a worker
+  std::vector<ToolsByScene> tools;  // of each worker
 };
 
 BatchSimulator::BatchSimulator(std::vector<std::shared_ptr<const World>> worlds,
@@ -141,12 +205,16 @@ BatchSimulator::BatchSimulator(std::vector<std::shared_ptr<const World>> worlds,
     : impl_(std::make_unique<Impl>(std::move(worlds), spec, workers)) {}
 
 BatchSimulator::~BatchSimulator() {
-  // Renderers before the worlds that the bodies hold.
-  impl_->renderers.clear();
+  // What draws goes before the worlds that the bodies hold.
+  impl_->tools.clear();
 }
 
 int BatchSimulator::lanes() const {
   return static_cast<int>(impl_->bodies.size());
+}
+
+const std::vector<ArraySpec>& BatchSimulator::arrays() const {
+  return impl_->arrays;
 }
 
 void BatchSimulator::Reset(int lane, const BodyPose& pose, const EpisodeKey& key) {

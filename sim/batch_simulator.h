@@ -1,26 +1,37 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cstddef>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "sim/simulator.h"
 
 namespace bulletnav::sim {
 
-/// Where the panoramas of all lanes go: the caller's memory, lane after lane.
+/// Where an array of all lanes goes.
+struct BatchArray {
+  std::string name;            // "front.depth", as in SensorSet
+  std::span<std::byte> bytes;  // [lanes, shape...]
+};
+
+/// Where the observations of all lanes go: the caller's memory, lane after lane.
 struct BatchObservations {
-  std::span<std::uint8_t> color;  // [lanes, rows, cols, 3]; empty if not wanted
+  std::span<std::uint8_t> color;  // of the panorama: [lanes, rows, cols, 3]; empty if not wanted
   std::span<float> depth;         // [lanes, rows, cols]; empty if not wanted
+  std::span<const BatchArray> arrays = {};  // of any sensors, those wanted alone
+
+  bool empty() const { return color.empty() && depth.empty() && arrays.empty(); }
 };
 
 /// N bodies over W threads, in one world or many, for training and evaluation. Lane i behaves bit
 /// for bit like a Simulator of its own with the same world, spec and calls, whatever W is. The
-/// spec's color and depth flags do not matter here: what is not wanted is an empty span. Threads
+/// spec's color and depth flags do not matter here: what is not wanted is not asked for. Threads
 /// take lanes one after the other and draw straight into the caller's memory; on a graphics
-/// processor they do the physics, and neighbouring lanes of one world are drawn together.
-/// Misuse throws Error that names the call, and nothing has happened then: a null world, a lane
-/// that is not there or was not reset, memory that does not fit, an action that is none.
+/// processor they do the physics, and panoramas of neighbouring lanes of one world are drawn
+/// together. Misuse throws Error that names the call, and nothing has happened then: a null world,
+/// a lane that is not there or was not reset, memory that does not fit, an action that is none.
 class BatchSimulator {
  public:
   /// One world a lane, none of them null; lanes may share worlds. `workers` < 1: one a processor.
@@ -33,6 +44,8 @@ class BatchSimulator {
   BatchSimulator& operator=(BatchSimulator&&) = delete;
 
   int lanes() const;
+  /// Of the body's sensors, for one lane.
+  const std::vector<ArraySpec>& arrays() const;
 
   /// Starts an episode in one lane. Throws PoseError and leaves the lane as it was.
   void Reset(int lane, const BodyPose& pose, const EpisodeKey& key = {});
@@ -50,8 +63,8 @@ class BatchSimulator {
   /// The observations alone, after resets: of all lanes, or of some.
   void Observe(const BatchObservations& out);
   void Observe(std::span<const int> lanes, const BatchObservations& out);
-  /// What a camera anywhere in a lane's world would see, by the renderers that are there: one
-  /// panorama.
+  /// What the panorama's camera would see anywhere in a lane's world, by the renderers that are
+  /// there: one picture; `arrays` does not matter.
   void Render(int lane, const CameraPose& camera, const BatchObservations& out);
 
   /// Ground truth of a lane.

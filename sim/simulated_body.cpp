@@ -6,7 +6,6 @@
 #include <fmt/core.h>
 
 #include "sim/base/error.h"
-#include "sim/math/rng.h"
 
 namespace bulletnav::sim {
 namespace {
@@ -44,24 +43,26 @@ void SimulatedBody::Reset(const BodyPose& pose, const EpisodeKey& key) {
   steps_ = 0;
   collisions_ = 0;
   path_length_ = 0.0;
+  measured_ = {};
 }
 
 Sensors SimulatedBody::Step(Action action) {
   RequirePlaced(is_placed_, "SimulatedBody::Step");
   internal::RequireAction(action, "SimulatedBody::Step");
-  const auto rng = [&](Stream stream) {
-    return Rng(RngKey{key_.run_seed, world_->id(), key_.episode, static_cast<std::uint32_t>(steps_),
-                      stream});
-  };
-  Rng actuation = rng(Stream::kActuation);
-  Rng odometry = rng(Stream::kOdometry);
+  Rng actuation(Key(Stream::kActuation));
+  Rng odometry(Key(Stream::kOdometry));
   const BodyPose before = body_.pose();
   const MoveResult move = body_.Move(noise_.Actuation(action, actuation));
   const BodyPose& after = body_.pose();
   ++steps_;
   collisions_ += move.collided ? 1 : 0;
   path_length_ += (after.position - before.position).norm();
-  return {noise_.Odometry(action, RelativePose(before, after), odometry), move.collided};
+  measured_ = {noise_.Odometry(action, RelativePose(before, after), odometry), move.collided};
+  return measured_;
+}
+
+RngKey SimulatedBody::Key(Stream stream) const {
+  return {key_.run_seed, world_->id(), key_.episode, static_cast<std::uint32_t>(steps_), stream};
 }
 
 CameraPose SimulatedBody::camera_pose() const {
@@ -69,6 +70,10 @@ CameraPose SimulatedBody::camera_pose() const {
   const BodyPose& pose = body_.pose();
   const Eigen::Vector3d eye = pose.position + Eigen::Vector3d(0, body_.spec().camera_height, 0);
   return {eye.cast<float>(), static_cast<float>(pose.yaw)};
+}
+
+SensorInput SimulatedBody::sensor_input() const {
+  return {body_.pose(), camera_pose(), measured_, Key(Stream::kSensors), {}};
 }
 
 }  // namespace bulletnav::sim

@@ -5,9 +5,11 @@
 
 #include "sim/base/action.h"
 #include "sim/math/pose.h"
+#include "sim/math/rng.h"
 #include "sim/noise/noise_model.h"
 #include "sim/observation.h"
 #include "sim/physics/capsule_body.h"
+#include "sim/sensors/sensor.h"
 #include "sim/world.h"
 
 namespace bulletnav::sim {
@@ -50,8 +52,12 @@ class SimulatedBody {
   const World& world() const { return *world_; }
   /// Whether there was a Reset.
   bool is_placed() const { return is_placed_; }
+  /// What a sensor reads from now. Throws Error before the first Reset.
+  SensorInput sensor_input() const;
 
  private:
+  RngKey Key(Stream stream) const;
+
   std::shared_ptr<const World> world_;
   NoiseModel noise_;
   CapsuleBody body_;
@@ -60,6 +66,7 @@ class SimulatedBody {
   int steps_ = 0;
   int collisions_ = 0;
   double path_length_ = 0.0;
+  Sensors measured_;  // in the last step
 };
 
 namespace internal {

@@ -13,12 +13,25 @@ std::shared_ptr<const World> NotNull(std::shared_ptr<const World> world) {
 
 }  // namespace
 
+SensorSet SimulatorSpec::AllSensors() const {
+  return sensors.empty() ? SensorSet::Usual(panorama, color, depth) : sensors;
+}
+
 Simulator::Simulator(std::shared_ptr<const World> world, const SimulatorSpec& spec)
     : spec_(spec),
       body_(NotNull(std::move(world)), spec.body, NoiseModel(spec.noise)),
-      renderer_(body_.world().render_scene().MakeRenderer(spec.panorama)) {
-  if (spec.color) observation_.color.resize(3 * spec.panorama.pixels());
-  if (spec.depth) observation_.depth.resize(spec.panorama.pixels());
+      sensors_(spec.AllSensors(), body_.world().sensor_scene()) {
+  for (const ArraySpec& array : spec.AllSensors().arrays()) {
+    if (array.name == Observation::kColor) {
+      observation_.color.resize(array.size());
+    } else if (array.name == Observation::kDepth) {
+      observation_.depth.resize(array.size());
+    }
+    const bool is_elsewhere =
+        array.name == Observation::kColor || array.name == Observation::kDepth;
+    observation_.arrays.push_back({array, {}});
+    if (!is_elsewhere) observation_.arrays.back().bytes.resize(array.bytes());
+  }
 }
 
 const Observation& Simulator::Reset(const BodyPose& pose, const EpisodeKey& key) {
@@ -32,10 +45,21 @@ const Observation& Simulator::Step(Action action) {
   return Observe(body_.Step(action));
 }
 
+std::span<std::byte> Simulator::MemoryOf(NamedArray* array) {
+  if (array->spec.name == Observation::kColor) {
+    return std::as_writable_bytes(std::span(observation_.color));
+  }
+  if (array->spec.name == Observation::kDepth) {
+    return std::as_writable_bytes(std::span(observation_.depth));
+  }
+  return array->bytes;
+}
+
 const Observation& Simulator::Observe(const Sensors& sensors) {
-  const CameraPose camera = body_.camera_pose();
-  renderer_->Render({&camera, 1}, observation_.color, observation_.depth);
   observation_.sensors = sensors;
+  std::vector<std::span<std::byte>> out;
+  for (NamedArray& array : observation_.arrays) out.push_back(MemoryOf(&array));
+  sensors_.Read(body_.sensor_input(), out);
   return observation_;
 }
 

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cstddef>
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "sim/observation.h"
+#include "sim/sensors/sensor_reader.h"
 #include "sim/simulated_body.h"
 
 namespace bulletnav::sim {
@@ -14,6 +18,12 @@ struct SimulatorSpec {
   NoiseMode noise = NoiseMode::kAnsReleased;  // kNone: exact motion and odometry
   bool color = true;                          // of the panorama
   bool depth = true;
+  /// What the body senses. Empty: a sensor `panorama` as said above, odometry and bumper. Else
+  /// panorama, color and depth do not matter.
+  SensorSet sensors = {};
+
+  /// The sensors there are, also where `sensors` is empty.
+  SensorSet AllSensors() const;
 
   template <class V>
   void Visit(V& v) {
@@ -30,7 +40,7 @@ struct SimulatorSpec {
 ///   Observation observation = simulator.Reset(pose);
 ///   observation = simulator.Step(Action::kMoveForward);
 /// What both return is valid until the next of them.
-/// Cost of a step: one panorama; physics and noise are some tens of microseconds.
+/// Cost of a step: what its cameras draw; physics and noise are some tens of microseconds.
 class Simulator {
  public:
   /// Keeps the world. Throws Error if it is null or the spec is bad.
@@ -48,10 +58,11 @@ class Simulator {
 
  private:
   const Observation& Observe(const Sensors& sensors);
+  std::span<std::byte> MemoryOf(NamedArray* array);
 
   SimulatorSpec spec_;
   SimulatedBody body_;
-  std::unique_ptr<Renderer> renderer_;
+  SensorReader sensors_;
   Observation observation_;
 };
 

@@ -8,6 +8,7 @@
 #include "sim/physics/physics_world.h"
 #include "sim/render/renderer.h"
 #include "sim/scene/import.h"
+#include "sim/sensors/sensor.h"
 
 namespace bulletnav::sim {
 
@@ -43,6 +44,8 @@ class World {
   const PhysicsWorld& physics() const { return physics_; }
   const Navmesh& navmesh() const { return navmesh_; }
   const RenderScene& render_scene() const { return *render_scene_; }
+  /// What sensors are made for.
+  SensorScene sensor_scene() const { return {*render_scene_, physics_, navmesh_}; }
 
   /// RequireFloor of this scene.
   void RequireFloor() const { bulletnav::sim::RequireFloor(name_, report_, navmesh_); }

@@ -62,8 +62,8 @@ class RunBench {
     PlainTimes times;
     const Clock::time_point start = Clock::now();
     const GroundTruth* truth = &truth_;
-    const auto agent = Build(agents_.front(), config_, Setting::kRgbd, {&truth, 1});
-    Environment environment(TaskOf(config_, Setting::kRgbd, Condition::kNoise, /*sees=*/true),
+    const auto agent = Build(agents_.front(), config_, "rgbd", {&truth, 1});
+    Environment environment(TaskOf(config_, "rgbd", Condition::kNoise, /*sees=*/true),
                             {&truth_}, 1);
     for (const Episode& episode : episodes_.episodes) {
       PlayPlain(episode, &environment, agent.get(), &times);

@@ -34,13 +34,31 @@ const TaskEpisode& Environment::episode(int lane) const {
   return *own.episode;
 }
 
-void Environment::Enter(int lane, const std::shared_ptr<const sim::World>& world) {
-  if (!simulator_) {
-    worlds_.assign(worlds_.size(), world);
-    const sim::SimulatorSpec spec = {task_.body, task_.panorama, task_.noise, task_.color,
-                                     task_.depth};
-    simulator_ = std::make_unique<sim::BatchSimulator>(worlds_, spec, threads_);
+void Environment::MakeSimulator(const std::shared_ptr<const sim::World>& world) {
+  worlds_.assign(worlds_.size(), world);
+  const sim::SimulatorSpec spec = {task_.body,  task_.panorama, task_.noise,
+                                   task_.color, task_.depth,    task_.sensors};
+  simulator_ = std::make_unique<sim::BatchSimulator>(worlds_, spec, threads_);
+  for (const sim::ArraySpec& array : simulator_->arrays()) {
+    const std::span<std::byte> memory = MemoryOf(array);
+    for (std::size_t lane = 0; lane < lanes_.size(); ++lane) {
+      lanes_[lane].arrays.emplace_back(array, memory.subspan(lane * array.bytes(), array.bytes()));
+    }
   }
+}
+
+/// Where an array of all lanes goes.
+std::span<std::byte> Environment::MemoryOf(const sim::ArraySpec& array) {
+  if (array.name == sim::Observation::kColor) return std::as_writable_bytes(std::span(color_));
+  if (array.name == sim::Observation::kDepth) return std::as_writable_bytes(std::span(depth_));
+  std::vector<std::byte>& bytes = bytes_[array.name];
+  bytes.resize(lanes_.size() * array.bytes());
+  others_.push_back({array.name, bytes});
+  return bytes;
+}
+
+void Environment::Enter(int lane, const std::shared_ptr<const sim::World>& world) {
+  if (!simulator_) MakeSimulator(world);
   std::shared_ptr<const sim::World>& own = worlds_[static_cast<std::size_t>(lane)];
   if (own == world) return;
   simulator_->SetWorld(lane, world);
@@ -106,7 +124,7 @@ agent::Panorama Environment::goal(int lane) const {
 
 void Environment::Observe(std::span<const int> lanes) {
   for (const int lane : lanes) BULLETNAV_CHECK(!is_over(lane));
-  if (draws()) simulator_->Observe(lanes, {color_, depth_});
+  simulator_->Observe(lanes, {color_, depth_, others_});
 }
 
 agent::Observation Environment::observation(int lane) const {
@@ -119,6 +137,7 @@ agent::Observation Environment::observation(int lane) const {
   seen.odometry = at(lane).sensors.odometry;
   seen.collided = at(lane).sensors.collided;
   seen.step = simulator_->body(lane).steps();
+  seen.arrays = at(lane).arrays;
   return seen;
 }
 

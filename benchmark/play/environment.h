@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cstddef>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -83,6 +85,7 @@ class Environment {
     sim::Sensors sensors;
     std::vector<std::uint8_t> goal_color;
     std::vector<float> goal_depth;
+    std::vector<sim::ArrayView> arrays;  // in the memory below
   };
   Lane& at(int lane);
   const Lane& at(int lane) const;
@@ -91,6 +94,8 @@ class Environment {
   void StartGoals(int lane);
   void DrawGoal(int lane);
   bool draws() const { return task_.color || task_.depth; }
+  void MakeSimulator(const std::shared_ptr<const sim::World>& world);
+  std::span<std::byte> MemoryOf(const sim::ArraySpec& array);
 
   Task task_;
   int threads_;
@@ -99,6 +104,9 @@ class Environment {
   std::unique_ptr<sim::BatchSimulator> simulator_;         // made with the first world
   std::vector<std::uint8_t> color_;                        // [lanes, rows, cols, 3]
   std::vector<float> depth_;                               // [lanes, rows, cols]
+  /// Memory of the sensors' other arrays, by name: [lanes, shape...].
+  std::map<std::string, std::vector<std::byte>, std::less<>> bytes_;
+  std::vector<sim::BatchArray> others_;  // the same, as the simulator takes it
   std::vector<sim::Sensors> read_;
   std::vector<StepOutcome> outcomes_;
 };

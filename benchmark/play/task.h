@@ -6,6 +6,7 @@
 #include "sim/noise/noise_model.h"
 #include "sim/physics/body_spec.h"
 #include "sim/render/projection.h"
+#include "sim/sensors/sensor_set.h"
 
 namespace bulletnav::bench {
 
@@ -31,9 +32,12 @@ struct RewardSpec {
 /// Source: Neural Topological SLAM, sections 5 and 6.1.
 struct Task {
   sim::BodySpec body;
-  sim::PanoramaSpec panorama;
-  bool color = true;  // of the panoramas; nothing is drawn if neither is wanted
+  sim::PanoramaSpec panorama;  // of goals, and of what bodies see
+  bool color = true;           // of the panoramas; nothing is drawn if neither is wanted
   bool depth = true;
+  /// What bodies sense. Empty: the panorama as said above, odometry and bumper. Else its sensor
+  /// `panorama` must draw what is said above.
+  sim::SensorSet sensors = {};
   sim::NoiseMode noise = sim::NoiseMode::kNone;
   SuccessRule success;
   int max_steps = 500;               // a goal

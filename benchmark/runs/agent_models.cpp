@@ -25,12 +25,21 @@ std::optional<fs::path> FindIfThere(const std::string& weights) {
   return std::nullopt;
 }
 
+/// The key of learned weights: a setting of the config's own that has none takes those for what its
+/// panoramas hold.
+std::string WeightsKey(const std::string& weights, const RunConfig& config,
+                       const std::string& setting) {
+  const std::string own = weights + "_" + setting;
+  if (!config.sensors.contains(setting) || FindIfThere(config.weights_file(own))) return own;
+  return weights + (RigOf(config, setting).has_depth ? "_rgbd" : "_rgb");
+}
+
 SlotSource SourceOf(agent::ModelSlot slot, const std::string& given, const RunConfig& config,
-                    Setting setting) {
+                    const std::string& setting) {
   SlotSource source{std::move(slot), given == kOracleModel, "", "", std::nullopt};
   if (source.is_oracle) return source;
   if (given == kLearnedModel) {
-    source.key = source.slot.weights + "_" + std::string(sim::NameOf(setting));
+    source.key = WeightsKey(source.slot.weights, config, setting);
     source.name = config.weights_file(source.key);
   } else {
     source.key = given;
@@ -74,11 +83,11 @@ void AddOracles(const AgentEntry& entry, std::span<const SlotSource> sources,
 }  // namespace
 
 std::vector<SlotSource> SourcesOf(const AgentEntry& entry, const RunConfig& config,
-                                  Setting setting) {
+                                  const std::string& setting) {
   std::vector<SlotSource> sources;
   for (agent::ModelSlot& slot : agent::ModelSlotsOf(entry.agent, RigOf(config, setting))) {
     const auto given = entry.models.find(slot.name);
-    const std::string& model = given == entry.models.end() ? kLearnedModel : given->second;
+    const std::string model = given == entry.models.end() ? kLearnedModel : given->second;
     if (model == kNoModel) continue;
     SlotSource source = SourceOf(std::move(slot), model, config, setting);
     const bool is_left_out = !source.is_oracle && !source.file && !source.slot.is_needed;
@@ -92,7 +101,7 @@ std::map<std::string, fs::path> UsedWeights(const RunConfig& config) {
   std::map<std::string, fs::path> used;
   for (const AgentEntry& entry : config.agents) {
     if (std::find(known.begin(), known.end(), entry.agent) == known.end()) continue;
-    for (const Setting setting : entry.settings.empty() ? config.settings : entry.settings) {
+    for (const std::string& setting : entry.settings.empty() ? config.settings : entry.settings) {
       for (const SlotSource& source : SourcesOf(entry, config, setting)) {
         if (source.file) used[source.key] = *source.file;
       }

@@ -26,7 +26,7 @@ struct SlotSource {
 /// What fills the slots of an entry on a body with this rig; slots that are left empty are not
 /// there.
 std::vector<SlotSource> SourcesOf(const AgentEntry& entry, const RunConfig& config,
-                                  Setting setting);
+                                  const std::string& setting);
 
 /// The files of weights that a config's agents use, by key; without those that are missing.
 std::map<std::string, std::filesystem::path> UsedWeights(const RunConfig& config);

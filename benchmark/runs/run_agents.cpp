@@ -61,7 +61,7 @@ bool IsOfTheseWeights(const RunConfig& config, const std::string& key,
 }
 
 /// Of all models that the agent takes from files.
-void NoteFrames(const RunConfig& config, Setting setting, RunAgent* agent) {
+void NoteFrames(const RunConfig& config, const std::string& setting, RunAgent* agent) {
   std::optional<std::int64_t> sum;
   for (const SlotSource& source : agent->models[setting]) {
     if (!source.file) continue;
@@ -69,7 +69,7 @@ void NoteFrames(const RunConfig& config, Setting setting, RunAgent* agent) {
     if (!frames || !IsOfTheseWeights(config, source.key, *source.file)) return;
     sum = sum.value_or(0) + *frames;
   }
-  if (sum) agent->frames_trained[std::string(sim::NameOf(setting))] = *sum;
+  if (sum) agent->frames_trained[setting] = *sum;
 }
 
 bool HasWeights(std::span<const SlotSource> sources) {
@@ -80,7 +80,7 @@ bool HasWeights(std::span<const SlotSource> sources) {
 
 /// Why the agent cannot be built; empty if it can. Weights that are there but cannot be used also
 /// go into `damage`.
-std::string WhyNot(const RunAgent& agent, const RunConfig& config, Setting setting,
+std::string WhyNot(const RunAgent& agent, const RunConfig& config, const std::string& setting,
                    std::string* damage) {
   const GroundTruth nowhere;
   const std::array<const GroundTruth*, 1> truths = {&nowhere};
@@ -112,15 +112,14 @@ RunAgent FindAgent(const RunConfig& config, const AgentEntry& entry) {
   }
   if (!agent.is_privileged) agent.maker = agent::ConfigureAgent(entry.agent, entry.parameters);
   const auto& wanted = entry.settings.empty() ? config.settings : entry.settings;
-  for (const Setting setting : wanted) {
+  for (const std::string& setting : wanted) {
     if (!agent.is_privileged) agent.models[setting] = SourcesOf(entry, config, setting);
     const std::string why = WhyNot(agent, config, setting, &agent.damage);
     if (why.empty()) {
       agent.settings.push_back(setting);
       NoteFrames(config, setting, &agent);
     } else {
-      agent.missing += (agent.missing.empty() ? "not in " : "; not in ") +
-                       std::string(sim::NameOf(setting)) + ": " + why;
+      agent.missing += (agent.missing.empty() ? "not in " : "; not in ") + setting + ": " + why;
     }
   }
   return agent;
@@ -179,12 +178,14 @@ void RequireAll(std::span<const RunAgent> agents) {
   throw sim::Error(fmt::format("not all agents can run: {}", fmt::join(missing, "; ")));
 }
 
-Task TaskOf(const RunConfig& config, Setting setting, Condition condition, bool sees) {
+Task TaskOf(const RunConfig& config, const std::string& setting, Condition condition, bool sees) {
   Task task;
   task.body = config.body;
-  task.panorama = config.panorama;
-  task.color = sees;
-  task.depth = sees && setting == Setting::kRgbd;
+  const agent::Rig rig = RigOf(config, setting);
+  task.panorama = rig.panorama;
+  task.color = sees && rig.has_color;
+  task.depth = sees && rig.has_depth;
+  if (sees) task.sensors = SensorsOf(config, setting);
   task.noise = condition == Condition::kNoNoise ? sim::NoiseMode::kNone : config.noise;
   task.success = {config.success_distance, condition == Condition::kNoStop};
   task.max_steps = config.max_steps;
@@ -192,7 +193,7 @@ Task TaskOf(const RunConfig& config, Setting setting, Condition condition, bool 
 }
 
 std::unique_ptr<agent::BatchAgent> Build(const RunAgent& agent, const RunConfig& config,
-                                         Setting setting,
+                                         const std::string& setting,
                                          std::span<const GroundTruth* const> truths) {
   if (agent.is_privileged) {
     const auto parameters = sim::ParseYaml(agent.parameters, "parameters of " + agent.entry.name);

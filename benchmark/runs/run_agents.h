@@ -20,13 +20,13 @@ namespace bulletnav::bench {
 /// An agent of a run: ready to be built, or known to be missing.
 struct RunAgent {
   AgentEntry entry;
-  std::vector<Setting> settings;  // in which it can run
-  std::string missing;            // why it cannot run in the others, or at all; empty if it can
-  std::string damage;             // of weights that are there but cannot be used
+  std::vector<std::string> settings;  // in which it can run
+  std::string missing;                // why it cannot run in the others, or at all; empty if it can
+  std::string damage;                 // of weights that are there but cannot be used
   bool is_privileged = false;
   std::string parameters;   // YAML text: nodes are not to be shared between threads
   agent::AgentMaker maker;  // of those that are not privileged
-  std::map<Setting, std::vector<SlotSource>> models;
+  std::map<std::string, std::vector<SlotSource>> models;
   std::map<std::string, std::int64_t> frames_trained;  // see AgentRow
 
   /// How tables speak of it.
@@ -46,12 +46,12 @@ void RequireSome(std::span<const RunAgent> agents);
 void RequireAll(std::span<const RunAgent> agents);
 
 /// What the episodes of a run ask for. `sees`: the agent is shown panoramas.
-Task TaskOf(const RunConfig& config, Setting setting, Condition condition, bool sees);
+Task TaskOf(const RunConfig& config, const std::string& setting, Condition condition, bool sees);
 
 /// Builds an agent with one lane for each of `truths`, which must outlive it and be up to date at
 /// every call; only oracles and privileged agents look at them. May be called from several threads.
 std::unique_ptr<agent::BatchAgent> Build(const RunAgent& agent, const RunConfig& config,
-                                         Setting setting,
+                                         const std::string& setting,
                                          std::span<const GroundTruth* const> truths);
 
 }  // namespace bulletnav::bench

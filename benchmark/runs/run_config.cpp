@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <set>
 
+#include <fmt/ranges.h>
+
 #include "agent/registry.h"
 #include "benchmark/privileged/privileged_agent.h"
 #include "benchmark/runs/published.h"
@@ -15,6 +17,9 @@ namespace {
 using sim::Error;
 using sim::KeyError;
 using sim::YamlNode;
+
+constexpr const char* kColorSetting = "rgb";
+constexpr const char* kDepthSetting = "rgbd";
 
 bool Contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -47,13 +52,30 @@ std::vector<std::string> KnownAgents() {
   name.Fail(what + (nearest.empty() ? ". Known are: " : " Known are: ") + list);
 }
 
+std::vector<std::string> KnownSettings(const RunConfig& config) {
+  std::vector<std::string> known = {kColorSetting, kDepthSetting};
+  for (const auto& [name, sensors] : config.sensors) known.push_back(name);
+  return known;
+}
+
+/// Complains of settings that nothing is known of. `map`: where the list stands, if it does.
+void RequireKnown(const YamlNode& map, const std::vector<std::string>& settings,
+                  const RunConfig& config) {
+  const std::vector<std::string> known = KnownSettings(config);
+  for (std::size_t i = 0; i < settings.size(); ++i) {
+    if (Contains(known, settings[i])) continue;
+    const YamlNode list = map.Child(map.yaml()["settings"]);
+    list.Child(list.yaml()[i])
+        .Fail(fmt::format("unknown setting '{}'; known are: {}; 'sensors' can define more",
+                          settings[i], fmt::join(known, ", ")));
+  }
+}
+
 /// Spells out what fills the slots that the agent has on some body.
-void ResolveModels(const YamlNode& node, AgentEntry* entry) {
+void ResolveModels(const YamlNode& node, const RunConfig& config, AgentEntry* entry) {
   std::map<std::string, std::string> models;
-  for (const bool has_depth : {false, true}) {
-    agent::Rig rig;
-    rig.has_depth = has_depth;
-    for (const agent::ModelSlot& slot : agent::ModelSlotsOf(entry->agent, rig)) {
+  for (const std::string& setting : KnownSettings(config)) {
+    for (const agent::ModelSlot& slot : agent::ModelSlotsOf(entry->agent, RigOf(config, setting))) {
       models.emplace(slot.name, kLearnedModel);
     }
   }
@@ -68,14 +90,14 @@ void ResolveModels(const YamlNode& node, AgentEntry* entry) {
 }
 
 /// Fills in what is left to defaults; `node` is where the entry stands.
-void Resolve(const YamlNode& node, AgentEntry* entry) {
+void Resolve(const YamlNode& node, const RunConfig& config, AgentEntry* entry) {
   if (entry->name.empty()) entry->name = entry->agent;
   std::string parameters;
   if (Contains(PrivilegedAgentNames(), entry->agent)) {
     parameters = ResolvePrivilegedConfig(entry->agent, entry->parameters);
   } else if (Contains(agent::AgentNames(), entry->agent)) {
     parameters = agent::ResolveConfig(entry->agent, entry->parameters);
-    ResolveModels(node, entry);
+    ResolveModels(node, config, entry);
   } else if (IsPlannedAgent(entry->agent)) {
     return;
   } else {
@@ -85,29 +107,47 @@ void Resolve(const YamlNode& node, AgentEntry* entry) {
 }
 
 /// The same, for agents that may have changed or gone since they played.
-void ResolveIfKnown(const YamlNode& node, AgentEntry* entry) {
+void ResolveIfKnown(const YamlNode& node, const RunConfig& config, AgentEntry* entry) {
   try {
-    Resolve(node, entry);
+    Resolve(node, config, entry);
   } catch (const Error&) {
     entry->trouble = "this version of the program has no such agent, or one with other parameters";
   }
 }
 
 RunConfig Parse(const YamlNode& root, const std::filesystem::path& file,
-                void (*resolve)(const YamlNode& node, AgentEntry* entry)) {
+                void (*resolve)(const YamlNode& node, const RunConfig& config, AgentEntry* entry)) {
   RunConfig config;
   sim::YamlReader::Read(root, config);
   if (config.name.empty()) config.name = file.stem().string();
+  RequireKnown(root, config.settings, config);
   const YamlNode agents = root.Child(root.yaml()["agents"]);
   std::set<std::string> names;
   for (std::size_t i = 0; i < config.agents.size(); ++i) {
     const YamlNode node = agents.Child(agents.yaml()[i]);
-    resolve(node, &config.agents[i]);
+    RequireKnown(node, config.agents[i].settings, config);
+    resolve(node, config, &config.agents[i]);
     if (!names.insert(config.agents[i].name).second) {
       node.Fail("two agents are called '" + config.agents[i].name + "'; give one a 'name'");
     }
   }
   return config;
+}
+
+}  // namespace
+
+namespace {
+
+/// What a setting of the config's own must be like.
+void RequireUsable(const std::string& setting, const sim::SensorSet& sensors) {
+  if (setting == kColorSetting || setting == kDepthSetting) {
+    throw KeyError("sensors", "'" + setting + "' is there already; give the set another name");
+  }
+  if (!sensors.panorama()) {
+    throw KeyError("sensors", "the set '" + setting +
+                                  "' needs a sensor 'panorama' of type panorama: goals are "
+                                  "pictures of it");
+  }
 }
 
 }  // namespace
@@ -140,6 +180,7 @@ void RunConfig::Validate() const {
     throw KeyError("max_steps", "max_steps must lie between 1 and 1000000");
   }
   panorama.Validate();
+  for (const auto& [setting, set] : sensors) RequireUsable(setting, set);
   if (episodes.draw) generator().Validate();
 }
 
@@ -163,11 +204,19 @@ std::string RunConfig::weights_file(const std::string& key) const {
   return named == weights.end() ? "assets/weights/" + key + ".safetensors" : named->second;
 }
 
-agent::Rig RigOf(const RunConfig& config, Setting setting) {
+sim::SensorSet SensorsOf(const RunConfig& config, const std::string& setting) {
+  const auto own = config.sensors.find(setting);
+  if (own != config.sensors.end()) return own->second;
+  return sim::SensorSet::Usual(config.panorama, true, setting == kDepthSetting);
+}
+
+agent::Rig RigOf(const RunConfig& config, const std::string& setting) {
+  const sim::SensorSet sensors = SensorsOf(config, setting);
   agent::Rig rig;
-  rig.panorama = config.panorama;
-  rig.has_color = true;
-  rig.has_depth = setting == Setting::kRgbd;
+  rig.panorama = sensors.panorama().value();
+  rig.arrays = sensors.arrays();
+  rig.has_color = rig.FindArray(sim::Observation::kColor) != nullptr;
+  rig.has_depth = rig.FindArray(sim::Observation::kDepth) != nullptr;
   rig.camera_height = config.body.camera_height;
   return rig;
 }

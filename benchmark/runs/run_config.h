@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "agent/observation.h"
@@ -16,19 +14,6 @@
 #include "benchmark/privileged/mixed_semantic_model.h"
 #include "sim/noise/noise_model.h"
 #include "sim/simulator.h"
-
-namespace bulletnav::bench {
-
-/// What the panoramas hold.
-enum class Setting { kRgb, kRgbd };
-
-}  // namespace bulletnav::bench
-
-template <>
-struct bulletnav::sim::EnumNames<bulletnav::bench::Setting> {
-  static constexpr std::array kNames = {std::pair{"rgb", bulletnav::bench::Setting::kRgb},
-                                        std::pair{"rgbd", bulletnav::bench::Setting::kRgbd}};
-};
 
 namespace bulletnav::bench {
 
@@ -65,16 +50,16 @@ struct EpisodeSource {
 
 /// What a slot of an agent may be filled with besides a file of weights: nothing, the ground truth,
 /// or the weights that RunConfig::weights names for it.
-inline const std::string kNoModel = "none";
-inline const std::string kOracleModel = "oracle";
-inline const std::string kLearnedModel = "learned";
+inline constexpr const char* kNoModel = "none";
+inline constexpr const char* kOracleModel = "oracle";
+inline constexpr const char* kLearnedModel = "learned";
 
 /// One agent with its parameters.
 struct AgentEntry {
-  std::string agent;              // as it is registered
-  std::string name;               // of its rows and results; the agent's if empty
-  std::string title;              // for people; the paper's if empty
-  std::vector<Setting> settings;  // the run's if empty
+  std::string agent;                  // as it is registered
+  std::string name;                   // of its rows and results; the agent's if empty
+  std::string title;                  // for people; the paper's if empty
+  std::vector<std::string> settings;  // the run's if empty
   /// What fills the agent's slots, see agent::ModelSlot: `learned` where nothing is said.
   std::map<std::string, std::string> models;
   std::vector<SemanticFunction> oracle_functions;  // of a learned model, to look for causes
@@ -122,13 +107,14 @@ struct RunConfig {
   sim::PanoramaSpec panorama;
   sim::Backend backend = sim::Backend::kAuto;
   sim::NoiseMode noise = sim::NoiseMode::kAnsReleased;  // where the condition has noise
-  std::vector<Setting> settings = {Setting::kRgbd};
+  std::map<std::string, sim::SensorSet> sensors;        // more settings, by name; see SensorsOf
+  std::vector<std::string> settings = {"rgbd"};
   std::vector<Condition> conditions = {Condition::kNoise};
   std::vector<std::uint64_t> seeds = {0};
   double success_distance = 1.0;  // metres
   int max_steps = 500;            // a goal
   /// Files of learned models by SLOT'S WEIGHTS_SETTING, as nts_rgbd. Those that are not named are
-  /// in assets/weights.
+  /// in assets/weights. One of `sensors` without weights takes those of rgb or rgbd.
   std::map<std::string, std::string> weights;
   bool trajectories = true;  // kept for plots
   std::vector<AgentEntry> agents;
@@ -145,6 +131,7 @@ struct RunConfig {
     v("panorama", panorama);
     v("backend", backend);
     v("noise", noise);
+    v("sensors", sensors);
     v("settings", settings);
     v("conditions", conditions);
     v("seeds", seeds);
@@ -164,8 +151,12 @@ struct RunConfig {
   GeneratorSpec generator() const;
 };
 
-/// What the bodies of a run carry.
-agent::Rig RigOf(const RunConfig& config, Setting setting);
+/// What bodies sense in a setting: `rgb` (a panorama as `panorama` says, odometry, bumper), `rgbd`
+/// (with depth), or one of `sensors`.
+sim::SensorSet SensorsOf(const RunConfig& config, const std::string& setting);
+
+/// What an agent is told of the body that it steers in a setting.
+agent::Rig RigOf(const RunConfig& config, const std::string& setting);
 
 /// Agents that the tables have rows for although the program may not have them yet.
 bool IsPlannedAgent(const std::string& agent);

@@ -8,7 +8,7 @@
 namespace bulletnav::bench {
 namespace {
 
-void AddRows(const RunConfig& config, std::size_t agent, Setting setting,
+void AddRows(const RunConfig& config, std::size_t agent, const std::string& setting,
              std::vector<RunRow>* rows) {
   for (const Condition condition : config.conditions) {
     for (const std::uint64_t seed : config.seeds)
@@ -19,7 +19,8 @@ void AddRows(const RunConfig& config, std::size_t agent, Setting setting,
 std::vector<RunRow> RowsOf(const RunConfig& config, const std::vector<RunAgent>& agents) {
   std::vector<RunRow> rows;
   for (std::size_t agent = 0; agent < agents.size(); ++agent) {
-    for (const Setting setting : agents[agent].settings) AddRows(config, agent, setting, &rows);
+    for (const std::string& setting : agents[agent].settings)
+      AddRows(config, agent, setting, &rows);
   }
   return rows;
 }

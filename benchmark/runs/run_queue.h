@@ -13,7 +13,7 @@ namespace bulletnav::bench {
 /// One agent under one condition with one seed.
 struct RunRow {
   std::size_t agent = 0;  // among the run's
-  Setting setting = Setting::kRgbd;
+  std::string setting;
   Condition condition = Condition::kNoise;
   std::uint64_t seed = 0;
 };

@@ -32,7 +32,7 @@ ResultKey RunPlan::KeyOf(const RunJob& job) const {
   const RunRow& row = rows[job.row];
   const Episode& episode = episodes.episodes[job.episode];
   return {agents[row.agent].entry.name,
-          std::string(sim::NameOf(row.setting)),
+          row.setting,
           std::string(sim::NameOf(row.condition)),
           row.seed,
           episode.scene,

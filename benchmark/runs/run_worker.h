@@ -64,7 +64,7 @@ class RunWorker {
   std::vector<RunJob> jobs_;
   std::size_t row_ = 0;
   std::unique_ptr<Environment> environment_;  // of the row
-  std::map<std::pair<std::size_t, Setting>, std::unique_ptr<agent::BatchAgent>> agents_;
+  std::map<std::pair<std::size_t, std::string>, std::unique_ptr<agent::BatchAgent>> agents_;
 };
 
 }  // namespace bulletnav::bench

@@ -91,6 +91,8 @@ void YamlWriter::WriteCompound(const T& value) {
     emitter_ << YAML::BeginMap;
     for (const auto& [key, item] : value) (*this)(key, item);
     emitter_ << YAML::EndMap;
+  } else if constexpr (requires { value.ToYaml(); }) {
+    emitter_ << YAML::Load(value.ToYaml());
   } else {
     emitter_ << YAML::BeginMap;
     T copy = value;  // a Visit may change what it visits

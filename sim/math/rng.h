@@ -10,7 +10,7 @@
 namespace bulletnav::sim {
 
 /// Names of independent random streams inside one step of one episode.
-enum class Stream : std::uint32_t { kActuation, kOdometry, kAgent, kSampling, kHouse };
+enum class Stream : std::uint32_t { kActuation, kOdometry, kAgent, kSampling, kHouse, kSensors };
 
 /// What a random draw depends on, and nothing else: not the thread, not the draws made elsewhere.
 struct RngKey {

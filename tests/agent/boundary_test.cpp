@@ -47,7 +47,8 @@ const std::vector<std::string> kAllowed = {"agent/",
                                            "sim/grid/",
                                            "sim/math/",
                                            "sim/observation.h",
-                                           "sim/render/projection.h"};
+                                           "sim/render/projection.h",
+                                           "sim/sensors/array.h"};
 
 bool IsAllowed(const std::string& header) {
   return std::any_of(kAllowed.begin(), kAllowed.end(), [&](const std::string& start) {

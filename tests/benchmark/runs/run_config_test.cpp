@@ -106,12 +106,12 @@ TEST(RunConfig, ReadsWhatEarlierVersionsSaved) {
 
 TEST(RunAgents, SayWhatIsMissing) {
   RunConfig config = ParseRunConfig(kGood, "c.yaml");
-  config.settings = {Setting::kRgb, Setting::kRgbd};
+  config.settings = {"rgb", "rgbd"};
   for (const char* key : {"nts_rgb", "nts_rgbd", "mapper_rgb"}) config.weights[key] = "none";
   config.agents[1].settings.clear();
   const auto agents = FindAgents(config);
   EXPECT_EQ(agents[0].row().note, "");
-  EXPECT_EQ(agents[1].settings, std::vector{Setting::kRgbd});
+  EXPECT_EQ(agents[1].settings, std::vector<std::string>{"rgbd"});
   EXPECT_THAT(agents[1].row().note, StartsWith("oracle; not in rgb: "));
   EXPECT_EQ(agents[2].row().note, "privileged");
   EXPECT_TRUE(agents[3].settings.empty());

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "sim/sensors/sensor_set.h"
+
+namespace bulletnav::sim {
+
+/// Reads the sensors of bodies in one scene, one body after the other.
+class SensorReader {
+ public:
+  /// The scene must outlive the reader. A sensor is made when it is first asked.
+  SensorReader(const SensorSet& set, const SensorScene& scene);
+
+  /// Writes arrays in the order of SensorSet::arrays, each into memory of its size; an empty span:
+  /// not wanted.
+  void Read(SensorInput input, std::span<const std::span<std::byte>> out);
+
+ private:
+  struct Made {
+    MountedSensor mounted;
+    std::unique_ptr<Sensor> sensor;
+  };
+  SensorScene scene_;
+  std::vector<Made> sensors_;
+};
+
+}  // namespace bulletnav::sim

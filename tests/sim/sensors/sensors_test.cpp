@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+// What sensors write, alone and in batches, against renderers asked directly.
+#include <algorithm>
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sim/batch_simulator.h"
+#include "sim/sensors/cameras.h"
+#include "tests/support/panoramas.h"
+#include "tests/support/scenes.h"
+
+namespace bulletnav::sim {
+namespace {
+
+using testing::ElementsAreArray;
+using testing::HasSubstr;
+using tests::BoxRoom;
+
+const BodyPose kStart{{1.5, 0, -2}, 0.7};
+
+std::shared_ptr<const World> Room() {
+  return World::FromMesh(BoxRoom(4, 2.6f, 6), "room");
+}
+
+PinholeSensorConfig Front() {
+  PinholeSensorConfig config;
+  config.camera = {.hfov_deg = 79, .rows = 24, .cols = 32, .pitch_deg = -15};
+  config.mount = {.forward_m = 0.1, .left_m = 0.05, .above_m = -0.25, .yaw_deg = 90};
+  return config;
+}
+
+/// A panorama of depth, a camera that looks to the left, and what every body has.
+SimulatorSpec Spec() {
+  SimulatorSpec spec;
+  spec.sensors = SensorSet::Usual({.rows = 16, .cols = 64}, false, true);
+  spec.sensors.Add("front", PinholeSensor(Front()));
+  return spec;
+}
+
+TEST(Sensors, AMountedCameraDrawsWhatARendererThereWould) {
+  const auto world = Room();
+  Simulator simulator(world, Spec());
+  const Observation& seen = simulator.Reset(kStart);
+  // By hand: the body looks along (-sin yaw, 0, -cos yaw), its left is (-cos yaw, 0, sin yaw).
+  const double s = std::sin(kStart.yaw);
+  const double c = std::cos(kStart.yaw);
+  const Eigen::Vector3d eye = kStart.position + Eigen::Vector3d(0, 1.25 - 0.25, 0) +
+                              0.1 * Eigen::Vector3d(-s, 0, -c) + 0.05 * Eigen::Vector3d(-c, 0, s);
+  const auto yaw = static_cast<float>(kStart.yaw) + static_cast<float>(DegToRad(90.0));
+  const tests::Panorama drawn =
+      tests::RenderPanorama(world->render_scene(), Front().camera, {eye.cast<float>(), yaw});
+  EXPECT_THAT(seen.values<std::uint8_t>("front.color"), ElementsAreArray(drawn.color));
+  EXPECT_THAT(seen.values<float>("front.depth"), ElementsAreArray(drawn.depth));
+}
+
+TEST(Sensors, ThePanoramaStandsInItsOwnFieldsToo) {
+  Simulator simulator(Room(), Spec());
+  const Observation& seen = simulator.Reset(kStart);
+  EXPECT_TRUE(seen.color.empty());
+  EXPECT_EQ(seen.depth.size(), 16u * 64);
+  EXPECT_EQ(seen.values<float>("panorama.depth").data(), seen.depth.data());
+}
+
+TEST(Sensors, OdometryAndBumperAreArraysAsWell) {
+  Simulator simulator(Room(), Spec());
+  const Observation& seen = simulator.Reset(kStart);
+  EXPECT_THAT(seen.values<double>("odometry.motion"), testing::Each(0.0));
+  for (int step = 0; step < 20; ++step) {
+    simulator.Step(Action::kMoveForward);
+    const std::array motion = {seen.sensors.odometry.x, seen.sensors.odometry.y,
+                               seen.sensors.odometry.yaw};
+    EXPECT_THAT(seen.values<double>("odometry.motion"), ElementsAreArray(motion));
+    EXPECT_EQ(seen.values<std::uint8_t>("bumper.collided")[0], seen.sensors.collided ? 1 : 0);
+  }
+  EXPECT_TRUE(seen.sensors.collided);  // a room is not five metres long
+}
+
+TEST(Sensors, WrongNamesAndTypesAreErrors) {
+  Simulator simulator(Room(), Spec());
+  const Observation& seen = simulator.Reset(kStart);
+  try {
+    seen.array("back.depth");
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_THAT(e.what(), HasSubstr("panorama.depth, odometry.motion, bumper.collided, "
+                                    "front.color, front.depth"));
+  }
+  EXPECT_THROW(seen.values<double>("front.depth"), Error);
+}
+
+TEST(Sensors, EveryLaneReadsWhatASimulatorOfItsOwnWould) {
+  constexpr int kLanes = 3;
+  const auto world = Room();
+  BatchSimulator batch({world, world, world}, Spec(), 2);
+  std::vector<std::vector<std::byte>> memory;
+  std::vector<BatchArray> arrays;
+  memory.reserve(batch.arrays().size());
+  for (const ArraySpec& array : batch.arrays()) {
+    memory.emplace_back(kLanes * array.bytes());
+    arrays.push_back({array.name, memory.back()});
+  }
+  const std::vector<Action> actions(kLanes, Action::kMoveForward);
+  std::vector<Sensors> read(kLanes);
+  for (int lane = 0; lane < kLanes; ++lane) batch.Reset(lane, {{1.5, 0, -2}, 0.9 * lane});
+  batch.Step(actions, read, {{}, {}, arrays});
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    Simulator alone(world, Spec());
+    alone.Reset({{1.5, 0, -2}, 0.9 * static_cast<double>(lane)});
+    const Observation& seen = alone.Step(Action::kMoveForward);
+    for (std::size_t i = 0; i < arrays.size(); ++i) {
+      const std::size_t bytes = batch.arrays()[i].bytes();
+      const auto mine = std::span(memory[i]).subspan(lane * bytes, bytes);
+      EXPECT_TRUE(std::ranges::equal(mine, seen.array(arrays[i].name).bytes()))
+          << arrays[i].name << " of lane " << lane;
+    }
+  }
+}
+
+TEST(Sensors, ABatchReadsWhatIsWantedAlone) {
+  const auto world = Room();
+  BatchSimulator batch({world, world}, Spec(), 1);
+  for (const int lane : {0, 1}) batch.Reset(lane, kStart);
+  std::vector<float> depth(2 * 24 * 32, -1.0f);
+  const BatchArray wanted{"front.depth", std::as_writable_bytes(std::span(depth))};
+  const int second = 1;
+  batch.Observe({&second, 1}, {{}, {}, {&wanted, 1}});
+  EXPECT_TRUE(std::all_of(depth.begin(), depth.begin() + 24 * 32, [](float d) {
+    return d < 0;
+  }));
+  EXPECT_TRUE(std::all_of(depth.begin() + 24 * 32, depth.end(), [](float d) {
+    return d >= 0;
+  }));
+  const BatchArray unknown{"back.depth", wanted.bytes};
+  EXPECT_THROW(batch.Observe({{}, {}, {&unknown, 1}}), Error);
+  const BatchArray too_small{"front.depth", wanted.bytes.subspan(4)};
+  EXPECT_THROW(batch.Observe({{}, {}, {&too_small, 1}}), Error);
+}
+
+}  // namespace
+}  // namespace bulletnav::sim
