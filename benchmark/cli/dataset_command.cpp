@@ -10,10 +10,10 @@
 #include "benchmark/base/program_version.h"
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/progress.h"
-#include "benchmark/training/data_config.h"
-#include "benchmark/training/dataset.h"
-#include "benchmark/training/label_picture.h"
-#include "benchmark/training/label_statistics.h"
+#include "benchmark/training/supervised/data_config.h"
+#include "benchmark/training/supervised/dataset.h"
+#include "benchmark/training/supervised/label_picture.h"
+#include "benchmark/training/supervised/label_statistics.h"
 #include "sim/base/error.h"
 
 namespace bulletnav::bench {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "benchmark/training/pair_batch.h"
+#include "benchmark/training/supervised/pair_batch.h"
 #include "sim/math/rng.h"
 
 namespace bulletnav::tests {

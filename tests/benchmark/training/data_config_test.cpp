@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "benchmark/training/data_config.h"
+#include "benchmark/training/supervised/data_config.h"
 
 #include <gmock/gmock.h>
 

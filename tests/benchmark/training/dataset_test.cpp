@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "benchmark/training/dataset.h"
+#include "benchmark/training/supervised/dataset.h"
 
 #include <atomic>
 
 #include <gmock/gmock.h>
 
-#include "benchmark/training/label_picture.h"
+#include "benchmark/training/supervised/label_picture.h"
 #include "sim/base/error.h"
 #include "sim/base/files.h"
 #include "sim/image/image.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "benchmark/training/goal_sight.h"
+#include "benchmark/training/supervised/goal_sight.h"
 
 #include <cmath>
 

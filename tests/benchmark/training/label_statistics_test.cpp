@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "benchmark/training/label_statistics.h"
+#include "benchmark/training/supervised/label_statistics.h"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "benchmark/training/labels.h"
+#include "benchmark/training/supervised/labels.h"
 
 #include <cmath>
 #include <limits>

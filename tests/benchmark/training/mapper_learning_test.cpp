@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "agent/models/semantic_model.h"
-#include "benchmark/training/mapper_trainer.h"
+#include "benchmark/training/supervised/mapper_training.h"
 #include "sim/math/rng.h"
 #include "tests/benchmark/training/watchers.h"
 #include "tests/support/panoramas.h"
@@ -67,9 +67,9 @@ TEST(TrainMapper, LearnsTheWallsOfARoom) {
   config.panoramas = 8;
   config.validate_every = config.steps;
   config.validation_batches = 4;
-  tests::LastMeasures log(config, &std::cout);
-  RunTraining(MapperTask(config), RoomSource(config.panoramas, 1), RoomSource(config.panoramas, 2),
-              &log);
+  const TrainJob job = tests::JobOn<MapperTraining, RoomSource>(config);
+  tests::LastMeasures log(job, &std::cout);
+  RunTraining(job, &log);
   EXPECT_GT(log.at("explored_iou"), 0.85);
   EXPECT_GT(log.at("obstacle_f1_1m"), 0.5);
   EXPECT_GT(log.at("obstacle_f1_2m"), 0.4);

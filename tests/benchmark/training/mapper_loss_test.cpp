@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "benchmark/training/mapper_loss.h"
+#include "benchmark/training/supervised/mapper_loss.h"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "benchmark/training/mapper_metrics.h"
+#include "benchmark/training/supervised/mapper_metrics.h"
 
 namespace bulletnav::bench {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "benchmark/training/near_map.h"
+#include "benchmark/training/supervised/near_map.h"
 
 #include <cmath>
 #include <set>
 
 #include <gmock/gmock.h>
 
-#include "benchmark/training/labels.h"
+#include "benchmark/training/supervised/labels.h"
 #include "tests/support/scenes.h"
 #include "tests/support/training_scenes.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "benchmark/training/nts_loss.h"
+#include "benchmark/training/supervised/nts_loss.h"
 
 #include <cmath>
 #include <set>
@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "agent/perception/semantic_net.h"
-#include "benchmark/training/nts_metrics.h"
+#include "benchmark/training/supervised/nts_metrics.h"
 #include "tests/benchmark/training/bar_world.h"
 
 namespace bulletnav::bench {

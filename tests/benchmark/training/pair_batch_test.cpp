@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "benchmark/training/pair_batch.h"
+#include "benchmark/training/supervised/pair_batch.h"
 
 #include <gtest/gtest.h>
 
-#include "benchmark/training/augment.h"
-#include "benchmark/training/train_config.h"
+#include "benchmark/training/supervised/augment.h"
+#include "benchmark/training/supervised/train_config.h"
 #include "sim/base/error.h"
 #include "sim/math/pose.h"
 #include "tests/benchmark/training/bar_world.h"

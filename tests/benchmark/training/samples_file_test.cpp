@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "benchmark/training/samples_file.h"
+#include "benchmark/training/supervised/samples_file.h"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "benchmark/training/scene_batches.h"
+#include "benchmark/training/supervised/scene_batches.h"
 
 #include <gmock/gmock.h>
 

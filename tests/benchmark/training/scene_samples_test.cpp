@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "benchmark/training/scene_samples.h"
+#include "benchmark/training/supervised/scene_samples.h"
 
 #include <cmath>
 
 #include <gmock/gmock.h>
 
-#include "benchmark/training/scene_panoramas.h"
+#include "benchmark/training/supervised/scene_panoramas.h"
 #include "sim/base/error.h"
 #include "tests/support/scenes.h"
 #include "tests/support/training_scenes.h"

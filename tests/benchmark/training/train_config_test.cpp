@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "benchmark/training/train_config.h"
+#include "benchmark/training/supervised/train_config.h"
 
 #include <gmock/gmock.h>
 
-#include "benchmark/training/train_task.h"
+#include "benchmark/training/supervised/nts_training.h"
 #include "sim/base/error.h"
 #include "tests/support/temporary_folder.h"
 
@@ -19,11 +19,9 @@ std::filesystem::path Shipped(const std::string& name) {
 
 TEST(TrainConfig, ShippedConfigsLoad) {
   for (const std::string name : {"nts_rgbd", "nts_rgb"}) {
-    EXPECT_EQ(TrainedBy(Shipped(name)), Trained::kNts);
     const auto config = sim::LoadYaml<TrainConfig>(Shipped(name));
     EXPECT_EQ(config.model.uses_depth(), name == "nts_rgbd");
   }
-  EXPECT_EQ(TrainedBy(Shipped("mapper_rgb")), Trained::kMapper);
   EXPECT_EQ(ValidationData(sim::LoadYaml<MapperTrainConfig>(Shipped("mapper_rgb"))).houses->split,
             "val");
 }
@@ -32,7 +30,7 @@ TEST(TrainConfig, ShippedConfigsLoad) {
 TEST(TrainConfig, ItsEssenceStaysAsItIs) {
   TrainConfig config;
   config.out = "somewhere";
-  const std::string essence = TrainTask::Of(config).essence;
+  const std::string essence = TrainJob::Of<NtsTraining>(config, nullptr).essence;
   EXPECT_THAT(essence, StartsWith("out: \"\"\nmodel:\n  encoder: panorama\n"));
   EXPECT_THAT(essence, HasSubstr("steps: 20000\nscenes: 4\nlanes: 2\npanoramas: 16\npairs: 64\n"
                                  "validate_every: 500\nvalidation_batches: 32\nseed: 0\n"));
@@ -87,13 +85,21 @@ TEST(TrainConfig, RejectionIsReadAndChecked) {
   }
 }
 
-TEST(TrainConfig, TellsWhatIsTrained) {
-  const tests::TemporaryFolder folder;
-  EXPECT_EQ(TrainedBy(folder.Write("a.yaml", "out: x\n")), Trained::kNts);
-  EXPECT_EQ(TrainedBy(folder.Write("b.yaml", "task: mapper\nout: x\n")), Trained::kMapper);
-  EXPECT_THROW(TrainedBy(folder.Write("c.yaml", "task: maper\nout: x\n")), sim::FileError);
-  EXPECT_THROW(sim::LoadYaml<TrainConfig>(folder.Write("d.yaml", "task: mapper\nout: x\n")),
-               sim::FileError);
+std::string Complaint(const std::string& text) {
+  try {
+    MakeTraining(sim::ParseYaml(text, "c.yaml"), "nts", {});
+  } catch (const sim::FileError& e) {
+    return e.what();
+  }
+  return "none";
+}
+
+TEST(Trainers, AreKnownByName) {
+  EXPECT_THAT(TrainerNames(), ::testing::IsSupersetOf({"mapper", "nts"}));
+  EXPECT_EQ(Complaint("out: x\ntask: maper\n"),
+            "c.yaml:2:7: unknown task 'maper'; known are: mapper, nts");
+  EXPECT_THAT(Complaint("task: mapper\nout: x\npairs: 8\n"), StartsWith("c.yaml:3:1: "));
+  EXPECT_THAT(Complaint("out: x\npairs: 8\n"), HasSubstr("no block 'data'"));
 }
 
 }  // namespace

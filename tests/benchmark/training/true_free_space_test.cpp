@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "benchmark/training/true_free_space.h"
+#include "benchmark/training/supervised/true_free_space.h"
 
 #include <cmath>
 

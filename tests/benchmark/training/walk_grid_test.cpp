@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "benchmark/training/walk_grid.h"
+#include "benchmark/training/supervised/walk_grid.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "agent/models/safetensors.h"
+#include "agent/perception/torch.h"
+#include "benchmark/training/core/optimiser.h"
+
+namespace bulletnav::bench {
+
+/// Adam, with its state as plain tensors that can be written and read. Decay acts on the weights
+/// themselves. Sources: Kingma and Ba, "Adam", 2014; Loshchilov and Hutter, "Decoupled weight decay
+/// regularization", 2017.
+class Adam final : public Optimiser {
+ public:
+  /// For the module's parameters; they must stay where they are.
+  Adam(const torch::nn::Module& module, double weight_decay);
+
+  void Step(double rate) override;
+  void Append(agent::TensorFile* content) const override;
+  /// A file without a number of the optimiser's steps is an old one: it has the training's.
+  void Set(const agent::TensorFile& content, const std::filesystem::path& file) override;
+
+ private:
+  struct Item {
+    std::string name;
+    torch::Tensor parameter;
+    torch::Tensor mean;      // of gradients, decaying
+    torch::Tensor variance;  // of gradients, around zero, likewise
+  };
+  std::vector<Item> items_;
+  double weight_decay_;
+  int steps_ = 0;
+};
+
+}  // namespace bulletnav::bench

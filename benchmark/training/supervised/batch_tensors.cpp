@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/training/supervised/batch_tensors.h"
+
+#include <vector>
+
+#include "agent/perception/encoder.h"
+#include "sim/base/check.h"
+
+namespace bulletnav::bench {
+
+torch::Tensor InputOf(const agent::ModelConfig& config, PairBatch* batch) {
+  const torch::Tensor color = torch::from_blob(
+      batch->color.data(), {batch->count, agent::kPanoramaRows, agent::kPanoramaCols, 3},
+      torch::kUInt8);
+  torch::Tensor depth;
+  if (config.uses_depth()) {
+    CHECK(!batch->depth.empty());
+    depth = torch::from_blob(batch->depth.data(),
+                             {batch->count, agent::kPanoramaRows, agent::kPanoramaCols},
+                             torch::kFloat32);
+  }
+  return agent::PrepareInput(config, color, depth);
+}
+
+torch::Device DeviceOf(const torch::nn::Module& net) {
+  const std::vector<torch::Tensor> parameters = net.parameters();
+  return parameters.empty() ? torch::Device(torch::kCPU) : parameters.front().device();
+}
+
+}  // namespace bulletnav::bench

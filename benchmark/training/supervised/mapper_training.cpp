@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/training/supervised/mapper_training.h"
+
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "agent/perception/mapper_net.h"
+#include "agent/perception/one_thread.h"
+#include "benchmark/training/core/registry.h"
+#include "benchmark/training/supervised/augment.h"
+#include "benchmark/training/supervised/batch_tensors.h"
+#include "benchmark/training/supervised/learner.h"
+#include "benchmark/training/supervised/mapper_loss.h"
+#include "benchmark/training/supervised/mapper_metrics.h"
+
+namespace bulletnav::bench {
+namespace {
+
+/// The body that took the panoramas.
+agent::Rig RigOf(const MapperTrainConfig& config) {
+  agent::Rig rig;
+  if (!config.data) return rig;
+  rig.panorama = config.data->panorama;
+  rig.camera_height = config.data->body.camera_height;
+  return rig;
+}
+
+class MapperLearner final : public Learner {
+ public:
+  explicit MapperLearner(const MapperTrainConfig& config)
+      : config_(config), rng_(config.seed, "train_mapper"), net_(config.model, config.seed) {}
+
+  torch::nn::Module& net() override { return net_; }
+
+  torch::Tensor Loss(const LaneWork& work) override {
+    TrueFreeSpace truth(RigOf(config_));
+    std::vector<torch::Tensor> inputs;
+    std::vector<torch::Tensor> labels;
+    for (int i = 0; i < work.count; ++i) {
+      const std::uint64_t number = work.first + static_cast<std::uint64_t>(i);
+      PairBatch batch = work.batches->Batch(number);
+      batch.Check();
+      Augment(config_.augment, rng_.Fork("augment", number), &batch);
+      inputs.push_back(InputOf(config_.model.seeing(), &batch));
+      labels.push_back(FreeSpaceLabels(batch, &truth));
+    }
+    const torch::Tensor answers =
+        net_.forward(at::cat(inputs).to(DeviceOf(net_)), at::detail::createCPUGenerator(work.seed));
+    return LossesOf(answers.cpu(), at::cat(labels), config_.obstacle_weight).Total();
+  }
+
+  Measures Validate(const BatchSource& batches, int count, sim::WorkerPool* pool) override {
+    struct Answers {
+      torch::Tensor told;
+      torch::Tensor truth;
+    };
+    std::vector<Answers> answers(static_cast<std::size_t>(count));
+    pool->ForEach(count, [&](int i, int) {
+      const torch::NoGradGuard no_grad;
+      agent::StayInThisThread();
+      TrueFreeSpace truth(RigOf(config_));
+      PairBatch batch = batches.Batch(static_cast<std::uint64_t>(i));
+      batch.Check();
+      answers[static_cast<std::size_t>(i)] = {
+          net_.forward(InputOf(config_.model.seeing(), &batch).to(DeviceOf(net_))).cpu(),
+          FreeSpaceLabels(batch, &truth)};
+    });
+    MapperSums sums;
+    for (const Answers& one : answers) sums.Add(one.told, one.truth, config_.obstacle_weight);
+    return Measures::Of(sums.Means());
+  }
+
+  void Save(std::map<std::string, std::string> notes,
+            const std::filesystem::path& file) const override {
+    agent::SaveMapper(net_, std::move(notes), agent::StoredType::kBfloat16, file);
+  }
+
+ private:
+  MapperTrainConfig config_;
+  sim::Rng rng_;
+  agent::MapperNet net_;
+};
+
+}  // namespace
+
+MapperTraining::MapperTraining(const Config& config, const TrainContext& context)
+    : MapperTraining(config, LoadBatches(config, true, context)) {}
+
+MapperTraining::MapperTraining(const Config& config, BatchSources batches)
+    : SupervisedTraining(
+          config,
+          [config] {
+            return std::make_unique<MapperLearner>(config);
+          },
+          std::move(batches)) {}
+
+std::string MapperTraining::title() const {
+  return "The mapper from colour";
+}
+
+std::string MapperTraining::Describe(const Measures& m) const {
+  return fmt::format(
+      "loss {:.3f}; explored IoU {:.3f}; obstacles IoU {:.3f}, to a cell: precision {:.3f}, "
+      "recall {:.3f}; F1 to 1, 2, 3.2 m: {:.2f}, {:.2f}, {:.2f}",
+      m.at("loss"), m.at("explored_iou"), m.at("obstacle_iou"), m.at("obstacle_precision"),
+      m.at("obstacle_recall"), m.at("obstacle_f1_1m"), m.at("obstacle_f1_2m"),
+      m.at("obstacle_f1_3m"));
+}
+
+std::string MapperTraining::curves_label() const {
+  return "validation";
+}
+
+std::vector<CurveLine> MapperTraining::curves() const {
+  return {{"explored, IoU", "explored_iou"},
+          {"obstacles to 1 m, F1", "obstacle_f1_1m"},
+          {"obstacles to 2 m, F1", "obstacle_f1_2m"},
+          {"obstacles to 3.2 m, F1", "obstacle_f1_3m"}};
+}
+
+namespace {
+
+const TrainerRegistration<MapperTraining> registration;
+
+}  // namespace
+}  // namespace bulletnav::bench

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/training/supervised/nts_training.h"
+
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "agent/perception/one_thread.h"
+#include "agent/perception/semantic_net.h"
+#include "benchmark/training/core/registry.h"
+#include "benchmark/training/supervised/augment.h"
+#include "benchmark/training/supervised/batch_tensors.h"
+#include "benchmark/training/supervised/learner.h"
+#include "benchmark/training/supervised/nts_loss.h"
+#include "benchmark/training/supervised/nts_metrics.h"
+
+namespace bulletnav::bench {
+namespace {
+
+class NtsLearner final : public Learner {
+ public:
+  explicit NtsLearner(const TrainConfig& config)
+      : config_(config), rng_(config.seed, "train_nts"), net_(config.model, config.seed) {}
+
+  torch::nn::Module& net() override { return net_; }
+
+  torch::Tensor Loss(const LaneWork& work) override {
+    std::vector<torch::Tensor> inputs;
+    std::vector<LabelledPairs> labels;
+    for (int i = 0; i < work.count; ++i) {
+      const std::uint64_t number = work.first + static_cast<std::uint64_t>(i);
+      PairBatch batch = work.batches->Batch(number);
+      batch.Check();
+      Augment(config_.augment, rng_.Fork("augment", number), &batch);
+      inputs.push_back(InputOf(config_.model, &batch));
+      labels.push_back(Labels(batch, DrawPairs(batch, config_.pairs, rng_.Fork("pairs", number))));
+    }
+    const LabelledPairs all = Join(labels);
+    const agent::PanoramaParts parts = net_.Describe(at::cat(inputs).to(DeviceOf(net_)),
+                                                     at::detail::createCPUGenerator(work.seed));
+    return Losses(parts.explorable.cpu(), Compare(parts, all), all)
+        .Total({ContrastWeight(work.step), config_.rejection.value_or(0.0)});
+  }
+
+  Measures Validate(const BatchSource& batches, int count, sim::WorkerPool* pool) override {
+    struct Answers {
+      torch::Tensor explorable;
+      agent::PairOutputs pairs;
+      LabelledPairs truth;
+    };
+    std::vector<Answers> answers(static_cast<std::size_t>(count));
+    pool->ForEach(count, [&](int i, int) {
+      const torch::NoGradGuard no_grad;
+      agent::StayInThisThread();
+      PairBatch batch = batches.Batch(static_cast<std::uint64_t>(i));
+      batch.Check();
+      const LabelledPairs truth = Labels(batch, AllPairs(batch));
+      const agent::PanoramaParts parts =
+          net_.Describe(InputOf(config_.model, &batch).to(DeviceOf(net_)));
+      answers[static_cast<std::size_t>(i)] = {parts.explorable.cpu(), Compare(parts, truth), truth};
+    });
+    MetricSums sums;
+    for (const Answers& one : answers) sums.Add(one.explorable, one.pairs, one.truth);
+    return Measures::Of(sums.Means());
+  }
+
+  void Save(std::map<std::string, std::string> notes,
+            const std::filesystem::path& file) const override {
+    agent::SaveNet(net_, std::move(notes), agent::StoredType::kBfloat16, file);
+  }
+
+ private:
+  agent::PairOutputs Compare(const agent::PanoramaParts& parts, const LabelledPairs& pairs) {
+    const torch::Device device = DeviceOf(net_);
+    const agent::PairOutputs out =
+        net_.Compare(parts.Select(pairs.source.to(device)), parts.Select(pairs.goal.to(device)));
+    return {out.same_node.cpu(), out.direction.cpu(), out.distance_score.cpu(), out.scores.cpu()};
+  }
+
+  double ContrastWeight(int step) const {
+    const auto& contrast = config_.score_contrast;
+    return contrast && step >= contrast->from_step ? contrast->weight : 0.0;
+  }
+
+  TrainConfig config_;
+  sim::Rng rng_;
+  agent::SemanticNet net_;
+};
+
+}  // namespace
+
+NtsTraining::NtsTraining(const Config& config, const TrainContext& context)
+    : NtsTraining(config, LoadBatches(config, config.model.uses_depth(), context)) {}
+
+NtsTraining::NtsTraining(const Config& config, BatchSources batches)
+    : SupervisedTraining(
+          config,
+          [config] {
+            return MakeLearner(config);
+          },
+          std::move(batches)) {}
+
+std::unique_ptr<Learner> NtsTraining::MakeLearner(const Config& config) {
+  return std::make_unique<NtsLearner>(config);
+}
+
+std::string NtsTraining::title() const {
+  return "The learned functions of Neural Topological SLAM";
+}
+
+std::string NtsTraining::Describe(const Measures& m) const {
+  return fmt::format(
+      "loss {:.3f}; right: same node {:.1f}%, twelfth {:.1f}%, explorable {:.1f}%, best way "
+      "{:.1f}%; off by {:.2f} m, score {:.3f}",
+      m.at("loss"), 100.0 * m.at("connection"), 100.0 * m.at("direction"),
+      100.0 * m.at("explorable"), 100.0 * m.at("score_choice"), m.at("distance_error_m"),
+      m.at("score_error"));
+}
+
+std::string NtsTraining::curves_label() const {
+  return "share right, validation";
+}
+
+std::vector<CurveLine> NtsTraining::curves() const {
+  return {{"same node (guessing: 0.5)", "connection"},
+          {"goal's twelfth (guessing: 0.08)", "direction"},
+          {"explorable (guessing: 0.5)", "explorable"},
+          {"best way within 1 m", "score_choice"}};
+}
+
+namespace {
+
+const TrainerRegistration<NtsTraining> registration;
+
+}  // namespace
+}  // namespace bulletnav::bench
