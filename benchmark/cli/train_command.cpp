@@ -9,17 +9,35 @@
 
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/progress.h"
-#include "benchmark/training/core/trainer_registry.h"
+#include "benchmark/training/core/registry.h"
+#include "benchmark/training/core/training_log.h"
+#include "sim/config/yaml_reader.h"
 
 namespace bulletnav::bench {
+namespace {
+
+/// Of configs that were written when there was no key `task`.
+constexpr const char* kDefaultTask = "nts";
+
+void Train(const std::filesystem::path& file) {
+  const sim::YamlNode config = sim::ParseYaml(sim::ReadYamlFile(file), file);
+  const TrainJob job = MakeTraining(config, kDefaultTask, {.start = StartLine});
+  TrainingLog log(job, &std::cerr);
+  RunTraining(job, &log);
+  fmt::print("weights and curves: {}\n", job.plan.out);
+}
+
+}  // namespace
 
 void AddTrainCommand(CLI::App* program) {
   auto file = std::make_shared<std::filesystem::path>();
   CLI::App* command = program->add_subcommand(
-      "train", "Train what a config's key 'task' names; goes on after a kill");
+      "train",
+      "Train the networks that agents use, each by the task that its config names; goes on after a "
+      "kill");
   command->add_option("config", *file, "YAML file, as configs/train/nts_rgbd.yaml")->required();
   command->callback([file] {
-    fmt::print("weights and curves: {}\n", RunTrainer(*file, {StartLine, &std::cerr}).string());
+    Train(*file);
   });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/training/core/adam.h"
 
+#include <charconv>
 #include <cmath>
 
 #include "agent/perception/weights.h"
@@ -12,6 +13,19 @@ namespace {
 constexpr double kMeanDecay = 0.9;
 constexpr double kVarianceDecay = 0.999;
 constexpr double kEpsilon = 1e-8;
+constexpr const char* kSteps = "adam.steps";
+
+int StepsIn(const agent::TensorFile& content, const std::filesystem::path& file) {
+  for (const char* key : {kSteps, "step"}) {
+    const auto found = content.metadata.find(key);
+    if (found == content.metadata.end()) continue;
+    const char* end = found->second.data() + found->second.size();
+    int steps = 0;
+    const auto [stop, error] = std::from_chars(found->second.data(), end, steps);
+    if (error == std::errc() && stop == end) return steps;
+  }
+  throw sim::FileError(file, kSteps, "is missing: remove this checkpoint");
+}
 
 torch::Tensor Stored(const agent::TensorFile& content, const std::string& name,
                      const torch::Tensor& like, const std::filesystem::path& file) {
@@ -24,14 +38,14 @@ torch::Tensor Stored(const agent::TensorFile& content, const std::string& name,
 
 }  // namespace
 
-Adam::Adam(const torch::nn::Module& module) {
+Adam::Adam(const torch::nn::Module& module, double weight_decay) : weight_decay_(weight_decay) {
   for (const auto& item : module.named_parameters()) {
     const torch::Tensor zeros = torch::zeros_like(item.value());
     items_.push_back({item.key(), item.value(), zeros, zeros.clone()});
   }
 }
 
-void Adam::Step(double rate, double weight_decay) {
+void Adam::Step(double rate) {
   const torch::NoGradGuard no_grad;
   ++steps_;
   const double mean_share = 1.0 - std::pow(kMeanDecay, steps_);
@@ -41,7 +55,7 @@ void Adam::Step(double rate, double weight_decay) {
     if (!gradient.defined()) continue;
     item.mean.mul_(kMeanDecay).add_(gradient, 1.0 - kMeanDecay);
     item.variance.mul_(kVarianceDecay).addcmul_(gradient, gradient, 1.0 - kVarianceDecay);
-    if (weight_decay > 0.0) item.parameter.mul_(1.0 - rate * weight_decay);
+    if (weight_decay_ > 0.0) item.parameter.mul_(1.0 - rate * weight_decay_);
     const torch::Tensor deviation = item.variance.sqrt().div_(deviation_share).add_(kEpsilon);
     item.parameter.addcdiv_(item.mean, deviation, -rate / mean_share);
     item.parameter.mutable_grad().reset();
@@ -49,14 +63,15 @@ void Adam::Step(double rate, double weight_decay) {
 }
 
 void Adam::Append(agent::TensorFile* content) const {
+  content->metadata[kSteps] = std::to_string(steps_);
   for (const Item& item : items_) {
     content->tensors["adam.mean." + item.name] = agent::ToStored(item.mean);
     content->tensors["adam.variance." + item.name] = agent::ToStored(item.variance);
   }
 }
 
-void Adam::Set(const agent::TensorFile& content, const std::filesystem::path& file, int steps) {
-  steps_ = steps;
+void Adam::Set(const agent::TensorFile& content, const std::filesystem::path& file) {
+  steps_ = StepsIn(content, file);
   for (Item& item : items_) {
     item.mean = Stored(content, "adam.mean." + item.name, item.mean, file);
     item.variance = Stored(content, "adam.variance." + item.name, item.variance, file);

@@ -6,24 +6,22 @@
 
 #include "agent/models/safetensors.h"
 #include "agent/perception/torch.h"
+#include "benchmark/training/core/optimiser.h"
 
 namespace bulletnav::bench {
 
 /// Adam, with its state as plain tensors that can be written and read. Decay acts on the weights
 /// themselves. Sources: Kingma and Ba, "Adam", 2014; Loshchilov and Hutter, "Decoupled weight decay
 /// regularization", 2017.
-class Adam {
+class Adam final : public Optimiser {
  public:
   /// For the module's parameters; they must stay where they are.
-  explicit Adam(const torch::nn::Module& module);
+  Adam(const torch::nn::Module& module, double weight_decay);
 
-  /// Moves each parameter that has a gradient, then forgets the gradients.
-  void Step(double rate, double weight_decay);
-
-  /// The state, as tensors whose names start with "adam.". The number of steps is not part of it.
-  void Append(agent::TensorFile* content) const;
-  /// Throws FileError, naming `file`, unless there is one of the right shape for each parameter.
-  void Set(const agent::TensorFile& content, const std::filesystem::path& file, int steps);
+  void Step(double rate) override;
+  void Append(agent::TensorFile* content) const override;
+  /// A file without a number of the optimiser's steps is an old one: it has the training's.
+  void Set(const agent::TensorFile& content, const std::filesystem::path& file) override;
 
  private:
   struct Item {
@@ -33,6 +31,7 @@ class Adam {
     torch::Tensor variance;  // of gradients, around zero, likewise
   };
   std::vector<Item> items_;
+  double weight_decay_;
   int steps_ = 0;
 };
 

@@ -45,22 +45,23 @@ Checkpoints::Checkpoints(const fs::path& folder, std::string essence)
       previous_(folder / "checkpoint_previous.safetensors"),
       essence_(std::move(essence)) {}
 
-void Checkpoints::Write(const TrainState& state, const torch::nn::Module& net,
-                        const Adam& adam) const {
+void Checkpoints::Write(const TrainState& state, Training* training,
+                        const Optimiser& optimiser) const {
   agent::TensorFile content;
   content.metadata["config"] = essence_;
   content.metadata["step"] = std::to_string(state.step);
   content.metadata["seconds"] = std::to_string(std::llround(state.seconds));
   content.metadata["best_loss_bits"] =
       std::to_string(std::bit_cast<std::uint64_t>(state.best_loss));
-  agent::AppendWeights(net, kWeights, &content);
-  adam.Append(&content);
+  agent::AppendWeights(training->net(), kWeights, &content);
+  optimiser.Append(&content);
+  training->AppendState(&content);
   std::error_code none_yet;
   fs::rename(newest_, previous_, none_yet);
   agent::WriteTensorFile(newest_, content);
 }
 
-std::optional<TrainState> Checkpoints::Read(torch::nn::Module* net, Adam* adam) const {
+std::optional<TrainState> Checkpoints::Read(Training* training, Optimiser* optimiser) const {
   if (!fs::exists(newest_) && !fs::exists(previous_)) return std::nullopt;
   if (fs::exists(newest_)) {
     std::optional<agent::TensorFile> content;
@@ -69,13 +70,13 @@ std::optional<TrainState> Checkpoints::Read(torch::nn::Module* net, Adam* adam) 
     } catch (const sim::Error&) {
       if (!fs::exists(previous_)) throw;
     }
-    if (content) return Restore(newest_, *content, net, adam);
+    if (content) return Restore(newest_, *content, training, optimiser);
   }
-  return Restore(previous_, ReadCheckpoint(previous_), net, adam);
+  return Restore(previous_, ReadCheckpoint(previous_), training, optimiser);
 }
 
 TrainState Checkpoints::Restore(const fs::path& file, const agent::TensorFile& content,
-                                torch::nn::Module* net, Adam* adam) const {
+                                Training* training, Optimiser* optimiser) const {
   const auto config = content.metadata.find("config");
   if (config == content.metadata.end() || config->second != essence_) {
     throw sim::FileError(file, "", "is of a training by another config; change out or remove it");
@@ -86,8 +87,9 @@ TrainState Checkpoints::Restore(const fs::path& file, const agent::TensorFile& c
   if (content.metadata.contains("seconds")) {
     state.seconds = static_cast<double>(Number<std::int64_t>(content, "seconds", file));
   }
-  agent::SetWeights(content, kWeights, file, net);
-  adam->Set(content, file, state.step);
+  agent::SetWeights(content, kWeights, file, &training->net());
+  optimiser->Set(content, file);
+  training->SetState(content, file);
   return state;
 }
 

@@ -6,13 +6,11 @@
 #include <string>
 
 #include "agent/models/safetensors.h"
-#include "agent/perception/torch.h"
-#include "benchmark/training/core/adam.h"
+#include "benchmark/training/core/training.h"
 
 namespace bulletnav::bench {
 
-/// Where a training is, beside its weights and its optimiser. All that is random and the batches
-/// follow from the seed and the step.
+/// Where a training is, beside its weights, its optimiser and what else it appends.
 struct TrainState {
   int step = 0;                                                // steps done
   double seconds = 0.0;                                        // that they took
@@ -28,16 +26,16 @@ class Checkpoints {
   const std::filesystem::path& newest() const { return newest_; }
 
   /// Atomic; a failure leaves the one before. Throws FileError, say if there is no space.
-  void Write(const TrainState& state, const torch::nn::Module& net, const Adam& adam) const;
+  void Write(const TrainState& state, Training* training, const Optimiser& optimiser) const;
 
-  /// Sets `net` and `adam` as they were; none if there is no checkpoint. If the newest one is
+  /// Sets both as they were; none if there is no checkpoint. If the newest one is
   /// damaged, takes the one before. Throws Error if it belongs to a training by another config
   /// or if no checkpoint can be read.
-  std::optional<TrainState> Read(torch::nn::Module* net, Adam* adam) const;
+  std::optional<TrainState> Read(Training* training, Optimiser* optimiser) const;
 
  private:
   TrainState Restore(const std::filesystem::path& file, const agent::TensorFile& content,
-                     torch::nn::Module* net, Adam* adam) const;
+                     Training* training, Optimiser* optimiser) const;
 
   std::filesystem::path newest_;
   std::filesystem::path previous_;

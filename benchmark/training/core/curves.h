@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "benchmark/report/figure.h"
-#include "benchmark/training/core/train_task.h"
+#include "benchmark/training/core/training.h"
 
 namespace bulletnav::bench {
 

@@ -7,23 +7,27 @@
 
 namespace bulletnav::bench {
 
-std::string ModelCard(const TrainTask& task, int step, double seconds, const Measures& validation) {
-  const TrainPlan& plan = task.plan;
+std::string ModelCard(const TrainJob& job, int step, double seconds, const Measures& validation) {
+  const Training& training = *job.training;
   std::string card = fmt::format(
       "# {}\n\n"
       "| | |\n|---|---|\n"
       "| program | bulletnav {} |\n"
-      "| data | {} |\n"
+      "| task | {} |\n",
+      training.title(), ProgramVersion(), job.task);
+  for (const auto& [name, text] : training.CardRows())
+    card += fmt::format("| {} | {} |\n", name, text);
+  card += fmt::format(
       "| seed | {} |\n"
-      "| steps | {} of {}, {} {} in each, {} in all |\n"
-      "| time | {:.1f} h, in up to {} threads |\n",
-      task.title, ProgramVersion(), task.data, plan.seed, step, plan.steps, task.frames,
-      task.frames_are, step * task.frames, seconds / 3600.0, plan.lanes);
-  card += fmt::format("\nOn {}:\n\n| measure | value |\n|---|---:|\n", task.validation);
+      "| steps | {} of {}, {} {} in all |\n"
+      "| time | {:.1f} h |\n"
+      "\nOn {}:\n\n| measure | value |\n|---|---:|\n",
+      job.plan.seed, step, job.plan.steps, training.FramesAfter(step), training.frames_are(),
+      seconds / 3600.0, training.validated_on());
   for (const Measures::Item& item : validation.items()) {
     card += fmt::format("| {} | {:.4f} |\n", item.name, item.value);
   }
-  card += "\nMade by `bulletnav train` from:\n\n```yaml\n" + task.config + "```\n";
+  card += "\nMade by `bulletnav train` from:\n\n```yaml\n" + job.config + "```\n";
   return card;
 }
 

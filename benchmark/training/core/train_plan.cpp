@@ -8,13 +8,10 @@
 #include "sim/math/pose.h"
 
 namespace bulletnav::bench {
-namespace {
 
-void RequireAtLeast(int low, int value, const std::string& name) {
+void internal::RequireAtLeast(int low, int value, const std::string& name) {
   if (value < low) throw sim::Error(name + " must be at least " + std::to_string(low));
 }
-
-}  // namespace
 
 double OptimiserSpec::RateAt(int step, int steps) const {
   const double warm = warmup_steps > 0 ? std::min(1.0, (step + 1.0) / warmup_steps) : 1.0;
@@ -29,14 +26,13 @@ void OptimiserSpec::Validate() const {
   if (!(weight_decay >= 0.0 && weight_decay < 1.0)) {
     throw sim::Error("weight_decay must be in [0, 1)");
   }
-  RequireAtLeast(0, warmup_steps, "warmup_steps");
+  internal::RequireAtLeast(0, warmup_steps, "warmup_steps");
 }
 
 void TrainPlan::Validate() const {
   if (out.empty()) throw sim::Error("out must name a folder");
-  RequireAtLeast(1, steps, "steps");
-  RequireAtLeast(1, validate_every, "validate_every");
-  RequireAtLeast(1, lanes, "lanes");
+  internal::RequireAtLeast(1, steps, "steps");
+  internal::RequireAtLeast(1, validate_every, "validate_every");
 }
 
 }  // namespace bulletnav::bench

@@ -12,6 +12,8 @@ namespace bulletnav::bench {
 
 /// kCosine: falls to zero at the last step.
 enum class Schedule { kConstant, kCosine };
+/// Where a training reckons. The same bits each time are promised for kCpu alone.
+enum class Device { kCpu, kCuda };
 
 }  // namespace bulletnav::bench
 
@@ -20,6 +22,11 @@ struct bulletnav::sim::EnumNames<bulletnav::bench::Schedule> {
   static constexpr std::array kNames = {
       std::pair{"constant", bulletnav::bench::Schedule::kConstant},
       std::pair{"cosine", bulletnav::bench::Schedule::kCosine}};
+};
+template <>
+struct bulletnav::sim::EnumNames<bulletnav::bench::Device> {
+  static constexpr std::array kNames = {std::pair{"cpu", bulletnav::bench::Device::kCpu},
+                                        std::pair{"cuda", bulletnav::bench::Device::kCuda}};
 };
 
 namespace bulletnav::bench {
@@ -45,19 +52,36 @@ struct OptimiserSpec {
   void Validate() const;
 };
 
-/// What all trainings are told. Configs derive from it and visit its members in an order of their
-/// own.
+/// What every training is told. A task's Config derives from it, and its Visit and Validate call
+/// these or list the same keys.
 struct TrainPlan {
-  std::optional<std::string> task;  // a registered trainer; default: nts
+  std::optional<std::string> task;  // name of the trainer
   std::string out;                  // folder of all that the training writes
   OptimiserSpec optimiser;
   int steps = 20000;
-  int lanes = 2;             // that share a step's batches; each normalises by its own
   int validate_every = 500;  // steps; a checkpoint is written then, too
   std::uint64_t seed = 0;
+  std::optional<Device> device;  // default: cpu
 
+  template <class V>
+  void Visit(V& v) {
+    v("task", task);
+    v.Required("out", out);
+    v("optimiser", optimiser);
+    v("steps", steps);
+    v("validate_every", validate_every);
+    v("seed", seed);
+    v("device", device);
+  }
   /// Throws Error.
   void Validate() const;
 };
+
+namespace internal {
+
+/// Throws Error.
+void RequireAtLeast(int low, int value, const std::string& name);
+
+}  // namespace internal
 
 }  // namespace bulletnav::bench

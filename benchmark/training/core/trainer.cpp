@@ -1,23 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/training/core/trainer.h"
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
-#include <thread>
-#include <vector>
+#include <optional>
 
 #include <fmt/core.h>
 
 #include "agent/perception/one_thread.h"
+#include "agent/perception/torch.h"
 #include "benchmark/training/core/adam.h"
 #include "benchmark/training/core/checkpoint.h"
 #include "benchmark/training/core/curves.h"
-#include "benchmark/training/core/learner.h"
 #include "benchmark/training/core/model_card.h"
-#include "benchmark/training/core/train_lanes.h"
-#include "benchmark/training/core/train_task.h"
 #include "sim/base/error.h"
 #include "sim/base/files.h"
 #include "sim/base/folder_lock.h"
@@ -33,23 +29,29 @@ std::filesystem::path MadeFolder(const fs::path& folder) {
   return folder;
 }
 
+/// On the plan's device before an optimiser takes hold of its parameters.
+std::unique_ptr<Optimiser> OptimiserOf(const TrainJob& job) {
+  torch::nn::Module& net = job.training->net();
+  if (job.plan.device == Device::kCuda) net.to(torch::kCUDA);
+  std::unique_ptr<Optimiser> own = job.training->MakeOptimiser();
+  return own ? std::move(own) : std::make_unique<Adam>(net, job.plan.optimiser.weight_decay);
+}
+
 class Trainer {
  public:
-  Trainer(const TrainTask& task, TrainObserver* observer)
-      : task_(task),
-        plan_(task_.plan),
+  Trainer(const TrainJob& job, TrainObserver* observer)
+      : job_(job),
+        plan_(job.plan),
+        training_(job.training.get()),
         observer_(observer),
         folder_(MadeFolder(plan_.out)),
         lock_(folder_),
-        pool_(std::min(plan_.lanes, static_cast<int>(std::thread::hardware_concurrency()))),
-        learner_(task_.make()),
-        lanes_(task_, &learner_->net(), &pool_),
-        adam_(learner_->net()),
-        checkpoints_(plan_.out, task_.essence) {}
+        optimiser_(OptimiserOf(job)),
+        checkpoints_(plan_.out, job.essence) {}
 
   void Run() {
     agent::StayInThisThread();
-    const std::optional<TrainState> found = checkpoints_.Read(&learner_->net(), &adam_);
+    const std::optional<TrainState> found = checkpoints_.Read(training_, optimiser_.get());
     if (found) state_ = *found;
     if (state_.step > 0) observer_->Resumed(state_.step);
     Curves curves(folder_ / "curves.csv", state_.step);
@@ -63,25 +65,28 @@ class Trainer {
       if (state_.step % plan_.validate_every != 0 && state_.step < plan_.steps) continue;
       state_.seconds = before + std::chrono::duration<double>(Clock::now() - start).count();
       curves.Append(Validated(loss_sum / since));
-      checkpoints_.Write(state_, learner_->net(), adam_);
+      checkpoints_.Write(state_, training_, *optimiser_);
       loss_sum = 0.0;
       since = 0;
     }
-    Save("weights.safetensors");
-    learner_->net().eval();
-    const Measures measures = learner_->Validate(&pool_);
-    sim::WriteFileAtomically(folder_ / "weights.md",
-                             ModelCard(task_, state_.step, state_.seconds, measures));
-    WriteFigure(CurvesFigure(curves.points(), task_.curves, task_.curves_label),
-                folder_ / "curves");
+    Finish(curves);
   }
 
  private:
-  /// One step of the optimiser; its loss.
+  void Finish(const Curves& curves) const {
+    Save("weights.safetensors");
+    training_->net().eval();
+    sim::WriteFileAtomically(folder_ / "weights.md",
+                             ModelCard(job_, state_.step, state_.seconds, training_->Validate()));
+    WriteFigure(CurvesFigure(curves.points(), training_->curves(), training_->curves_label()),
+                folder_ / "curves");
+  }
+
   double Step() {
-    const double loss = lanes_.Pass(state_.step);
+    training_->net().train();
+    const double rate = plan_.optimiser.RateAt(state_.step, plan_.steps);
+    const double loss = training_->Learn({state_.step, rate, optimiser_.get()});
     RequireNumber(loss, "training", state_.step + 1);
-    adam_.Step(plan_.optimiser.RateAt(state_.step, plan_.steps), plan_.optimiser.weight_decay);
     ++state_.step;
     observer_->Stepped(state_.step, loss);
     return loss;
@@ -92,15 +97,15 @@ class Trainer {
     point.step = state_.step;
     point.rate = plan_.optimiser.RateAt(state_.step - 1, plan_.steps);
     point.train_loss = train_loss;
-    learner_->net().eval();
-    point.validation = learner_->Validate(&pool_);
+    training_->net().eval();
+    point.validation = training_->Validate();
     const double loss = point.validation.at("loss");
     RequireNumber(loss, "validation", state_.step);
     if (loss < state_.best_loss) {
       state_.best_loss = loss;
       Save("weights_best.safetensors");
     }
-    observer_->Validated(state_.step, point.validation, task_.describe(point.validation));
+    observer_->Validated(state_.step, point.validation, training_->Describe(point.validation));
     return point;
   }
 
@@ -116,30 +121,36 @@ class Trainer {
   }
 
   void Save(const std::string& name) const {
-    learner_->Save({{"task", task_.name},
-                    {"training", task_.config},
-                    {"step", std::to_string(state_.step)},
-                    {"frames", std::to_string(state_.step * task_.frames)}},
-                   folder_ / name);
+    training_->Save({{"training", job_.config},
+                     {"task", job_.task},
+                     {"step", std::to_string(state_.step)},
+                     {"frames", std::to_string(training_->FramesAfter(state_.step))}},
+                    folder_ / name);
   }
 
-  TrainTask task_;
+  const TrainJob& job_;
   const TrainPlan& plan_;
+  Training* training_;
   TrainObserver* observer_;
   fs::path folder_;
   sim::FolderLock lock_;
-  sim::WorkerPool pool_;
-  std::unique_ptr<Learner> learner_;
-  TrainLanes lanes_;
-  Adam adam_;
+  std::unique_ptr<Optimiser> optimiser_;
   Checkpoints checkpoints_;
   TrainState state_;
 };
 
 }  // namespace
 
-void RunTraining(const TrainTask& task, TrainObserver* observer) {
-  Trainer(task, observer).Run();
+void RunTraining(const TrainJob& job, TrainObserver* observer) {
+  RequireDevice(job.plan);
+  Trainer(job, observer).Run();
+}
+
+void RequireDevice(const TrainPlan& plan) {
+  if (plan.device == Device::kCuda && !at::hasCUDA()) {
+    throw sim::KeyError("device",
+                        "device is cuda, but torch finds none here; train with device: cpu");
+  }
 }
 
 }  // namespace bulletnav::bench

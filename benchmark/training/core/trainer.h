@@ -1,12 +1,34 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <memory>
 #include <string>
 
-#include "benchmark/training/core/measures.h"
+#include "benchmark/training/core/train_plan.h"
+#include "benchmark/training/core/training.h"
+#include "sim/config/yaml_writer.h"
 
 namespace bulletnav::bench {
 
-struct TrainTask;
+/// A training that is ready to run.
+struct TrainJob {
+  std::string task;  // its trainer's name
+  TrainPlan plan;
+  std::string config;   // all that the user said, as YAML
+  std::string essence;  // the same without the folder: what the result follows from
+  std::unique_ptr<Training> training;
+
+  template <class T>
+  static TrainJob Of(typename T::Config config, std::unique_ptr<T> training) {
+    TrainJob job;
+    job.task = T::kName;
+    job.plan = config;
+    job.config = sim::ToYaml(config);
+    config.out.clear();
+    job.essence = sim::ToYaml(config);
+    job.training = std::move(training);
+    return job;
+  }
+};
 
 /// Is told how a training goes. Steps count from 1.
 class TrainObserver {
@@ -24,13 +46,17 @@ class TrainObserver {
   virtual void Validated(int step, const Measures& measures, const std::string& text) = 0;
 };
 
-/// Trains a model and writes to the plan's folder: weights.safetensors, the result;
-/// weights.md, a card about it; weights_best.safetensors, of the lowest validation loss so far;
-/// curves.csv, curves.svg and curves.png; checkpoints. A training that was killed goes on from its
-/// last checkpoint when called again, and ends with the same bits as one that was not, on any
-/// number of threads. Throws Error if the loss
-/// is no longer a number (the last good checkpoint stays), if a checkpoint is of another config or
-/// if another process trains there; FileError if files cannot be written.
-void RunTraining(const TrainTask& task, TrainObserver* observer);
+/// Trains and writes to the plan's folder: weights.safetensors, the result; weights.md, a card
+/// about it; weights_best.safetensors, of the lowest validation loss so far; curves.csv, curves.svg
+/// and curves.png; checkpoints. A training that was killed goes on from its last checkpoint when
+/// called again with a job made anew, and on the processor ends with the same bits as one that was
+/// not. Weights' metadata: `step`, `frames`, `task` and `training`, the config. Throws Error if the
+/// loss is no longer a number (the last good checkpoint stays), if a checkpoint is of another
+/// config, if another process trains there or if the device is missing; FileError if files cannot
+/// be written.
+void RunTraining(const TrainJob& job, TrainObserver* observer);
+
+/// Throws Error if torch has no such device here.
+void RequireDevice(const TrainPlan& plan);
 
 }  // namespace bulletnav::bench

@@ -19,10 +19,9 @@ std::string TimeText(double seconds) {
 
 }  // namespace
 
-TrainingLog::TrainingLog(const TrainTask& task, std::ostream* out)
-    : steps_(task.plan.steps),
-      frames_(task.frames),
-      frames_are_(task.frames_are),
+TrainingLog::TrainingLog(const TrainJob& job, std::ostream* out)
+    : steps_(job.plan.steps),
+      training_(job.training.get()),
       out_(out),
       start_(Clock::now()),
       last_(start_) {}
@@ -39,9 +38,11 @@ void TrainingLog::Stepped(int step, double loss) {
   if (std::chrono::duration<double>(now - last_).count() < kPause) return;
   const double elapsed_s = std::chrono::duration<double>(now - start_).count();
   const double rate = (step - first_step_) / elapsed_s;
+  const auto frames =
+      static_cast<double>(training_->FramesAfter(step) - training_->FramesAfter(first_step_));
   *out_ << fmt::format("step {} of {}: loss {:.3f}, {:.1f} steps/s, {:.0f} {}/s, {} left\n", step,
-                       steps_, loss_sum_ / losses_, rate, rate * static_cast<double>(frames_),
-                       frames_are_, TimeText((steps_ - step) / rate))
+                       steps_, loss_sum_ / losses_, rate, frames / elapsed_s,
+                       training_->frames_are(), TimeText((steps_ - step) / rate))
         << std::flush;
   last_ = now;
   loss_sum_ = 0.0;

@@ -4,7 +4,6 @@
 #include <ostream>
 #include <string>
 
-#include "benchmark/training/core/train_task.h"
 #include "benchmark/training/core/trainer.h"
 
 namespace bulletnav::bench {
@@ -13,7 +12,7 @@ namespace bulletnav::bench {
 /// time left, and one for each validation.
 class TrainingLog : public TrainObserver {
  public:
-  TrainingLog(const TrainTask& task, std::ostream* out);
+  TrainingLog(const TrainJob& job, std::ostream* out);
 
   void Resumed(int step) override;
   void Stepped(int step, double loss) override;
@@ -23,8 +22,7 @@ class TrainingLog : public TrainObserver {
   using Clock = std::chrono::steady_clock;
 
   int steps_;
-  std::int64_t frames_;  // a step
-  std::string frames_are_;
+  const Training* training_;
   std::ostream* out_;
   int first_step_ = 0;
   Clock::time_point start_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/training/supervised/batch_tensors.h"
 
+#include <vector>
+
 #include "agent/perception/encoder.h"
 #include "sim/base/check.h"
 
@@ -18,6 +20,11 @@ torch::Tensor InputOf(const agent::ModelConfig& config, PairBatch* batch) {
                              torch::kFloat32);
   }
   return agent::PrepareInput(config, color, depth);
+}
+
+torch::Device DeviceOf(const torch::nn::Module& net) {
+  const std::vector<torch::Tensor> parameters = net.parameters();
+  return parameters.empty() ? torch::Device(torch::kCPU) : parameters.front().device();
 }
 
 }  // namespace bulletnav::bench

@@ -9,4 +9,7 @@ namespace bulletnav::bench {
 /// The panoramas of a batch as a model takes them.
 torch::Tensor InputOf(const agent::ModelConfig& config, PairBatch* batch);
 
+/// Where a net reckons; its answers go back to the processor for the loss.
+torch::Device DeviceOf(const torch::nn::Module& net);
+
 }  // namespace bulletnav::bench

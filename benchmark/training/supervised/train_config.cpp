@@ -7,17 +7,7 @@
 #include "sim/base/error.h"
 
 namespace bulletnav::bench {
-namespace {
-
-void RequireAtLeast(int low, int value, const std::string& name) {
-  if (value < low) throw sim::Error(name + " must be at least " + std::to_string(low));
-}
-
-void RequireTask(const TrainPlan& plan, const std::string& name) {
-  if (plan.task.value_or("nts") != name) throw sim::Error("task must be " + name);
-}
-
-}  // namespace
+using internal::RequireAtLeast;
 
 void SupervisedPlan::Validate() const {
   TrainPlan::Validate();
@@ -27,6 +17,7 @@ void SupervisedPlan::Validate() const {
     throw sim::Error("near_batches must be in [0, 1]");
   }
   RequireAtLeast(1, validation_batches, "validation_batches");
+  RequireAtLeast(1, lanes, "lanes");
   if (scenes % lanes != 0) {
     throw sim::KeyError(
         "scenes", fmt::format("scenes is {}; it must be a multiple of lanes, {}", scenes, lanes));
@@ -45,14 +36,12 @@ void ScoreContrast::Validate() const {
 
 void TrainConfig::Validate() const {
   SupervisedPlan::Validate();
-  RequireTask(*this, "nts");
   RequireAtLeast(2, pairs, "pairs");
   if (!(rejection.value_or(0.0) >= 0.0)) throw sim::Error("rejection must not be negative");
 }
 
 void MapperTrainConfig::Validate() const {
   SupervisedPlan::Validate();
-  RequireTask(*this, "mapper");
   if (!(obstacle_weight > 0.0 && obstacle_weight <= 100.0)) {
     throw sim::Error("obstacle_weight must be in (0, 100]");
   }

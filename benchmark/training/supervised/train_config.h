@@ -1,27 +1,32 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cstdint>
 #include <optional>
+#include <string>
 
 #include "agent/perception/mapper_config.h"
 #include "agent/perception/model_config.h"
 #include "benchmark/training/core/train_plan.h"
 #include "benchmark/training/supervised/augment.h"
 #include "benchmark/training/supervised/data_config.h"
-#include "sim/config/yaml_reader.h"
 
 namespace bulletnav::bench {
 
-/// A training on labelled scenes.
+/// What all trainings from labelled panoramas are told.
 struct SupervisedPlan : TrainPlan {
   std::optional<DataConfig> data;        // what SceneBatches learns from
   std::optional<DataConfig> validation;  // and is tried on; default: the houses' split "val"
   AugmentSpec augment;
   int scenes = 4;      // batches a step
+  int lanes = 2;       // that share them; each normalises by its own batches
   int panoramas = 16;  // in each batch
   /// Share of the batches whose panoramas are near one another: pairs that are easily mistaken for
   /// one node. Default: none, panoramas are from anywhere in the scene.
   std::optional<double> near_batches;
   int validation_batches = 32;
+
+  /// Panoramas shown in a step.
+  int frames() const { return scenes * panoramas; }
 
   /// Throws Error.
   void Validate() const;
@@ -49,6 +54,7 @@ struct SupervisedPlan : TrainPlan {
     v("validate_every", validate_every);
     v("validation_batches", validation_batches);
     v("seed", seed);
+    v("device", device);
   }
 };
 

@@ -1,277 +1,250 @@
 // SPDX-License-Identifier: MIT
-// A learned agent added the way docs/extending.md says: its network, the trainer of it and the
-// agent, in one file, nothing else touched. Up to the line of slashes this is what would stand in
-// such files.
+// A learned agent added the way docs/extending.md says: its network, how it is trained, the model
+// that agents load and the agent, in one file, nothing else touched. Up to the line of slashes this
+// is what would stand in the files of such an agent.
+#include <bit>
+#include <cmath>
+#include <memory>
+
 #include "agent/models/model_registry.h"
-#include "agent/models/model_slot.h"
 #include "agent/models/safetensors.h"
 #include "agent/perception/torch.h"
+#include "agent/perception/weights.h"
 #include "agent/registry.h"
-#include "benchmark/training/core/learner.h"
-#include "benchmark/training/core/trainer_registry.h"
+#include "benchmark/training/core/registry.h"
 #include "sim/math/rng.h"
 
-namespace bulletnav::agent {
+namespace bulletnav {
 namespace {
 
-/// The network: how likely it is that one should turn, from how far the middle pixel is.
-struct TurnNet final : torch::nn::Module {
-  TurnNet() {
-    weight = register_parameter("weight", torch::zeros({1}));
-    bias = register_parameter("bias", torch::zeros({1}));
-  }
-  torch::Tensor forward(const torch::Tensor& depth) { return depth * weight + bias; }
+constexpr const char* kLineKey = "line_net";  // of weights' metadata
 
-  torch::Tensor weight;
-  torch::Tensor bias;
-};
-
-/// What agents see of it; here two numbers are enough, without torch.
-class TurnModel final : public virtual Model {
+/// y = weight x + bias.
+class LineNet final : public torch::nn::Module {
  public:
-  static constexpr std::string_view kWhat = "turn model";
-  explicit TurnModel(const TensorFile& file)
-      : weight_(file.tensors.at("weight").values.at(0)),
-        bias_(file.tensors.at("bias").values.at(0)) {}
-  bool ShouldTurn(float depth) const { return depth * weight_ + bias_ > 0.0f; }
+  LineNet() {
+    weight_ = register_parameter("weight", torch::zeros({1}));
+    bias_ = register_parameter("bias", torch::zeros({1}));
+  }
+  torch::Tensor forward(const torch::Tensor& x) { return x * weight_ + bias_; }
 
  private:
-  float weight_;
-  float bias_;
+  torch::Tensor weight_;
+  torch::Tensor bias_;
 };
 
-const ModelRegistration model_registration("turn_net", [](const std::filesystem::path& weights,
-                                                          const Rig& /*rig*/) {
-  return std::make_shared<TurnModel>(ReadTensorFile(weights));
+/// Learns a line with noise from points; where they are drawn goes on from step to step.
+class LineTraining final : public bench::Training {
+ public:
+  static constexpr std::string_view kName = "line";
+
+  struct Config : bench::TrainPlan {
+    double slope = 3.0;
+    bool torch_adam = false;
+    template <class V>
+    void Visit(V& v) {
+      TrainPlan::Visit(v);
+      v("slope", slope);
+      v("torch_adam", torch_adam);
+    }
+  };
+
+  LineTraining(const Config& config, const bench::TrainContext& /*context*/) : config_(config) {}
+
+  torch::nn::Module& net() override { return net_; }
+
+  std::unique_ptr<bench::Optimiser> MakeOptimiser() override {
+    return config_.torch_adam ? bench::MakeTorchAdam(net_, 0.0) : nullptr;
+  }
+
+  double Learn(const bench::TrainStep& step) override {
+    sim::Rng rng =
+        sim::Rng(config_.seed, "line").Fork("step", static_cast<std::uint64_t>(step.step));
+    centre_ = 0.9 * centre_ + rng.Uniform(-0.5, 0.5);
+    const torch::Tensor x = torch::full({1}, centre_ + rng.Uniform(-1.0, 1.0));
+    const torch::Tensor loss = Loss(x);
+    loss.backward();
+    step.optimiser->Step(step.rate);
+    return loss.item<double>();
+  }
+
+  bench::Measures Validate() override {
+    const torch::NoGradGuard no_grad;
+    bench::Measures measures;
+    measures("loss", Loss(torch::full({1}, 2.0)).item<double>());
+    return measures;
+  }
+
+  std::int64_t FramesAfter(int steps) const override { return steps; }
+
+  void Save(std::map<std::string, std::string> notes,
+            const std::filesystem::path& file) const override {
+    notes[kLineKey] = "a line";
+    agent::SaveWeights(net_, std::move(notes), agent::StoredType::kFloat32, file);
+  }
+
+  void AppendState(agent::TensorFile* content) const override {
+    content->metadata["centre"] = std::to_string(std::bit_cast<std::uint64_t>(centre_));
+  }
+  void SetState(const agent::TensorFile& content, const std::filesystem::path& /*file*/) override {
+    centre_ = std::bit_cast<double>(std::uint64_t{std::stoull(content.metadata.at("centre"))});
+  }
+
+  std::string title() const override { return "A line"; }
+  std::string Describe(const bench::Measures& measures) const override {
+    return "loss " + std::to_string(measures.at("loss"));
+  }
+
+ private:
+  torch::Tensor Loss(const torch::Tensor& x) {
+    return (net_.forward(x) - (config_.slope * x + 1.0)).square().mean();
+  }
+
+  Config config_;
+  LineNet net_;
+  double centre_ = 0.0;
+};
+
+const bench::TrainerRegistration<LineTraining> training;
+
+/// What agents ask.
+class LineModel final : public agent::Model {
+ public:
+  static constexpr std::string_view kWhat = "line";
+
+  explicit LineModel(const std::filesystem::path& weights) {
+    agent::SetWeights(agent::ReadTensorFile(weights), "", weights, &net_);
+  }
+  double At(double x) {
+    const torch::NoGradGuard no_grad;
+    return net_.forward(torch::full({1}, x)).item<double>();
+  }
+
+ private:
+  LineNet net_;
+};
+
+const agent::ModelRegistration model(kLineKey, [](const std::filesystem::path& weights,
+                                                  const agent::Rig& /*rig*/) {
+  return std::make_shared<LineModel>(weights);
 });
 
-/// Goes on while the way is free, else turns.
-class TurnerAgent final : public Agent {
+/// Turns as often as the line says at 2, then stops.
+class LineAgent final : public agent::Agent {
  public:
-  static constexpr std::string_view kName = "turner";
+  static constexpr std::string_view kName = "line_follower";
   struct Config {
     template <class V>
     void Visit(V& /*v*/) {}
   };
-  static std::vector<ModelSlot> ModelSlots(const Rig& /*rig*/) {
-    return {NeededSlot<TurnModel>("policy", "turner")};
+
+  static std::vector<agent::ModelSlot> ModelSlots(const agent::Rig& /*rig*/) {
+    return {agent::NeededSlot<LineModel>("line", "line")};
   }
 
-  TurnerAgent(const Config& /*config*/, const AgentContext& context)
-      : policy_(context.models.Need<TurnModel>("policy")) {}
+  LineAgent(const Config& /*config*/, const agent::AgentContext& context)
+      : line_(context.models.Need<LineModel>("line")) {}
 
-  void Reset(const Panorama& /*goal*/, std::uint64_t /*seed*/) override {}
-  sim::Action Act(const Observation& observation) override {
-    const bool turns = policy_->ShouldTurn(observation.panorama.depth.front());
-    return turns ? sim::Action::kTurnLeft : sim::Action::kMoveForward;
+  void Reset(const agent::Panorama& /*goal*/, std::uint64_t /*seed*/) override {
+    left_ = static_cast<int>(std::lround(line_->At(2.0)));
   }
-
- private:
-  std::shared_ptr<TurnModel> policy_;
-};
-
-const AgentRegistration<TurnerAgent> agent_registration;
-
-}  // namespace
-}  // namespace bulletnav::agent
-
-namespace bulletnav::bench {
-namespace {
-
-struct TurnConfig : TrainPlan {
-  double wall = 1.0;  // metres; nearer than this, one should turn
-
-  template <class V>
-  void Visit(V& v) {
-    v("task", task);
-    v.Required("out", out);
-    v("optimiser", optimiser);
-    v("steps", steps);
-    v("lanes", lanes);
-    v("validate_every", validate_every);
-    v("seed", seed);
-    v("wall", wall);
-  }
-};
-
-class TurnLearner final : public Learner {
- public:
-  explicit TurnLearner(const TurnConfig& config) : config_(config) {}
-
-  torch::nn::Module& net() override { return net_; }
-  torch::Tensor Loss(const LaneWork& work) override {
-    torch::Tensor loss = torch::zeros({});
-    for (int i = 0; i < work.count; ++i) {
-      loss = loss + LossOf(work.first + static_cast<std::uint64_t>(i));
-    }
-    return loss / work.count;
-  }
-  Measures Validate(sim::WorkerPool* /*pool*/) override {
-    const torch::NoGradGuard no_grad;
-    Measures measures;
-    measures("loss", LossOf(1'000'000).item<double>());
-    return measures;
-  }
-  void Save(std::map<std::string, std::string> notes,
-            const std::filesystem::path& file) const override {
-    agent::TensorFile content;
-    content.tensors["weight"] = {{1}, {net_.weight.item<float>()}};
-    content.tensors["bias"] = {{1}, {net_.bias.item<float>()}};
-    content.metadata = std::move(notes);
-    content.metadata["turn_net"] = "{}";
-    agent::WriteTensorFile(file, content);
+  sim::Action Act(const agent::Observation& /*observation*/) override {
+    return left_-- > 0 ? sim::Action::kTurnLeft : sim::Action::kStop;
   }
 
  private:
-  torch::Tensor LossOf(std::uint64_t batch) {
-    sim::Rng rng = sim::Rng(config_.seed, "depths").Fork("batch", batch);
-    std::vector<float> depths;
-    std::vector<float> turns;
-    for (int i = 0; i < 32; ++i) {
-      depths.push_back(static_cast<float>(rng.Uniform(0.0, 2.0 * config_.wall)));
-      turns.push_back(depths.back() < config_.wall ? 1.0f : 0.0f);
-    }
-    return torch::binary_cross_entropy_with_logits(net_.forward(torch::tensor(depths)),
-                                                   torch::tensor(turns));
-  }
-
-  TurnConfig config_;
-  agent::TurnNet net_;
+  std::shared_ptr<LineModel> line_;
+  int left_ = 0;
 };
 
-struct TurnTrainer {
-  static constexpr std::string_view kName = "turner";
-  using Config = TurnConfig;
-  static TrainTask Prepare(const Config& config, const TrainerContext& /*context*/) {
-    TrainTask task = TrainTask::Of(config);
-    task.name = kName;
-    task.title = "When to turn";
-    task.batches = 2;
-    task.frames = 64;
-    task.make = [config] {
-      return std::make_unique<TurnLearner>(config);
-    };
-    task.describe = [](const Measures& measures) {
-      return "loss " + std::to_string(measures.at("loss"));
-    };
-    task.curves_label = "loss, validation";
-    task.curves = {{"loss", "loss"}};
-    return task;
-  }
-};
-
-const TrainerRegistration<TurnTrainer> trainer_registration;
+const agent::AgentRegistration<LineAgent> registration;
 
 }  // namespace
-}  // namespace bulletnav::bench
+}  // namespace bulletnav
 
 ////////////////////////////////////////////////////////////////////////////////////////////////////
 
-#include <algorithm>
 #include <array>
 
 #include <gmock/gmock.h>
 
-#include "benchmark/training/core/trainer.h"
 #include "sim/base/error.h"
-#include "sim/base/files.h"
+#include "tests/benchmark/training/supervised/watchers.h"
 #include "tests/support/temporary_folder.h"
 
 namespace bulletnav::bench {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::AllOf;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
+using tests::Killed;
+using tests::Watcher;
 
-class OneFileTrainer : public testing::Test {
+class OneFileTrainer : public testing::TestWithParam<bool> {
  protected:
-  fs::path Config(const std::string& name, const std::string& more = "") const {
-    const fs::path file = folder_.path() / (name + ".yaml");
-    sim::WriteFileAtomically(file, "task: turner\nout: " + (folder_.path() / name).string() +
-                                       "\nsteps: 300\nvalidate_every: 50\n"
-                                       "optimiser: {learning_rate: 0.1, warmup_steps: 5}\n" +
-                                       more);
-    return file;
+  TrainJob Job(const std::string& name, const std::string& more = "") const {
+    const std::string text = "task: line\nout: " + (folder_.path() / name).string() +
+                             "\nsteps: 400\nvalidate_every: 50\n"
+                             "optimiser: {learning_rate: 0.1, warmup_steps: 10}\ntorch_adam: " +
+                             (GetParam() ? "true" : "false") + "\n" + more;
+    return MakeTraining(sim::ParseYaml(text, "line.yaml"), "nts", {});
   }
   fs::path Weights(const std::string& name) const {
     return folder_.path() / name / "weights.safetensors";
   }
-  std::string Complaint(const fs::path& file) const {
-    try {
-      RunTrainer(file, {});
-    } catch (const sim::Error& e) {
-      return e.what();
-    }
-    return "none";
-  }
-
   tests::TemporaryFolder folder_;
 };
 
-TEST_F(OneFileTrainer, TeachesAnAgentThatRunsCanPlay) {
-  const fs::path out = RunTrainer(Config("a"), {});
-  for (const char* file : {"weights.md", "curves.csv", "curves.png", "weights_best.safetensors"}) {
-    EXPECT_TRUE(fs::exists(out / file)) << file;
-  }
-  EXPECT_EQ(agent::FramesTrained(Weights("a")), 300 * 64);
-  EXPECT_EQ(agent::ReadTensorFile(Weights("a")).metadata.at("task"), "turner");
+TEST_P(OneFileTrainer, ResumedIsTheSameAsUninterruptedBitForBit) {
+  Watcher whole;
+  RunTraining(Job("whole"), &whole);
+  Watcher killed(230);
+  EXPECT_THROW(RunTraining(Job("parts"), &killed), Killed);
+  EXPECT_FALSE(fs::exists(Weights("parts")));
+  Watcher rest;
+  RunTraining(Job("parts"), &rest);
+  EXPECT_EQ(rest.resumed(), 200);
+  EXPECT_EQ(agent::ReadTensorFile(Weights("whole")).tensors,
+            agent::ReadTensorFile(Weights("parts")).tensors);
+}
+
+TEST_P(OneFileTrainer, AnAgentActsByWhatWasTrained) {
+  Watcher watcher;
+  RunTraining(Job("out"), &watcher);
+  const auto notes = agent::ReadTensorFile(Weights("out")).metadata;
+  EXPECT_EQ(notes.at("task"), "line");
+  EXPECT_EQ(notes.at("step"), "400");
+  EXPECT_THAT(notes.at("training"), HasSubstr("slope: 3\n"));
+  EXPECT_EQ(agent::FramesTrained(Weights("out")), 400);
 
   std::array contexts = {agent::AgentContext{}};
-  const auto slots = agent::ModelSlotsOf("turner", contexts[0].rig);
-  ASSERT_EQ(slots.size(), 1u);
-  const auto model = agent::LoadModel(Weights("a"), contexts[0].rig);
-  ASSERT_TRUE(slots[0].accepts(*model));
-  contexts[0].models.Set(slots[0].name, model);
-  const auto turner = agent::ConfigureAgent("turner")(contexts);
-  const auto act = [&](float depth) {
-    std::array actions = {sim::Action::kStop};
-    const std::array seen = {agent::LaneObservation{0, {{{}, std::span(&depth, 1)}, {}, false, 0}}};
-    turner->Act(seen, actions);
-    return actions[0];
-  };
-  EXPECT_EQ(act(0.5f), sim::Action::kTurnLeft);
-  EXPECT_EQ(act(1.5f), sim::Action::kMoveForward);
+  EXPECT_THROW(agent::ConfigureAgent("line_follower")(contexts), sim::Error);
+  contexts[0].models.Set("line", agent::LoadModel(Weights("out"), {}));
+  const auto agent = agent::ConfigureAgent("line_follower")(contexts);
+  agent->Reset(0, {}, 1);
+  std::array actions = {sim::Action::kTurnLeft};
+  int steps = 0;
+  while (actions[0] != sim::Action::kStop && steps < 100) {
+    const std::array seen = {agent::LaneObservation{0, {{}, {}, false, steps++}}};
+    agent->Act(seen, actions);
+  }
+  EXPECT_EQ(steps, 8);  // 3 * 2 + 1 turns and the stop
 }
 
-/// Ends a training as a kill would.
-struct Killed {};
-class Killer final : public TrainObserver {
- public:
-  explicit Killer(int at) : at_(at) {}
-  void Resumed(int step) override { resumed_ = step; }
-  void Stepped(int step, double /*loss*/) override {
-    if (step == at_) throw Killed();
-  }
-  void Validated(int /*step*/, const Measures& /*measures*/, const std::string& /*text*/) override {
-  }
-  int resumed() const { return resumed_; }
+INSTANTIATE_TEST_SUITE_P(Optimisers, OneFileTrainer, testing::Bool());
 
- private:
-  int at_;
-  int resumed_ = 0;
-};
-
-TEST_F(OneFileTrainer, GoesOnAfterAKillToTheSameBits) {
-  RunTrainer(Config("whole"), {});
-  const auto task = TurnTrainer::Prepare(sim::LoadYaml<TurnConfig>(Config("killed")), {});
-  Killer killer(170);
-  EXPECT_THROW(RunTraining(task, &killer), Killed);
-  Killer witness(0);
-  RunTraining(task, &witness);
-  EXPECT_EQ(witness.resumed(), 150);
-  EXPECT_EQ(agent::ReadTensorFile(Weights("killed")).tensors,
-            agent::ReadTensorFile(Weights("whole")).tensors);
+TEST_P(OneFileTrainer, ADeviceThatIsMissingIsNamedAtItsPlace) {
+  if (at::hasCUDA()) GTEST_SKIP() << "torch has cuda here";
+  try {
+    Job("out", "device: cuda\n");
+    FAIL();
+  } catch (const sim::FileError& e) {
+    EXPECT_THAT(e.what(), HasSubstr("line.yaml:7:9: device is cuda, but torch finds none here"));
+  }
 }
 
-TEST_F(OneFileTrainer, IsKnownByItsName) {
-  EXPECT_THAT(TrainerNames(), testing::IsSupersetOf({"mapper", "nts", "turner"}));
-  EXPECT_THROW(const TrainerRegistration<TurnTrainer> again, sim::Error);
-  const fs::path bad = folder_.path() / "bad.yaml";
-  sim::WriteFileAtomically(bad, "out: x\ntask: turnip\n");
-  EXPECT_THAT(Complaint(bad), AllOf(HasSubstr("bad.yaml:2:7: nothing trains 'turnip'"),
-                                    HasSubstr("mapper, nts, turner")));
-  EXPECT_THAT(Complaint(Config("typo", "wal: 2\n")), HasSubstr("did you mean 'wall'?"));
+TEST(OneFileTrainers, ASecondOneOfTheSameNameIsRefused) {
+  EXPECT_THROW(const TrainerRegistration<LineTraining> again, sim::Error);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "agent/models/semantic_model.h"
-#include "benchmark/training/supervised/mapper_trainer.h"
+#include "benchmark/training/supervised/mapper_training.h"
 #include "sim/math/rng.h"
 #include "tests/benchmark/training/supervised/watchers.h"
 #include "tests/support/panoramas.h"
@@ -67,11 +67,9 @@ TEST(TrainMapper, LearnsTheWallsOfARoom) {
   config.panoramas = 8;
   config.validate_every = config.steps;
   config.validation_batches = 4;
-  const RoomSource train(config.panoramas, 1);
-  const RoomSource validation(config.panoramas, 2);
-  const TrainTask task = MapperTask(config, {train, validation});
-  tests::LastMeasures log(task, &std::cout);
-  RunTraining(task, &log);
+  const TrainJob job = tests::JobOn<MapperTraining, RoomSource>(config);
+  tests::LastMeasures log(job, &std::cout);
+  RunTraining(job, &log);
   EXPECT_GT(log.at("explored_iou"), 0.85);
   EXPECT_GT(log.at("obstacle_f1_1m"), 0.5);
   EXPECT_GT(log.at("obstacle_f1_2m"), 0.4);

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "benchmark/training/supervised/mapper_trainer.h"
-
 #include <cmath>
 #include <limits>
 
@@ -8,6 +6,7 @@
 
 #include "agent/models/safetensors.h"
 #include "agent/perception/learned_mapper.h"
+#include "benchmark/training/supervised/mapper_training.h"
 #include "sim/base/error.h"
 #include "sim/base/files.h"
 #include "tests/benchmark/training/supervised/bar_world.h"
@@ -33,9 +32,7 @@ MapperTrainConfig TinyConfig(const fs::path& out) {
 class MapperTrainerTest : public testing::Test {
  protected:
   void Train(const MapperTrainConfig& config, TrainObserver* observer) {
-    const BarSource train(config.panoramas, 1);
-    const BarSource validation(config.panoramas, 2);
-    RunTraining(MapperTask(config, {train, validation}), observer);
+    RunTraining(tests::JobOn<MapperTraining, BarSource>(config), observer);
   }
   tests::TemporaryFolder folder_;
 };
@@ -89,9 +86,6 @@ TEST(MapperTrainConfig, RefusesWhatMakesNoSense) {
   MapperTrainConfig config = TinyConfig("out");
   EXPECT_NO_THROW(config.Validate());
   config.obstacle_weight = 0.0;
-  EXPECT_THROW(config.Validate(), sim::Error);
-  config = TinyConfig("out");
-  config.task = "nts";
   EXPECT_THROW(config.Validate(), sim::Error);
 }
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "benchmark/training/supervised/nts_trainer.h"
+#include "benchmark/training/supervised/nts_training.h"
 #include "tests/benchmark/training/supervised/bar_world.h"
 #include "tests/benchmark/training/supervised/watchers.h"
 #include "tests/support/temporary_folder.h"
@@ -27,11 +27,9 @@ TEST(TrainNts, LearnsWhereThingsAreFromBars) {
   config.pairs = 32;
   config.validate_every = config.steps;
   config.validation_batches = 10;
-  tests::BarSource train(config.panoramas, 1);
-  tests::BarSource validation(config.panoramas, 2);
-  const TrainTask task = NtsTask(config, {train, validation});
-  tests::LastMeasures log(task, &std::cout);
-  RunTraining(task, &log);
+  const TrainJob job = tests::JobOn<NtsTraining, tests::BarSource>(config);
+  tests::LastMeasures log(job, &std::cout);
+  RunTraining(job, &log);
   EXPECT_GT(log.at("connection"), 0.75);
   EXPECT_GT(log.at("direction"), 0.3);
   EXPECT_GT(log.at("direction_near"), 0.6);

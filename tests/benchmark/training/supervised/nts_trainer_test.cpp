@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "benchmark/training/supervised/nts_trainer.h"
-
 #include <limits>
 #include <sstream>
 
 #include <gmock/gmock.h>
 
+#include "agent/models/model_registry.h"
 #include "agent/models/safetensors.h"
 #include "benchmark/training/core/training_log.h"
+#include "benchmark/training/supervised/nts_training.h"
 #include "sim/base/error.h"
 #include "sim/base/files.h"
 #include "tests/benchmark/training/supervised/bar_world.h"
@@ -34,9 +34,7 @@ TrainConfig TinyConfig(const fs::path& out) {
 class TrainNtsTest : public testing::Test {
  protected:
   void Train(const TrainConfig& config, TrainObserver* observer) {
-    BarSource train(config.panoramas, 1);
-    BarSource validation(config.panoramas, 2);
-    RunTraining(NtsTask(config, {train, validation}), observer);
+    RunTraining(tests::JobOn<NtsTraining, BarSource>(config), observer);
   }
   std::string Complaint(const TrainConfig& config) {
     Watcher watcher;
@@ -65,11 +63,12 @@ TEST_F(TrainNtsTest, ResumedIsTheSameAsUninterruptedBitForBit) {
   EXPECT_EQ(rest.resumed(), 4);
   EXPECT_EQ(sim::ReadTextFile(folder_.path() / "parts/curves.csv"), curves);
   EXPECT_EQ(agent::ReadTensorFile(folder_.path() / "parts/weights.safetensors").tensors, weights);
+  EXPECT_EQ(agent::FramesTrained(folder_.path() / "parts/weights.safetensors"), 48);
   EXPECT_TRUE(fs::exists(folder_.path() / "parts/weights_best.safetensors"));
   EXPECT_TRUE(fs::exists(folder_.path() / "parts/curves.png"));
   EXPECT_THAT(sim::ReadTextFile(folder_.path() / "parts/weights.md"),
-              AllOf(HasSubstr("| 6 of 6, 8 panoramas in each, 48 in all |"),
-                    HasSubstr("| connection | "), HasSubstr("pair_features: 32")));
+              AllOf(HasSubstr("| 6 of 6, 48 panoramas in all |"), HasSubstr("| connection | "),
+                    HasSubstr("pair_features: 32")));
 }
 
 TEST_F(TrainNtsTest, DamagedCheckpointFallsBackToTheOneBefore) {
@@ -107,18 +106,15 @@ class PoisonedSource : public BarSource {
 
 TEST_F(TrainNtsTest, StopsAtALossThatIsNoNumberAndKeepsTheCheckpoint) {
   const TrainConfig config = TinyConfig(folder_.path());
-  PoisonedSource train(config.panoramas, 1);
-  BarSource validation(config.panoramas, 2);
   Watcher watcher;
   try {
-    RunTraining(NtsTask(config, {train, validation}), &watcher);
+    RunTraining(tests::JobOn<NtsTraining, BarSource, PoisonedSource>(config), &watcher);
     FAIL();
   } catch (const sim::Error& e) {
     EXPECT_THAT(e.what(), HasSubstr("nan at step 4"));
     EXPECT_THAT(e.what(), HasSubstr("checkpoint.safetensors"));
   }
-  BarSource good(config.panoramas, 1);
-  RunTraining(NtsTask(config, {good, validation}), &watcher);
+  Train(config, &watcher);
   EXPECT_EQ(watcher.resumed(), 2);
 }
 
@@ -130,9 +126,9 @@ TEST_F(TrainNtsTest, SaysWhenItCannotWrite) {
 TEST_F(TrainNtsTest, LogTellsTheLosses) {
   const TrainConfig config = TinyConfig(folder_.path());
   std::ostringstream out;
-  const BarSource batches(config.panoramas, 1);
-  TrainingLog log(NtsTask(config, {batches, batches}), &out);
-  Train(config, &log);
+  const TrainJob job = tests::JobOn<NtsTraining, BarSource>(config);
+  TrainingLog log(job, &out);
+  RunTraining(job, &log);
   EXPECT_THAT(out.str(), HasSubstr("validation at step 6: loss "));
 }
 

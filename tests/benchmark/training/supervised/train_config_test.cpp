@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-#include "benchmark/training/core/train_task.h"
+#include "benchmark/training/supervised/nts_training.h"
 #include "sim/base/error.h"
 #include "tests/support/temporary_folder.h"
 
@@ -30,7 +30,7 @@ TEST(TrainConfig, ShippedConfigsLoad) {
 TEST(TrainConfig, ItsEssenceStaysAsItIs) {
   TrainConfig config;
   config.out = "somewhere";
-  const std::string essence = TrainTask::Of(config).essence;
+  const std::string essence = TrainJob::Of<NtsTraining>(config, nullptr).essence;
   EXPECT_THAT(essence, StartsWith("out: \"\"\nmodel:\n  encoder: panorama\n"));
   EXPECT_THAT(essence, HasSubstr("steps: 20000\nscenes: 4\nlanes: 2\npanoramas: 16\npairs: 64\n"
                                  "validate_every: 500\nvalidation_batches: 32\nseed: 0\n"));
@@ -85,10 +85,21 @@ TEST(TrainConfig, RejectionIsReadAndChecked) {
   }
 }
 
-TEST(TrainConfig, IsOfOneTrainer) {
-  const tests::TemporaryFolder folder;
-  EXPECT_THROW(sim::LoadYaml<TrainConfig>(folder.Write("d.yaml", "task: mapper\nout: x\n")),
-               sim::FileError);
+std::string Complaint(const std::string& text) {
+  try {
+    MakeTraining(sim::ParseYaml(text, "c.yaml"), "nts", {});
+  } catch (const sim::FileError& e) {
+    return e.what();
+  }
+  return "none";
+}
+
+TEST(Trainers, AreKnownByName) {
+  EXPECT_THAT(TrainerNames(), ::testing::IsSupersetOf({"mapper", "nts"}));
+  EXPECT_EQ(Complaint("out: x\ntask: maper\n"),
+            "c.yaml:2:7: unknown task 'maper'; known are: mapper, nts");
+  EXPECT_THAT(Complaint("task: mapper\nout: x\npairs: 8\n"), StartsWith("c.yaml:3:1: "));
+  EXPECT_THAT(Complaint("out: x\npairs: 8\n"), HasSubstr("no block 'data'"));
 }
 
 }  // namespace

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>
+#include <memory>
 #include <string>
+#include <utility>
 
+#include "benchmark/training/core/trainer.h"
 #include "benchmark/training/core/training_log.h"
-#include "benchmark/training/supervised/train_config.h"
+#include "benchmark/training/supervised/supervised_training.h"
 
 namespace bulletnav::tests {
 
@@ -47,6 +50,15 @@ class LastMeasures : public bench::TrainingLog {
  private:
   bench::Measures measures_;
 };
+
+/// A training T on batches of Source, made from seeds 1 and 2.
+template <class T, class Source, class TrainSource = Source>
+bench::TrainJob JobOn(const typename T::Config& config) {
+  return bench::TrainJob::Of<T>(
+      config, std::make_unique<T>(
+                  config, bench::BatchSources{std::make_shared<TrainSource>(config.panoramas, 1),
+                                              std::make_shared<Source>(config.panoramas, 2)}));
+}
 
 /// A model and a training of some seconds.
 template <class Config>

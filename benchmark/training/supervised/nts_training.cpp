@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "benchmark/training/supervised/nts_trainer.h"
+#include "benchmark/training/supervised/nts_training.h"
 
 #include <utility>
 
@@ -7,9 +7,10 @@
 
 #include "agent/perception/one_thread.h"
 #include "agent/perception/semantic_net.h"
-#include "benchmark/training/core/learner.h"
+#include "benchmark/training/core/registry.h"
 #include "benchmark/training/supervised/augment.h"
 #include "benchmark/training/supervised/batch_tensors.h"
+#include "benchmark/training/supervised/learner.h"
 #include "benchmark/training/supervised/nts_loss.h"
 #include "benchmark/training/supervised/nts_metrics.h"
 
@@ -18,11 +19,8 @@ namespace {
 
 class NtsLearner final : public Learner {
  public:
-  NtsLearner(const TrainConfig& config, SupervisedData data)
-      : config_(config),
-        data_(std::move(data)),
-        rng_(config.seed, "train_nts"),
-        net_(config.model, config.seed) {}
+  explicit NtsLearner(const TrainConfig& config)
+      : config_(config), rng_(config.seed, "train_nts"), net_(config.model, config.seed) {}
 
   torch::nn::Module& net() override { return net_; }
 
@@ -31,22 +29,20 @@ class NtsLearner final : public Learner {
     std::vector<LabelledPairs> labels;
     for (int i = 0; i < work.count; ++i) {
       const std::uint64_t number = work.first + static_cast<std::uint64_t>(i);
-      PairBatch batch = data_.train.Batch(number);
+      PairBatch batch = work.batches->Batch(number);
       batch.Check();
       Augment(config_.augment, rng_.Fork("augment", number), &batch);
       inputs.push_back(InputOf(config_.model, &batch));
       labels.push_back(Labels(batch, DrawPairs(batch, config_.pairs, rng_.Fork("pairs", number))));
     }
     const LabelledPairs all = Join(labels);
-    const agent::PanoramaParts parts =
-        net_.Describe(at::cat(inputs), at::detail::createCPUGenerator(work.seed));
-    return Losses(parts.explorable, net_.Compare(parts.Select(all.source), parts.Select(all.goal)),
-                  all)
+    const agent::PanoramaParts parts = net_.Describe(at::cat(inputs).to(DeviceOf(net_)),
+                                                     at::detail::createCPUGenerator(work.seed));
+    return Losses(parts.explorable.cpu(), Compare(parts, all), all)
         .Total({ContrastWeight(work.step), config_.rejection.value_or(0.0)});
   }
 
-  Measures Validate(sim::WorkerPool* pool) override {
-    const int count = config_.validation_batches;
+  Measures Validate(const BatchSource& batches, int count, sim::WorkerPool* pool) override {
     struct Answers {
       torch::Tensor explorable;
       agent::PairOutputs pairs;
@@ -56,13 +52,12 @@ class NtsLearner final : public Learner {
     pool->ForEach(count, [&](int i, int) {
       const torch::NoGradGuard no_grad;
       agent::StayInThisThread();
-      PairBatch batch = data_.validation.Batch(static_cast<std::uint64_t>(i));
+      PairBatch batch = batches.Batch(static_cast<std::uint64_t>(i));
       batch.Check();
       const LabelledPairs truth = Labels(batch, AllPairs(batch));
-      const agent::PanoramaParts parts = net_.Describe(InputOf(config_.model, &batch));
-      answers[static_cast<std::size_t>(i)] = {
-          parts.explorable, net_.Compare(parts.Select(truth.source), parts.Select(truth.goal)),
-          truth};
+      const agent::PanoramaParts parts =
+          net_.Describe(InputOf(config_.model, &batch).to(DeviceOf(net_)));
+      answers[static_cast<std::size_t>(i)] = {parts.explorable.cpu(), Compare(parts, truth), truth};
     });
     MetricSums sums;
     for (const Answers& one : answers) sums.Add(one.explorable, one.pairs, one.truth);
@@ -75,18 +70,45 @@ class NtsLearner final : public Learner {
   }
 
  private:
+  agent::PairOutputs Compare(const agent::PanoramaParts& parts, const LabelledPairs& pairs) {
+    const torch::Device device = DeviceOf(net_);
+    const agent::PairOutputs out =
+        net_.Compare(parts.Select(pairs.source.to(device)), parts.Select(pairs.goal.to(device)));
+    return {out.same_node.cpu(), out.direction.cpu(), out.distance_score.cpu(), out.scores.cpu()};
+  }
+
   double ContrastWeight(int step) const {
     const auto& contrast = config_.score_contrast;
     return contrast && step >= contrast->from_step ? contrast->weight : 0.0;
   }
 
   TrainConfig config_;
-  SupervisedData data_;
   sim::Rng rng_;
   agent::SemanticNet net_;
 };
 
-std::string Describe(const Measures& m) {
+}  // namespace
+
+NtsTraining::NtsTraining(const Config& config, const TrainContext& context)
+    : NtsTraining(config, LoadBatches(config, config.model.uses_depth(), context)) {}
+
+NtsTraining::NtsTraining(const Config& config, BatchSources batches)
+    : SupervisedTraining(
+          config,
+          [config] {
+            return MakeLearner(config);
+          },
+          std::move(batches)) {}
+
+std::unique_ptr<Learner> NtsTraining::MakeLearner(const Config& config) {
+  return std::make_unique<NtsLearner>(config);
+}
+
+std::string NtsTraining::title() const {
+  return "The learned functions of Neural Topological SLAM";
+}
+
+std::string NtsTraining::Describe(const Measures& m) const {
   return fmt::format(
       "loss {:.3f}; right: same node {:.1f}%, twelfth {:.1f}%, explorable {:.1f}%, best way "
       "{:.1f}%; off by {:.2f} m, score {:.3f}",
@@ -95,36 +117,20 @@ std::string Describe(const Measures& m) {
       m.at("score_error"));
 }
 
-}  // namespace
+std::string NtsTraining::curves_label() const {
+  return "share right, validation";
+}
 
-TrainTask NtsTask(const TrainConfig& config, const SupervisedData& data) {
-  TrainTask task = SupervisedTask(config);
-  task.name = "nts";
-  task.make = [config, data] {
-    return std::make_unique<NtsLearner>(config, data);
-  };
-  task.title = "The learned functions of Neural Topological SLAM";
-  task.describe = Describe;
-  task.curves_label = "share right, validation";
-  task.curves = {{"same node (guessing: 0.5)", "connection"},
-                 {"goal's twelfth (guessing: 0.08)", "direction"},
-                 {"explorable (guessing: 0.5)", "explorable"},
-                 {"best way within 1 m", "score_choice"}};
-  return task;
+std::vector<CurveLine> NtsTraining::curves() const {
+  return {{"same node (guessing: 0.5)", "connection"},
+          {"goal's twelfth (guessing: 0.08)", "direction"},
+          {"explorable (guessing: 0.5)", "explorable"},
+          {"best way within 1 m", "score_choice"}};
 }
 
 namespace {
 
-struct NtsTrainer {
-  static constexpr std::string_view kName = "nts";
-  using Config = TrainConfig;
-  static TrainTask Prepare(const Config& config, const TrainerContext& context) {
-    return NtsTask(config, LoadSupervisedData(config, config.model.uses_depth(), context));
-  }
-};
-
-const TrainerRegistration<NtsTrainer> registration;
+const TrainerRegistration<NtsTraining> registration;
 
 }  // namespace
-
 }  // namespace bulletnav::bench

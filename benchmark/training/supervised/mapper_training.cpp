@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "benchmark/training/supervised/mapper_trainer.h"
+#include "benchmark/training/supervised/mapper_training.h"
 
 #include <utility>
 
@@ -7,9 +7,10 @@
 
 #include "agent/perception/mapper_net.h"
 #include "agent/perception/one_thread.h"
-#include "benchmark/training/core/learner.h"
+#include "benchmark/training/core/registry.h"
 #include "benchmark/training/supervised/augment.h"
 #include "benchmark/training/supervised/batch_tensors.h"
+#include "benchmark/training/supervised/learner.h"
 #include "benchmark/training/supervised/mapper_loss.h"
 #include "benchmark/training/supervised/mapper_metrics.h"
 
@@ -27,11 +28,8 @@ agent::Rig RigOf(const MapperTrainConfig& config) {
 
 class MapperLearner final : public Learner {
  public:
-  MapperLearner(const MapperTrainConfig& config, SupervisedData data)
-      : config_(config),
-        data_(std::move(data)),
-        rng_(config.seed, "train_mapper"),
-        net_(config.model, config.seed) {}
+  explicit MapperLearner(const MapperTrainConfig& config)
+      : config_(config), rng_(config.seed, "train_mapper"), net_(config.model, config.seed) {}
 
   torch::nn::Module& net() override { return net_; }
 
@@ -41,19 +39,18 @@ class MapperLearner final : public Learner {
     std::vector<torch::Tensor> labels;
     for (int i = 0; i < work.count; ++i) {
       const std::uint64_t number = work.first + static_cast<std::uint64_t>(i);
-      PairBatch batch = data_.train.Batch(number);
+      PairBatch batch = work.batches->Batch(number);
       batch.Check();
       Augment(config_.augment, rng_.Fork("augment", number), &batch);
       inputs.push_back(InputOf(config_.model.seeing(), &batch));
       labels.push_back(FreeSpaceLabels(batch, &truth));
     }
     const torch::Tensor answers =
-        net_.forward(at::cat(inputs), at::detail::createCPUGenerator(work.seed));
-    return LossesOf(answers, at::cat(labels), config_.obstacle_weight).Total();
+        net_.forward(at::cat(inputs).to(DeviceOf(net_)), at::detail::createCPUGenerator(work.seed));
+    return LossesOf(answers.cpu(), at::cat(labels), config_.obstacle_weight).Total();
   }
 
-  Measures Validate(sim::WorkerPool* pool) override {
-    const int count = config_.validation_batches;
+  Measures Validate(const BatchSource& batches, int count, sim::WorkerPool* pool) override {
     struct Answers {
       torch::Tensor told;
       torch::Tensor truth;
@@ -63,10 +60,11 @@ class MapperLearner final : public Learner {
       const torch::NoGradGuard no_grad;
       agent::StayInThisThread();
       TrueFreeSpace truth(RigOf(config_));
-      PairBatch batch = data_.validation.Batch(static_cast<std::uint64_t>(i));
+      PairBatch batch = batches.Batch(static_cast<std::uint64_t>(i));
       batch.Check();
-      answers[static_cast<std::size_t>(i)] = {net_.forward(InputOf(config_.model.seeing(), &batch)),
-                                              FreeSpaceLabels(batch, &truth)};
+      answers[static_cast<std::size_t>(i)] = {
+          net_.forward(InputOf(config_.model.seeing(), &batch).to(DeviceOf(net_))).cpu(),
+          FreeSpaceLabels(batch, &truth)};
     });
     MapperSums sums;
     for (const Answers& one : answers) sums.Add(one.told, one.truth, config_.obstacle_weight);
@@ -80,12 +78,28 @@ class MapperLearner final : public Learner {
 
  private:
   MapperTrainConfig config_;
-  SupervisedData data_;
   sim::Rng rng_;
   agent::MapperNet net_;
 };
 
-std::string Describe(const Measures& m) {
+}  // namespace
+
+MapperTraining::MapperTraining(const Config& config, const TrainContext& context)
+    : MapperTraining(config, LoadBatches(config, true, context)) {}
+
+MapperTraining::MapperTraining(const Config& config, BatchSources batches)
+    : SupervisedTraining(
+          config,
+          [config] {
+            return std::make_unique<MapperLearner>(config);
+          },
+          std::move(batches)) {}
+
+std::string MapperTraining::title() const {
+  return "The mapper from colour";
+}
+
+std::string MapperTraining::Describe(const Measures& m) const {
   return fmt::format(
       "loss {:.3f}; explored IoU {:.3f}; obstacles IoU {:.3f}, to a cell: precision {:.3f}, "
       "recall {:.3f}; F1 to 1, 2, 3.2 m: {:.2f}, {:.2f}, {:.2f}",
@@ -94,36 +108,20 @@ std::string Describe(const Measures& m) {
       m.at("obstacle_f1_3m"));
 }
 
-}  // namespace
+std::string MapperTraining::curves_label() const {
+  return "validation";
+}
 
-TrainTask MapperTask(const MapperTrainConfig& config, const SupervisedData& data) {
-  TrainTask task = SupervisedTask(config);
-  task.name = "mapper";
-  task.make = [config, data] {
-    return std::make_unique<MapperLearner>(config, data);
-  };
-  task.title = "The mapper from colour";
-  task.describe = Describe;
-  task.curves_label = "validation";
-  task.curves = {{"explored, IoU", "explored_iou"},
-                 {"obstacles to 1 m, F1", "obstacle_f1_1m"},
-                 {"obstacles to 2 m, F1", "obstacle_f1_2m"},
-                 {"obstacles to 3.2 m, F1", "obstacle_f1_3m"}};
-  return task;
+std::vector<CurveLine> MapperTraining::curves() const {
+  return {{"explored, IoU", "explored_iou"},
+          {"obstacles to 1 m, F1", "obstacle_f1_1m"},
+          {"obstacles to 2 m, F1", "obstacle_f1_2m"},
+          {"obstacles to 3.2 m, F1", "obstacle_f1_3m"}};
 }
 
 namespace {
 
-struct MapperTrainer {
-  static constexpr std::string_view kName = "mapper";
-  using Config = MapperTrainConfig;
-  static TrainTask Prepare(const Config& config, const TrainerContext& context) {
-    return MapperTask(config, LoadSupervisedData(config, true, context));
-  }
-};
-
-const TrainerRegistration<MapperTrainer> registration;
+const TrainerRegistration<MapperTraining> registration;
 
 }  // namespace
-
 }  // namespace bulletnav::bench

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "benchmark/training/core/train_lanes.h"
+#include "benchmark/training/supervised/train_lanes.h"
 
 #include <gtest/gtest.h>
 
-#include "benchmark/training/supervised/nts_trainer.h"
+#include "benchmark/training/supervised/nts_training.h"
 #include "tests/benchmark/training/supervised/bar_world.h"
 
 namespace bulletnav::bench {
@@ -29,13 +29,15 @@ struct Passed {
 
 Passed PassSteps(const TrainConfig& config, int threads, int steps = 1) {
   sim::WorkerPool pool(threads);
-  const tests::BarSource source(config.panoramas, 3);
-  const TrainTask task = NtsTask(config, {source, source});
-  const std::unique_ptr<Learner> learner = task.make();
+  const LearnerMaker make = [&] {
+    return NtsTraining::MakeLearner(config);
+  };
+  const std::unique_ptr<Learner> learner = make();
   torch::nn::Module& net = learner->net();
-  TrainLanes lanes(task, &net, &pool);
+  TrainLanes lanes(config, make, &net, &pool);
+  const tests::BarSource source(config.panoramas, 3);
   Passed passed;
-  for (int step = 0; step < steps; ++step) passed.loss = lanes.Pass(step);
+  for (int step = 0; step < steps; ++step) passed.loss = lanes.Pass(source, step);
   for (const torch::Tensor& parameter : net.parameters()) {
     passed.gradients.push_back(parameter.grad());
   }
@@ -69,12 +71,13 @@ TEST(TrainLanes, GradientsAreThoseOfTheMeanLoss) {
   const Passed both = PassSteps(Config(2, 2), 1);
   sim::WorkerPool pool(1);
   const TrainConfig config = Config(1, 1);
-  const tests::BarSource source(config.panoramas, 3);
-  const TrainTask task = NtsTask(config, {source, source});
-  const std::unique_ptr<Learner> learner = task.make();
+  const LearnerMaker make = [&] {
+    return NtsTraining::MakeLearner(config);
+  };
+  const std::unique_ptr<Learner> learner = make();
   torch::nn::Module& net = learner->net();
-  TrainLanes lanes(task, &net, &pool);
-  const double second = lanes.Pass(1);
+  TrainLanes lanes(config, make, &net, &pool);
+  const double second = lanes.Pass(tests::BarSource(config.panoramas, 3), 1);
   EXPECT_NEAR(both.loss, 0.5 * (first.loss + second), 1e-6);
   const std::vector<torch::Tensor> parameters = net.parameters();
   for (std::size_t i = 0; i < parameters.size(); ++i) {

@@ -7,12 +7,14 @@
 
 #include "agent/perception/torch.h"
 #include "benchmark/training/core/measures.h"
+#include "benchmark/training/supervised/pair_batch.h"
 #include "sim/threads/worker_pool.h"
 
 namespace bulletnav::bench {
 
 /// What one lane learns from in one step.
 struct LaneWork {
+  const BatchSource* batches = nullptr;
   int step = 0;             // this one, from 0
   std::uint64_t first = 0;  // number of its first batch
   int count = 0;            // of batches
@@ -32,9 +34,8 @@ class Learner {
   virtual torch::nn::Module& net() = 0;
   /// To be gone back from; mean over the batches.
   virtual torch::Tensor Loss(const LaneWork& work) = 0;
-  /// How well it does on what it does not learn from, with a net that infers. Always the same
-  /// names, "loss" among them.
-  virtual Measures Validate(sim::WorkerPool* pool) = 0;
+  /// On batches number 0 on, with a net that infers. Always the same names, "loss" among them.
+  virtual Measures Validate(const BatchSource& batches, int count, sim::WorkerPool* pool) = 0;
   /// Writes weights that the agents can load; notes go into their metadata. Throws FileError.
   virtual void Save(std::map<std::string, std::string> notes,
                     const std::filesystem::path& file) const = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "benchmark/training/core/train_lanes.h"
+#include "benchmark/training/supervised/train_lanes.h"
 
 #include <numeric>
 
@@ -8,10 +8,12 @@
 
 namespace bulletnav::bench {
 
-TrainLanes::TrainLanes(const TrainTask& task, torch::nn::Module* net, sim::WorkerPool* pool)
-    : plan_(task.plan), batches_(task.batches), net_(net), pool_(pool) {
+TrainLanes::TrainLanes(const SupervisedPlan& plan, const LearnerMaker& make, torch::nn::Module* net,
+                       sim::WorkerPool* pool)
+    : plan_(plan), net_(net), pool_(pool) {
   for (int i = 0; i < plan_.lanes; ++i) {
-    lanes_.push_back(task.make());
+    lanes_.push_back(make());
+    if (plan_.device == Device::kCuda) lanes_.back()->net().to(torch::kCUDA);
     const std::vector<torch::Tensor> shared = net->parameters();
     const std::vector<torch::Tensor> own = lanes_.back()->net().parameters();
     for (std::size_t k = 0; k < own.size(); ++k) torch::Tensor(own[k]).set_data(shared[k].data());
@@ -19,24 +21,25 @@ TrainLanes::TrainLanes(const TrainTask& task, torch::nn::Module* net, sim::Worke
   }
 }
 
-double TrainLanes::Pass(int step) {
+double TrainLanes::Pass(const BatchSource& batches, int step) {
   SpreadBuffers();
   std::vector<double> losses(lanes_.size());
   pool_->ForEach(plan_.lanes, [&](int lane, int) {
-    losses[static_cast<std::size_t>(lane)] = PassOne(step, lane);
+    losses[static_cast<std::size_t>(lane)] = PassOne(batches, step, lane);
   });
   Gather();
   return std::accumulate(losses.begin(), losses.end(), 0.0) / plan_.lanes;
 }
 
-double TrainLanes::PassOne(int step, int lane) {
+double TrainLanes::PassOne(const BatchSource& batches, int step, int lane) {
   agent::StayInThisThread();
   const auto at = static_cast<std::uint64_t>(step);
   LaneWork work;
+  work.batches = &batches;
   work.step = step;
-  work.count = batches_ / plan_.lanes;
+  work.count = plan_.scenes / plan_.lanes;
   work.first =
-      at * static_cast<std::uint64_t>(batches_) + static_cast<std::uint64_t>(lane * work.count);
+      at * static_cast<std::uint64_t>(plan_.scenes) + static_cast<std::uint64_t>(lane * work.count);
   work.seed = sim::MixSeed(
       plan_.seed, at * static_cast<std::uint64_t>(plan_.lanes) + static_cast<std::uint64_t>(lane));
   const torch::Tensor loss = lanes_[static_cast<std::size_t>(lane)]->Loss(work);

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "benchmark/training/core/registry.h"
+#include "benchmark/training/core/training.h"
+#include "benchmark/training/supervised/pair_batch.h"
+#include "benchmark/training/supervised/train_config.h"
+
+namespace bulletnav::bench {
+
+class Learner;
+
+/// What a training learns from and what it is tried on.
+struct BatchSources {
+  std::shared_ptr<const BatchSource> train;
+  std::shared_ptr<const BatchSource> validation;  // batches number 0 on
+};
+
+/// Makes and labels what the plan's data lack, and loads it. Throws Error, also if there is no
+/// block `data`; see SceneBatches.
+BatchSources LoadBatches(const SupervisedPlan& plan, bool with_depth, const TrainContext& context);
+
+/// A training of a Learner from batches, in lanes; the same bits on any number of threads.
+class SupervisedTraining : public Training {
+ public:
+  /// `make`: always the same net.
+  SupervisedTraining(const SupervisedPlan& plan, std::function<std::unique_ptr<Learner>()> make,
+                     BatchSources batches);
+  ~SupervisedTraining() override;
+  SupervisedTraining(const SupervisedTraining&) = delete;
+  SupervisedTraining& operator=(const SupervisedTraining&) = delete;
+  SupervisedTraining(SupervisedTraining&&) = delete;
+  SupervisedTraining& operator=(SupervisedTraining&&) = delete;
+
+  torch::nn::Module& net() override;
+  double Learn(const TrainStep& step) override;
+  Measures Validate() override;
+  std::int64_t FramesAfter(int steps) const override;
+  std::string frames_are() const override { return "panoramas"; }
+  void Save(std::map<std::string, std::string> notes,
+            const std::filesystem::path& file) const override;
+  std::vector<std::pair<std::string, std::string>> CardRows() const override;
+  std::string validated_on() const override;
+
+ private:
+  struct Work;
+  std::unique_ptr<Work> work_;
+};
+
+}  // namespace bulletnav::bench
