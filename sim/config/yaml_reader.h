@@ -57,9 +57,9 @@ class KeyError : public Error {
 ///   } };
 /// Unknown, duplicate, missing-required and wrong-type keys are errors at the key's line; an
 /// unknown key is answered with the nearest known one, before anything is called missing. Values
-/// not named keep their in-class default. A type with `static T Read(const YamlNode&)` and
-/// `ToYaml()` in place of Visit reads and writes itself. A member of type std::optional<YamlNode>
-/// takes any content, for others to read.
+/// not named keep their in-class default. A type that is no map has, in place of Visit, a function
+/// `void ReadYaml(const YamlNode&, T&)` in its namespace and, to be written, a member `ToYaml()`. A
+/// member of type std::optional<YamlNode> takes any content, for others to read.
 class YamlReader {
  public:
   explicit YamlReader(const YamlNode& map);
@@ -179,8 +179,8 @@ void YamlReader::Read(const YamlNode& node, T& value) {
     for (std::size_t i = 0; i < value.size(); ++i) Read(node.Child(node.yaml()[i]), value[i]);
   } else if constexpr (internal::kIsMap<T>) {
     ReadMap(node, value);
-  } else if constexpr (requires { value = T::Read(node); }) {
-    value = T::Read(node);
+  } else if constexpr (requires { ReadYaml(node, value); }) {
+    ReadYaml(node, value);
   } else {
     ReadStruct(node, value);
   }

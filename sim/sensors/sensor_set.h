@@ -52,4 +52,9 @@ class SensorSet {
   std::vector<MountedSensor> sensors_;
 };
 
+/// For YamlReader.
+inline void ReadYaml(const YamlNode& node, SensorSet& value) {
+  value = SensorSet::Read(node);
+}
+
 }  // namespace bulletnav::sim
