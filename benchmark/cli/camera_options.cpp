@@ -29,6 +29,7 @@ void ParseSize(const std::string& text, Spec* spec) {
 
 std::vector<std::string> ProjectionNames() {
   std::vector<std::string> names;
+  names.reserve(sim::EnumNames<sim::Projection>::kNames.size() + 1);
   for (const auto& [name, projection] : sim::EnumNames<sim::Projection>::kNames) {
     names.emplace_back(name);
   }

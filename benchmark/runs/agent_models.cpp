@@ -29,7 +29,7 @@ std::optional<fs::path> FindIfThere(const std::string& weights) {
 /// panoramas hold.
 std::string WeightsKey(const std::string& weights, const RunConfig& config,
                        const std::string& setting) {
-  const std::string own = weights + "_" + setting;
+  std::string own = weights + "_" + setting;
   if (!config.sensors.contains(setting) || FindIfThere(config.weights_file(own))) return own;
   return weights + (RigOf(config, setting).has_depth ? "_rgbd" : "_rgb");
 }
@@ -99,13 +99,15 @@ std::vector<SlotSource> SourcesOf(const AgentEntry& entry, const RunConfig& conf
 std::map<std::string, fs::path> UsedWeights(const RunConfig& config) {
   const std::vector<std::string> known = agent::AgentNames();
   std::map<std::string, fs::path> used;
+  const auto note = [&](const AgentEntry& entry, const std::string& setting) {
+    for (const SlotSource& source : SourcesOf(entry, config, setting)) {
+      if (source.file) used[source.key] = *source.file;
+    }
+  };
   for (const AgentEntry& entry : config.agents) {
     if (std::find(known.begin(), known.end(), entry.agent) == known.end()) continue;
-    for (const std::string& setting : entry.settings.empty() ? config.settings : entry.settings) {
-      for (const SlotSource& source : SourcesOf(entry, config, setting)) {
-        if (source.file) used[source.key] = *source.file;
-      }
-    }
+    const auto& settings = entry.settings.empty() ? config.settings : entry.settings;
+    for (const std::string& setting : settings) note(entry, setting);
   }
   return used;
 }

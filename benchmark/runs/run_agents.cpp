@@ -119,7 +119,8 @@ RunAgent FindAgent(const RunConfig& config, const AgentEntry& entry) {
       agent.settings.push_back(setting);
       NoteFrames(config, setting, &agent);
     } else {
-      agent.missing += (agent.missing.empty() ? "not in " : "; not in ") + setting + ": " + why;
+      agent.missing +=
+          fmt::format("{}not in {}: {}", agent.missing.empty() ? "" : "; ", setting, why);
     }
   }
   return agent;

@@ -80,7 +80,7 @@ class JpegEncoder {
   }
   ~JpegEncoder() {
     jpeg_destroy_compress(&info_);
-    std::free(buffer_);  // NOLINT(cppcoreguidelines-no-malloc): jpeg_mem_dest mallocs it
+    std::free(buffer_);  // NOLINT(cppcoreguidelines-owning-memory): jpeg_mem_dest mallocs it
   }
   JpegEncoder(const JpegEncoder&) = delete;
   JpegEncoder& operator=(const JpegEncoder&) = delete;

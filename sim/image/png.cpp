@@ -167,6 +167,7 @@ std::vector<std::uint8_t> EncodePng(const Image& image) {
                          : image.channels == 3 ? PNG_COLOR_TYPE_RGB
                                                : PNG_COLOR_TYPE_RGB_ALPHA;
   std::vector<png_bytep> rows;
+  rows.reserve(static_cast<std::size_t>(image.height));
   for (int y = 0; y < image.height; ++y) rows.push_back(const_cast<png_bytep>(image.at(0, y)));
   return PngWriter().Write(std::move(rows), image.width, color_type, 8);
 }

@@ -97,25 +97,29 @@ struct Navmesh::Impl {
   }
 
   Vec DetailCorner(const dtPoly& polygon, const dtPolyDetail& detail, unsigned char k) const {
-    const float* v = k < polygon.vertCount
-                         ? &tile().verts[3 * polygon.verts[k]]
-                         : &tile().detailVerts[3 * (detail.vertBase + k - polygon.vertCount)];
+    const float* v =
+        k < polygon.vertCount
+            ? &tile().verts[std::size_t{3} * polygon.verts[k]]
+            : &tile().detailVerts[std::size_t{3} * (detail.vertBase + k - polygon.vertCount)];
     return {v[0], v[1], v[2]};
   }
 
   void CollectTriangles() {
-    for (int i = 0; i < polygon_count(); ++i) {
-      const dtPoly& polygon = tile().polys[i];
-      const dtPolyDetail& detail = tile().detailMeshes[i];
-      for (unsigned t = detail.triBase; t < detail.triBase + detail.triCount; ++t) {
-        for (unsigned k = 0; k < 3; ++k) {
-          corners.push_back(DetailCorner(polygon, detail, tile().detailTris[4 * t + k]));
-        }
-        islands_of_triangles.push_back(island_of_polygon[static_cast<std::size_t>(i)]);
-      }
-    }
+    for (int i = 0; i < polygon_count(); ++i) CollectTrianglesOf(i);
     RenumberIslands();
     MeasureIslands();
+  }
+
+  void CollectTrianglesOf(int i) {
+    const dtPoly& polygon = tile().polys[i];
+    const dtPolyDetail& detail = tile().detailMeshes[i];
+    for (unsigned t = detail.triBase; t < detail.triBase + detail.triCount; ++t) {
+      const unsigned char* triangle = &tile().detailTris[std::size_t{4} * t];
+      for (const unsigned char k : {triangle[0], triangle[1], triangle[2]}) {
+        corners.push_back(DetailCorner(polygon, detail, k));
+      }
+      islands_of_triangles.push_back(island_of_polygon[static_cast<std::size_t>(i)]);
+    }
   }
 
   static float Area(const Vec* corner) {
@@ -294,6 +298,7 @@ Vec NavmeshQuery::RandomPoint(Rng* rng, int island) const {
   }
   if (island == -1) {
     std::vector<double> areas;
+    areas.reserve(islands.size());
     for (const auto& i : islands) areas.push_back(i.area);
     island = static_cast<int>(rng->Weighted(areas));
   }

@@ -92,9 +92,8 @@ GaussianMixture::GaussianMixture(const std::vector<Component>& components) {
     total += c.weight;
     Eigen::Matrix3d covariance;
     for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j) {
-        covariance(i, j) = c.covariance[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
-      }
+      const auto& row = c.covariance[static_cast<std::size_t>(i)];
+      covariance.row(i) << row[0], row[1], row[2];
     }
     const Eigen::LLT<Eigen::Matrix3d> cholesky(covariance);
     if (cholesky.info() != Eigen::Success) throw Error("a covariance is not positive definite");

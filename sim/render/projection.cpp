@@ -31,7 +31,8 @@ void FillCircle(RayGrid* grid, int cols) {
 void FillCubeSides(RayGrid* grid, int cols) {
   const int side = cols / 4;
   for (int c = 0; c < cols; ++c) {
-    const double centre = (c / side - 1.5) * 0.5 * kPi;
+    const int view = c / side;
+    const double centre = (view - 1.5) * 0.5 * kPi;
     const double across = 2.0 * (c % side + 0.5) / side - 1.0;
     grid->x.push_back(static_cast<float>(std::sin(centre) + across * std::cos(centre)));
     grid->z.push_back(static_cast<float>(-std::cos(centre) + across * std::sin(centre)));

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <mutex>
+#include <span>
 #include <vector>
 
 #include <epoxy/gl.h>
@@ -32,20 +33,25 @@ void KeepSoftwareDriverSingleThreaded() {
   });
 }
 
-/// The displays worth trying: each device that EGL enumerates, then Mesa without a surface.
+/// One for each device that EGL enumerates.
+std::vector<EGLDisplay> DisplaysOfDevices() {
+  std::array<EGLDeviceEXT, 32> devices{};
+  EGLint count = 0;
+  if (!eglQueryDevicesEXT(static_cast<EGLint>(devices.size()), devices.data(), &count)) return {};
+  std::vector<EGLDisplay> displays;
+  for (const EGLDeviceEXT device : std::span(devices).first(static_cast<std::size_t>(count))) {
+    displays.push_back(eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, device, nullptr));
+  }
+  return displays;
+}
+
+/// The displays worth trying: those of devices, then Mesa without a surface.
 std::vector<EGLDisplay> Displays() {
   std::vector<EGLDisplay> displays;
   if (!epoxy_has_egl()) throw RenderError("there is no EGL library; install libegl1");
   if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_enumeration") &&
       epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_device")) {
-    std::array<EGLDeviceEXT, 32> devices{};
-    EGLint count = 0;
-    if (eglQueryDevicesEXT(static_cast<EGLint>(devices.size()), devices.data(), &count)) {
-      for (int i = 0; i < count; ++i) {
-        displays.push_back(eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT,
-                                                    devices[static_cast<std::size_t>(i)], nullptr));
-      }
-    }
+    displays = DisplaysOfDevices();
   }
   if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) {
     displays.push_back(eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr));

@@ -93,6 +93,25 @@ void ViewLayout::SetSizes(const Eigen::Array2d& tangents, const Eigen::Array2d& 
   }
 }
 
+namespace {
+
+/// Of the upper left of the four pixels around a ray of `view`, and which of them is nearest.
+std::int32_t PlaceOfRay(const ViewLayout& layout, const FlatView& view, const Vec& ray) {
+  const float ahead = view.forward.dot(ray);
+  const auto pixel = [&](float across, float tangent, int size) {
+    return (0.5f + 0.5f * across / (tangent * ahead)) * static_cast<float>(size) - 0.5f;
+  };
+  const float x = pixel(view.right.dot(ray), view.tan_x, view.width);
+  const float y = pixel(view.up.dot(ray), view.tan_y, view.height);
+  const int low_x = std::clamp(static_cast<int>(std::floor(x)), 1, view.width - 3);
+  const int low_y = std::clamp(static_cast<int>(std::floor(y)), 1, view.height - 3);
+  const int nearest = (x - static_cast<float>(low_x) > 0.5f ? 1 : 0) +
+                      (y - static_cast<float>(low_y) > 0.5f ? 2 : 0);
+  return 4 * (low_y * layout.width + view.first_x + low_x) + nearest;
+}
+
+}  // namespace
+
 std::vector<std::int32_t> PlacesOfRays(const ViewLayout& layout, const RayGrid& rays, int stride) {
   const std::size_t cols = rays.x.size();
   const auto width = static_cast<std::size_t>(stride);
@@ -104,18 +123,7 @@ std::vector<std::int32_t> PlacesOfRays(const ViewLayout& layout, const RayGrid& 
       const Vec d = rays.Direction(r, c);
       std::size_t v = c * static_cast<std::size_t>(layout.ring) / cols;
       if (static_cast<int>(layout.views.size()) > layout.ring) v = MostAhead(layout, d);
-      const FlatView& view = layout.views[v];
-      const float ahead = view.forward.dot(d);
-      const auto pixel = [&](float across, float tangent, int size) {
-        return (0.5f + 0.5f * across / (tangent * ahead)) * static_cast<float>(size) - 0.5f;
-      };
-      const float x = pixel(view.right.dot(d), view.tan_x, view.width);
-      const float y = pixel(view.up.dot(d), view.tan_y, view.height);
-      const int low_x = std::clamp(static_cast<int>(std::floor(x)), 1, view.width - 3);
-      const int low_y = std::clamp(static_cast<int>(std::floor(y)), 1, view.height - 3);
-      const int nearest = (x - static_cast<float>(low_x) > 0.5f ? 1 : 0) +
-                          (y - static_cast<float>(low_y) > 0.5f ? 2 : 0);
-      places[r * width + column] = 4 * (low_y * layout.width + view.first_x + low_x) + nearest;
+      places[r * width + column] = PlaceOfRay(layout, layout.views[v], d);
     }
   }
   return places;
