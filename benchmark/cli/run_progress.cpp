@@ -11,12 +11,8 @@
 namespace bulletnav::bench {
 namespace {
 
-constexpr double kTerminalStepS = 0.5;
+constexpr double kQuietS = 2.0;
 constexpr double kLogStepS = 20.0;
-
-double Seconds(std::chrono::steady_clock::duration d) {
-  return std::chrono::duration<double>(d).count();
-}
 
 std::string Duration(double seconds) {
   const auto s = std::lround(seconds);
@@ -27,34 +23,30 @@ std::string Duration(double seconds) {
 
 }  // namespace
 
-RunProgress::RunProgress() : is_terminal_(::isatty(STDERR_FILENO) == 1) {}
-
 void RunProgress::Begin(std::size_t total, std::span<const EpisodeResult> before) {
   total_ = total;
   before_ = before.size();
   done_ = before.size();
   for (const EpisodeResult& result : before) Count(result);
-  start_ = Clock::now();
-  shown_ = start_;
-  loading_.reset();
-  if (done_ < total_) loading_.emplace("until the first episode ends");
   if (before_ > 0) fmt::print(stderr, "going on after {} of {} episodes\n", before_, total_);
+  if (done_ == total_) return;
+  table_.emplace(
+      [this](double elapsed_s) {
+        return Text(elapsed_s);
+      },
+      kQuietS, kLogStepS);
 }
 
 void RunProgress::Add(const EpisodeResult& result) {
-  loading_.reset();
-  ++done_;
-  Count(result);
-  for (const GoalMetrics& goal : result.goals) steps_ += goal.Whole("steps");
-  const Clock::time_point now = Clock::now();
-  if (Seconds(now - shown_) < (is_terminal_ ? kTerminalStepS : kLogStepS)) return;
-  shown_ = now;
-  Show();
+  table_.value().Change([&] {
+    ++done_;
+    Count(result);
+    for (const GoalMetrics& goal : result.goals) steps_ += goal.Whole("steps");
+  });
 }
 
 void RunProgress::End() {
-  loading_.reset();
-  if (done_ > before_) Show();
+  if (table_) table_->End(/*always=*/done_ > before_);
 }
 
 void RunProgress::Count(const EpisodeResult& result) {
@@ -76,8 +68,9 @@ void RunProgress::Count(const EpisodeResult& result) {
   }
 }
 
-std::string RunProgress::Text() const {
-  const double elapsed = std::max(1e-3, Seconds(Clock::now() - start_));
+std::string RunProgress::Text(double elapsed_s) const {
+  if (done_ == before_) return fmt::format("until the first episode ends, {:.0f} s\n", elapsed_s);
+  const double elapsed = std::max(1e-3, elapsed_s);
   const auto played = static_cast<double>(done_ - before_);
   std::string text = fmt::format("{:<24} {:<4} {:<8} {:>8} {:>7} {:>6} {:>6} {:>6}\n", "agent", "",
                                  "", "episodes", "success", "SPL", "steps", "failed");
@@ -92,18 +85,6 @@ std::string RunProgress::Text() const {
               ? "took " + Duration(elapsed)
               : Duration(elapsed / played * static_cast<double>(total_ - done_)) + " left";
   return text + "\n";
-}
-
-void RunProgress::Show() {
-  const std::string text = Text();
-  std::string out;
-  if (is_terminal_) {
-    if (lines_ > 0) out = fmt::format("\033[{}A\033[J", lines_);
-    lines_ = static_cast<int>(std::count(text.begin(), text.end(), '\n'));
-  }
-  out += text;
-  std::fwrite(out.data(), 1, out.size(), stderr);
-  std::fflush(stderr);
 }
 
 }  // namespace bulletnav::bench
