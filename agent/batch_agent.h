@@ -18,7 +18,7 @@ struct LaneObservation {
 /// Steers several bodies ("lanes") in episodes of their own, so that a network can see all their
 /// panoramas at once. Every runner works through this interface; a plain Agent is put behind it by
 /// its registration. An agent X that batches derives from this class instead of Agent and is built
-/// by X(const Config&, std::span<const AgentContext>), one context a lane.
+/// by X(const Config&, std::span<const AgentContext>), one context per lane.
 /// A lane's actions must not depend on what other lanes see.
 class BatchAgent {
  public:

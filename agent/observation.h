@@ -27,7 +27,7 @@ struct Observation {
   sim::PlanarPose odometry;  // measured motion of the last step, in the frame before it; noisy
   bool collided = false;     // something was in the way of the last step
   int step = 0;              // actions since Reset
-  /// All that the sensors wrote, by the names of Rig::arrays, these three too; lives likewise.
+  /// All that the sensors wrote, by the names of Rig::arrays, these three too; lives as long.
   std::vector<sim::ArrayView> arrays = {};
 
   /// Throws sim::Error for a name that is not there.

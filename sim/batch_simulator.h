@@ -34,7 +34,8 @@ struct BatchObservations {
 /// a lane that is not there or was not reset, memory that does not fit, an action that is none.
 class BatchSimulator {
  public:
-  /// One world a lane, none of them null; lanes may share worlds. `workers` < 1: one a processor.
+  /// One world per lane, none of them null; lanes may share worlds. `workers` < 1: one per
+  /// processor.
   BatchSimulator(std::vector<std::shared_ptr<const World>> worlds, const SimulatorSpec& spec,
                  int workers);
   ~BatchSimulator();

@@ -32,7 +32,7 @@ struct Observation {
   static constexpr std::string_view kDepth = "panorama.depth";
 
   std::vector<std::uint8_t> color;  // [rows, cols, 3], empty if there is none
-  std::vector<float> depth;         // [rows, cols] metres, likewise
+  std::vector<float> depth;         // [rows, cols] metres, as above
   Sensors sensors;
   std::vector<NamedArray> arrays;  // of all sensors, in their order
 

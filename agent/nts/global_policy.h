@@ -50,7 +50,7 @@ class GlobalPolicy {
   void Read(TopologicalGraph* graph);
 
   /// Absent if there is nowhere to go. `here`: the body in the agent's plane; `approach` knows
-  /// where the goal is not, whichever node says so. Expects: Read before.
+  /// where the goal is not, no matter which node says so. Expects: Read before.
   std::optional<Subgoal> Choose(const TopologicalGraph& graph, const Localisation& localisation,
                                 const Point& here, const GoalApproach& approach);
 

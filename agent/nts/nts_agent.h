@@ -51,7 +51,7 @@ class NtsAgent : public Agent {
   /// body could not get.
   void DropKnownGhosts();
   bool IsSeen(const Point& ghost) const;
-  /// Whether nothing new is to be had there: it has been visited, seen or given up.
+  /// Whether there is nothing new there: it has been visited, seen or given up.
   bool IsKnown(const Point& point) const;
   bool IsVisited(const Point& point, double radius) const;
   bool IsGivenUp(const Point& point) const;

@@ -66,7 +66,7 @@ void AverageColor(const std::uint8_t* in, std::int64_t factor, std::int64_t stri
   }
 }
 
-/// Likewise, into the last of four channels.
+/// The same, into the last of four channels.
 void AverageDepth(const float* in, std::int64_t factor, float* out) {
   const float scale = 2.0f / (kFarthestDepth * static_cast<float>(factor * factor));
   for (std::int64_t col = 0; col < kPanoramaCols / factor; ++col) {

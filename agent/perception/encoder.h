@@ -31,7 +31,7 @@ class Encoder : public torch::nn::Module {
   ModelConfig config_;
   std::shared_ptr<Trunk> trunk_;
   std::shared_ptr<Trunk> depth_trunk_;     // null unless depth is separate
-  std::shared_ptr<ConvNorm> depth_mixer_;  // likewise
+  std::shared_ptr<ConvNorm> depth_mixer_;  // as above
   std::shared_ptr<Dense> first_;
   std::shared_ptr<Dense> second_;
   torch::Tensor pooling_;       // kPanorama: [12, 16] shares of the map's columns

@@ -11,9 +11,9 @@ namespace bulletnav::agent {
 struct PanoramaParts {
   torch::Tensor explorable;    // [n, 12] logits
   torch::Tensor source_sum;    // [n, 12, pair_features]
-  torch::Tensor goal_sum;      // likewise
+  torch::Tensor goal_sum;      // as above
   torch::Tensor source_match;  // [n, 12, kMatches * kMatchSize]
-  torch::Tensor goal_match;    // likewise
+  torch::Tensor goal_match;    // as above
 
   PanoramaParts Select(const torch::Tensor& indices) const;
 };

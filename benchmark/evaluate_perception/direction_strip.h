@@ -12,7 +12,8 @@ inline constexpr Paint kSaid = kBlue;    // what the model says, in all pictures
 inline constexpr Paint kTruth = kGreen;  // what is true
 inline constexpr Paint kPale = {0.80, 0.84, 0.88};
 
-/// A panorama of ExampleScene and rows of bars beneath it, a twelfth of the width a direction.
+/// A panorama of ExampleScene and rows of bars beneath it, a twelfth of the width for each
+/// direction.
 class DirectionStrip {
  public:
   static constexpr int kCells = agent::kDirections;

@@ -60,9 +60,9 @@ struct CasesProgress {
 };
 
 /// Labels all scenes of a config as for training, shows a model panoramas of their points and asks
-/// it about every point and pair. A scene a worker, `workers` < 1: one a processor; the same for
-/// any number. Calls to `progress` come from any thread. Throws sim::Error for scenes that cannot
-/// be labelled. Cost, with the shipped model: about 4 s a scene of 60 points.
+/// it about every point and pair. One scene per worker, `workers` < 1: one per processor; the same
+/// for any number. Calls to `progress` come from any thread. Throws sim::Error for scenes that
+/// cannot be labelled. Cost, with the shipped model: about 4 s per scene of 60 points.
 std::vector<SceneCases> MakeCases(const DataConfig& config, const ModelMaker& make_model,
                                   int workers, const CasesProgress& progress = {});
 

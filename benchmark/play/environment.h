@@ -30,7 +30,7 @@ namespace bulletnav::bench {
 class Environment {
  public:
   /// Keeps the truth about lane i in truths[i], which must outlive the environment; one lane for
-  /// each. `threads` < 1: one a processor; 1: the calling thread.
+  /// each. `threads` < 1: one per processor; 1: the calling thread.
   Environment(const Task& task, std::vector<GroundTruth*> truths, int threads);
   ~Environment();
   Environment(const Environment&) = delete;

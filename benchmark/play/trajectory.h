@@ -50,12 +50,12 @@ std::filesystem::path TrajectoryPath(const std::filesystem::path& run_folder, co
 ///   noise         "none", "ans_released", ...; body: object of sim::BodySpec's members
 ///   start, goals  [x, y, z, yaw], list of them: true poses, metres and radians, all digits
 ///   shortest_path list of [x, y, z]
-///   actions       text, a letter a step: F forward, L left, R right, S stop
-///   collided      text, a digit a step: 1 collided, 0 not
+///   actions       text, one letter per step: F forward, L left, R right, S stop
+///   collided      text, one digit per step: 1 collided, 0 not
 ///   poses         list of [x, y, z, yaw], one a step: true, after it
 ///   odometry      list of [x, y, yaw], one a step: believed, after it, from the start pose
 ///   belief        object of what there is of: pose, target [x, y, yaw];
-///                 map {size, cell, low_x, low_y, rows}, rows: a text a row of run lengths and
+///                 map {size, cell, low_x, low_y, rows}, rows: one text per row of run lengths and
 ///                 kinds, "?" unknown, "." free, "#" obstacle, "!" felt wall, as in "12?3.1#";
 ///                 graph {nodes [[x, y, 1 if ghost, score if any]], edges [[i, j]], path [i]}
 /// Metres and radians of paths, poses, odometry and belief are rounded to 1e-6.

@@ -9,7 +9,8 @@
 namespace bulletnav::bench {
 
 /// A chart of each main measure of sequences by number of goals, from the rows "goals_1",
-/// "goals_2", ...: one series an agent, setting and condition. Empty if there are no such rows.
+/// "goals_2", ...: one series for each agent, setting and condition. Empty if there are no such
+/// rows.
 std::vector<Chart> GoalCountCharts(std::span<const SummaryRow> rows,
                                    std::span<const AgentRow> agents);
 

@@ -15,7 +15,7 @@ namespace bulletnav::sim {
 struct HouseSetSpec {
   int count = 86;
   std::uint64_t first_seed = 0;
-  int workers = 0;  // 0: one a processor
+  int workers = 0;  // 0: one per processor
   /// The program's version; houses that an unfinished call of the same one left are kept. "": none.
   std::string made_by = {};
 };

@@ -93,7 +93,7 @@ float MaxDepthOf(const CameraSpec& spec);
 
 /// Ray directions of every pixel centre for a camera that looks along -z, not normalised:
 /// d(row, col) = (x[col], y[row], z[col]), then turned up by `pitch`. All projections have this
-/// form, because a direction may be scaled freely; hypot(x, z) is 1 in panoramas, but for cube
+/// form, because a direction may be scaled freely; hypot(x, z) is 1 in panoramas, except for cube
 /// strips (up to sqrt 2), and 1 / cos of the angle from the middle column in pinhole pictures.
 struct RayGrid {
   /// Throws Error on a bad spec.

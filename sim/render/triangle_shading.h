@@ -6,7 +6,8 @@ namespace bulletnav::sim {
 
 /// What shading needs of one triangle. For a point P on it the barycentric weights of corners 1 and
 /// 2 are b1 = g1.P + h1 and b2 = g2.P + h2, clamped to the triangle; then
-/// uv = uv0 + b1 duv1 + b2 duv2 and likewise the colour. 96 bytes, the layout of the GPU's buffer.
+/// uv = uv0 + b1 duv1 + b2 duv2 and the colour in the same way. 96 bytes, the layout of the GPU's
+/// buffer.
 ///
 /// Both backends pick the texture level alike: with
 ///   texels = texel_density * area[row] * t^3 / |plane distance|   (see RayGrid::area)

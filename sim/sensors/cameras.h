@@ -33,7 +33,7 @@ struct PanoramaSensorConfig {
   }
 };
 
-/// Where a camera sits on the body, level but for its own pitch.
+/// Where a camera sits on the body, level except for its own pitch.
 struct CameraMount {
   double forward_m = 0.0;  // of the body's axis
   double left_m = 0.0;

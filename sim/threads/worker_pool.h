@@ -13,7 +13,7 @@ namespace bulletnav::sim {
 /// must not depend on it.
 class WorkerPool {
  public:
-  /// `workers` < 1: one a processor. One worker means the calling thread itself.
+  /// `workers` < 1: one per processor. One worker means the calling thread itself.
   explicit WorkerPool(int workers);
   ~WorkerPool();
   WorkerPool(const WorkerPool&) = delete;

@@ -4,7 +4,7 @@
 namespace bulletnav::bench {
 namespace {
 
-/// Actions but for the stop that ends the goal.
+/// Actions except for the stop that ends the goal.
 const MeasureRegistration registration({
     .name = "steps",
     .value = [](const GoalRecord& record, const SuccessRule& /*rule*/) -> double {

@@ -28,7 +28,7 @@ class Adam final : public Optimiser {
     std::string name;
     torch::Tensor parameter;
     torch::Tensor mean;      // of gradients, decaying
-    torch::Tensor variance;  // of gradients, around zero, likewise
+    torch::Tensor variance;  // of gradients, around zero, as above
   };
   std::vector<Item> items_;
   double weight_decay_;

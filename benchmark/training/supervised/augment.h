@@ -9,8 +9,8 @@ namespace bulletnav::bench {
 struct AugmentSpec {
   bool turn = true;         // each panorama by a random number of twelfths of a circle
   double brightness = 0.3;  // all channels times 1 - this to 1 + this
-  double contrast = 0.2;    // likewise, around middle grey
-  double tint = 0.1;        // likewise, each channel by itself
+  double contrast = 0.2;    // as above, around middle grey
+  double tint = 0.1;        // as above, each channel by itself
 
   template <class V>
   void Visit(V& v) {

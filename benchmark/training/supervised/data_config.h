@@ -18,7 +18,7 @@ namespace bulletnav::bench {
 
 /// Whether the ways that decide if a direction is explorable may lead over floor that the source
 /// cannot see, behind a door's jamb or furniture. kFree is the paper's, whose map is of obstacles,
-/// but for what is deep behind furniture; see NearMap.
+/// except for what is deep behind furniture; see NearMap.
 enum class HiddenFloor { kFree, kBlocked };
 
 }  // namespace bulletnav::bench
@@ -48,7 +48,7 @@ struct DataHouses {
 };
 
 /// What supervised data are made from: the block `data` of a training's config.
-/// Default: 300 points a scene. Source: Neural Topological SLAM, section 5.
+/// Default: 300 points per scene. Source: Neural Topological SLAM, section 5.
 struct DataConfig {
   std::vector<std::string> scenes;        // mesh files
   std::optional<DataHouses> houses;       // in addition
@@ -63,7 +63,7 @@ struct DataConfig {
   sim::BodySpec body;
   sim::NavmeshSpec navmesh;
   sim::PanoramaSpec panorama;
-  std::string cache = "data/training";  // folder of the labels, a file a scene
+  std::string cache = "data/training";  // folder of the labels, one file per scene
 
   template <class V>
   void Visit(V& v) {

@@ -26,8 +26,8 @@ struct LabelledScene {
 /// Throws sim::Error for a scene that cannot be labelled, with its name.
 LabelledScene LabelScene(const std::filesystem::path& scene, const DataConfig& config);
 
-/// Labels all scenes of a config, a scene a worker, `workers` < 1: one a processor; the same for
-/// any number. `on_scene` is called, from any thread, as scenes are done.
+/// Labels all scenes of a config, one scene per worker, `workers` < 1: one per processor; the same
+/// for any number. `on_scene` is called, from any thread, as scenes are done.
 std::vector<LabelledScene> LabelScenes(const DataConfig& config, int workers,
                                        const std::function<void(const LabelledScene&)>& on_scene);
 

@@ -14,7 +14,7 @@ struct MapperMetrics {
 
   double loss = 0.0;                // total, mean over batches
   double explored_iou = 0.0;        // intersection over union, over all cells in reach
-  double obstacle_iou = 0.0;        // likewise, to the cell: walls are one cell thick
+  double obstacle_iou = 0.0;        // as above, to the cell: walls are one cell thick
   double obstacle_precision = 0.0;  // share of obstacles with a true one on or beside their cell
   double obstacle_recall = 0.0;     // share of true obstacles that are found so
   std::array<double, kRings> ring_explored_iou = {};

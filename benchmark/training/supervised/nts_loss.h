@@ -12,7 +12,7 @@ namespace bulletnav::bench {
 /// of all the panoramas.
 struct LabelledPairs {
   torch::Tensor source;          // [n] int64, panorama
-  torch::Tensor goal;            // likewise
+  torch::Tensor goal;            // as above
   torch::Tensor same_node;       // [n] float 0 or 1
   torch::Tensor direction;       // [n] int64, -1 = none
   torch::Tensor distance_score;  // [n] of pairs of one node
@@ -35,8 +35,8 @@ struct NtsLosses {
   torch::Tensor direction;   // cross-entropy
   torch::Tensor explorable;  // cross-entropy
   torch::Tensor distance;    // square of the score's error
-  torch::Tensor scores;      // likewise
-  torch::Tensor contrast;    // likewise, of the scores less their mean over the directions
+  torch::Tensor scores;      // as above
+  torch::Tensor contrast;    // as above, of the scores less their mean over the directions
   torch::Tensor rejection;   // square of the distance's score where the pair is of two nodes
 
   /// The sum, squares counting ten times. Source: Neural Topological SLAM, appendix A; the weighed

@@ -16,7 +16,7 @@ namespace bulletnav::bench {
 std::unique_ptr<const sim::RenderScene> LoadForPanoramas(const std::filesystem::path& scene,
                                                          const DataConfig& config);
 
-/// Draws panoramas from places of one scene into the caller's memory; one a thread.
+/// Draws panoramas from places of one scene into the caller's memory; one per thread.
 class ScenePanoramas {
  public:
   /// The scene must outlive it.

@@ -49,7 +49,7 @@ class WalkGrid {
 /// Cost: some tens of nanoseconds a cell, 2 ms for a house; against 20-120 us for each of Detour's.
 class WalkDistances {
  public:
-  /// The grid must outlive it. One a thread.
+  /// The grid must outlive it. One per thread.
   explicit WalkDistances(const WalkGrid& grid) : grid_(grid), march_(grid.states().size()) {}
 
   void MeasureFrom(const sim::Cell& from);

@@ -37,7 +37,7 @@ class IdPass {
   GlProgram program_;
   GlTexture ids_;
   GlTexture depth_;
-  std::vector<GlFramebuffer> framebuffers_;  // one a layer
+  std::vector<GlFramebuffer> framebuffers_;  // one per layer
   GlVertexArray vertices_;
   std::vector<float> depth_picture_;
   std::vector<int> firsts_;

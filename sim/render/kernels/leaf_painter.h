@@ -3,7 +3,7 @@
 // Triangles of a leaf become pixels, by homogeneous edge functions: with the corners a, b, c from
 // the camera, a pixel's ray d lies inside if d.(b x c), d.(c x a) and d.(a x b) have one sign, and
 // 1/t = d.n / a.n. No clipping is needed, and two triangles that share an edge leave no gap, since
-// the edge's function is the same but for sign.
+// the edge's function is the same except for sign.
 #include "sim/render/kernels/kernels.h"
 #include "sim/render/kernels/pixel_bounds.h"
 #include "sim/render/kernels/simd.h"
