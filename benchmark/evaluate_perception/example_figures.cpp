@@ -148,9 +148,8 @@ Figure ExplorableFigure(ExampleScene* scene, int place, double threshold) {
       const auto probability = double{said[static_cast<std::size_t>(i)]};
       const bool is_yes = probability >= threshold;
       strip.Bar(i, probability, bars, kBars, 0, is_yes ? kSaid : kPale);
-      if (is_yes) {
-        DrawTip({strip.At(i), kTitle + strip.panorama_height() - 26.0}, 18.0, kSaid, canvas);
-      }
+      const Point tip(strip.At(i), kTitle + strip.panorama_height() - 26.0);
+      if (is_yes) DrawTip(tip, 18.0, kSaid, canvas);
       if (((truth >> i) & 1u) != 0) DrawBest({strip.At(i), bars + kBars + 9.0}, canvas);
     }
     const double y = bars + kBars * (1.0 - threshold);
