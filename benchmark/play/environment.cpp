@@ -9,6 +9,13 @@
 #include "sim/base/error.h"
 
 namespace bulletnav::bench {
+namespace {
+
+sim::SimulatorSpec SimulatorSpecOf(const Task& task) {
+  return {task.body, task.panorama, task.noise, task.color, task.depth, task.sensors};
+}
+
+}  // namespace
 
 Environment::Environment(const Task& task, std::vector<GroundTruth*> truths, int threads)
     : task_(task), threads_(threads), lanes_(truths.size()), worlds_(truths.size()) {
@@ -16,6 +23,7 @@ Environment::Environment(const Task& task, std::vector<GroundTruth*> truths, int
   const std::size_t pixels = lanes_.size() * task.panorama.pixels();
   if (task.color) color_.resize(3 * pixels);
   if (task.depth) depth_.resize(pixels);
+  MakeMemory();
 }
 
 Environment::~Environment() = default;
@@ -34,31 +42,31 @@ const TaskEpisode& Environment::episode(int lane) const {
   return *own.episode;
 }
 
-void Environment::MakeSimulator(const std::shared_ptr<const sim::World>& world) {
-  worlds_.assign(worlds_.size(), world);
-  const sim::SimulatorSpec spec = {task_.body,  task_.panorama, task_.noise,
-                                   task_.color, task_.depth,    task_.sensors};
-  simulator_ = std::make_unique<sim::BatchSimulator>(worlds_, spec, threads_);
-  for (const sim::ArraySpec& array : simulator_->arrays()) {
-    const std::span<std::byte> memory = MemoryOf(array);
-    for (std::size_t lane = 0; lane < lanes_.size(); ++lane) {
-      lanes_[lane].arrays.emplace_back(array, memory.subspan(lane * array.bytes(), array.bytes()));
+void Environment::MakeMemory() {
+  arrays_ = SimulatorSpecOf(task_).AllSensors().arrays();
+  const std::size_t lanes = lanes_.size();
+  bytes_.reserve(arrays_.size());
+  for (const sim::ArraySpec& array : arrays_) {
+    if (array.name == sim::Observation::kColor) {
+      memory_.push_back(std::as_writable_bytes(std::span(color_)));
+    } else if (array.name == sim::Observation::kDepth) {
+      memory_.push_back(std::as_writable_bytes(std::span(depth_)));
+    } else {
+      memory_.emplace_back(bytes_.emplace_back(lanes * array.bytes()));
+      others_.push_back({array.name, memory_.back()});
+    }
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      lanes_[lane].arrays.emplace_back(array,
+                                       memory_.back().subspan(lane * array.bytes(), array.bytes()));
     }
   }
 }
 
-/// Where an array of all lanes goes.
-std::span<std::byte> Environment::MemoryOf(const sim::ArraySpec& array) {
-  if (array.name == sim::Observation::kColor) return std::as_writable_bytes(std::span(color_));
-  if (array.name == sim::Observation::kDepth) return std::as_writable_bytes(std::span(depth_));
-  std::vector<std::byte>& bytes = bytes_[array.name];
-  bytes.resize(lanes_.size() * array.bytes());
-  others_.push_back({array.name, bytes});
-  return bytes;
-}
-
 void Environment::Enter(int lane, const std::shared_ptr<const sim::World>& world) {
-  if (!simulator_) MakeSimulator(world);
+  if (!simulator_) {
+    worlds_.assign(worlds_.size(), world);
+    simulator_ = std::make_unique<sim::BatchSimulator>(worlds_, SimulatorSpecOf(task_), threads_);
+  }
   std::shared_ptr<const sim::World>& own = worlds_[static_cast<std::size_t>(lane)];
   if (own == world) return;
   simulator_->SetWorld(lane, world);
@@ -123,7 +131,7 @@ agent::Panorama Environment::goal(int lane) const {
 }
 
 void Environment::Observe(std::span<const int> lanes) {
-  for (const int lane : lanes) BULLETNAV_CHECK(!is_over(lane));
+  for (const int lane : lanes) BULLETNAV_CHECK(has_episode(lane));
   simulator_->Observe(lanes, {color_, depth_, others_});
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 #include <cstddef>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -58,8 +57,12 @@ class Environment {
   /// For the agent's random choices on the way to the present goal.
   std::uint64_t agent_seed(int lane) const { return episode(lane).agent_seed(); }
 
-  /// Draws what some lanes, none of them over, now see.
+  /// Reads the sensors of some lanes.
   void Observe(std::span<const int> lanes);
+  /// What they write, for one lane, and the memory of array number i of all lanes: [lanes,
+  /// shape...]; it stays where it is.
+  const std::vector<sim::ArraySpec>& arrays() const { return arrays_; }
+  std::span<const std::byte> memory(std::size_t i) const { return memory_[i]; }
   /// What the lane's body senses. The panorama is the one last drawn, and lives until it is drawn
   /// again.
   agent::Observation observation(int lane) const;
@@ -94,8 +97,7 @@ class Environment {
   void StartGoals(int lane);
   void DrawGoal(int lane);
   bool draws() const { return task_.color || task_.depth; }
-  void MakeSimulator(const std::shared_ptr<const sim::World>& world);
-  std::span<std::byte> MemoryOf(const sim::ArraySpec& array);
+  void MakeMemory();
 
   Task task_;
   int threads_;
@@ -104,9 +106,10 @@ class Environment {
   std::unique_ptr<sim::BatchSimulator> simulator_;         // made with the first world
   std::vector<std::uint8_t> color_;                        // [lanes, rows, cols, 3]
   std::vector<float> depth_;                               // [lanes, rows, cols]
-  /// Memory of the sensors' other arrays, by name: [lanes, shape...].
-  std::map<std::string, std::vector<std::byte>, std::less<>> bytes_;
-  std::vector<sim::BatchArray> others_;  // the same, as the simulator takes it
+  std::vector<sim::ArraySpec> arrays_;                     // of the sensors
+  std::vector<std::vector<std::byte>> bytes_;              // of those that are not the panorama's
+  std::vector<std::span<std::byte>> memory_;               // of all arrays
+  std::vector<sim::BatchArray> others_;                    // `bytes_`, as the simulator takes them
   std::vector<sim::Sensors> read_;
   std::vector<StepOutcome> outcomes_;
 };
