@@ -5,16 +5,21 @@
 
 namespace bulletnav::bench {
 
+namespace {
+
+void AddAnswers(const SceneCases& cases, int place, std::vector<Answer>* answers) {
+  const PerDirection& said = cases.explorable[static_cast<std::size_t>(place)];
+  for (int i = 0; i < agent::kDirections; ++i) {
+    answers->push_back({said[static_cast<std::size_t>(i)], cases.samples.IsExplorable(place, i)});
+  }
+}
+
+}  // namespace
+
 ExplorableFigures MeasureExplorable(std::span<const SceneCases> scenes, double threshold) {
   std::vector<Answer> answers;
   for (const SceneCases& cases : scenes) {
-    for (int place = 0; place < cases.count(); ++place) {
-      const PerDirection& said = cases.explorable[static_cast<std::size_t>(place)];
-      for (int i = 0; i < agent::kDirections; ++i) {
-        answers.push_back(
-            {said[static_cast<std::size_t>(i)], cases.samples.IsExplorable(place, i)});
-      }
-    }
+    for (int place = 0; place < cases.count(); ++place) AddAnswers(cases, place, &answers);
   }
   const auto yes = std::count_if(answers.begin(), answers.end(), [](const Answer& answer) {
     return answer.is_true;

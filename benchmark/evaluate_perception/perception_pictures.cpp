@@ -33,12 +33,12 @@ class Lots {
 
   /// A pair of one node; {0, 0} if there is none.
   std::pair<int, int> NearPair() const {
+    const std::vector<int> goals = Shuffled(cases_.count(), rng_.Fork("near goal"));
     for (const int source : Shuffled(cases_.count(), rng_.Fork("near"))) {
-      for (const int goal : Shuffled(cases_.count(), rng_.Fork("near goal"))) {
-        if (source != goal && cases_.samples.pair(source, goal).same_node != 0) {
-          return {source, goal};
-        }
-      }
+      const auto goal = std::find_if(goals.begin(), goals.end(), [&](int other) {
+        return source != other && cases_.samples.pair(source, other).same_node != 0;
+      });
+      if (goal != goals.end()) return {source, *goal};
     }
     return {0, 0};
   }
@@ -46,14 +46,8 @@ class Lots {
   /// A place and two goals whose best directions differ.
   std::pair<int, std::vector<int>> TwoGoals() const {
     for (const int source : Shuffled(cases_.count(), rng_.Fork("source"))) {
-      std::vector<int> goals;
-      for (const int goal : Shuffled(cases_.count(), rng_.Fork("goals"))) {
-        if (!HasChoice(source, goal)) continue;
-        if (goals.empty() || Best(source, goal) != Best(source, goals.front())) {
-          goals.push_back(goal);
-        }
-        if (goals.size() == 2) return {source, goals};
-      }
+      std::vector<int> goals = TwoGoalsFrom(source);
+      if (goals.size() == 2) return {source, std::move(goals)};
     }
     return {0, {}};
   }
@@ -61,19 +55,39 @@ class Lots {
   /// A goal and places with a choice of ways to it, none within sight of another.
   std::pair<std::vector<int>, int> Ways() const {
     for (const int goal : Shuffled(cases_.count(), rng_.Fork("goal"))) {
-      std::vector<int> sources;
-      for (const int source : Shuffled(cases_.count(), rng_.Fork("sources"))) {
-        const bool is_new = std::none_of(sources.begin(), sources.end(), [&](int other) {
-          return cases_.samples.pair(source, other).same_node != 0;
-        });
-        if (is_new && HasChoice(source, goal)) sources.push_back(source);
-        if (sources.size() == kSources) return {sources, goal};
-      }
+      std::vector<int> sources = WaysTo(goal);
+      if (sources.size() == kSources) return {std::move(sources), goal};
     }
     return {{}, 0};
   }
 
  private:
+  /// At most two.
+  std::vector<int> TwoGoalsFrom(int source) const {
+    std::vector<int> goals;
+    for (const int goal : Shuffled(cases_.count(), rng_.Fork("goals"))) {
+      if (goals.size() == 2) break;
+      if (!HasChoice(source, goal)) continue;
+      if (goals.empty() || Best(source, goal) != Best(source, goals.front())) {
+        goals.push_back(goal);
+      }
+    }
+    return goals;
+  }
+
+  /// At most kSources.
+  std::vector<int> WaysTo(int goal) const {
+    std::vector<int> sources;
+    for (const int source : Shuffled(cases_.count(), rng_.Fork("sources"))) {
+      if (sources.size() == kSources) break;
+      const bool is_new = std::none_of(sources.begin(), sources.end(), [&](int other) {
+        return cases_.samples.pair(source, other).same_node != 0;
+      });
+      if (is_new && HasChoice(source, goal)) sources.push_back(source);
+    }
+    return sources;
+  }
+
   int Best(int source, int goal) const { return ChoiceOf(cases_, source, goal).best; }
 
   bool HasChoice(int source, int goal) const {

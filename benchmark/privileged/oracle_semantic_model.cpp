@@ -99,7 +99,7 @@ agent::PairPrediction OracleSemanticModel::ComparePair(const sim::BodyPose& sour
 
 Eigen::Vector3f OracleSemanticModel::FarthestFree(const sim::BodyPose& source, int direction) {
   for (double r = kNodeRadius; r > 0.5 * kSearchStep; r -= kSearchStep) {
-    const Eigen::Vector3f place = PlaceAt(source, direction, r);
+    Eigen::Vector3f place = PlaceAt(source, direction, r);
     if (IsFree(source, place, r)) return place;
   }
   return source.position.cast<float>();

@@ -26,7 +26,7 @@ std::vector<sim::BodyPose> DrawPoints(const sim::World& world, const Storey& sto
       const Eigen::Vector3d point = query.RandomPoint(&rng, storey.island).cast<double>();
       const double yaw = rng.Uniform(-sim::kPi, sim::kPi);
       if (std::abs(point.y() - storey.floor_y) > kSameStorey) continue;
-      if (const auto pose = body.TryReset({point, yaw})) return pose;
+      if (auto pose = body.TryReset({point, yaw})) return pose;
     }
     return std::nullopt;
   };
