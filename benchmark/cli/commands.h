@@ -13,6 +13,8 @@ void AddTrainCommand(CLI::App* program);
 /// Handed over to bulletnav-learn, as training is.
 void AddEvaluatePerceptionCommand(CLI::App* program);
 void AddEpisodesCommand(CLI::App* program);
+/// Joins the shards of a run.
+void AddMergeCommand(CLI::App* program);
 void AddPlotCommand(CLI::App* program);
 void AddRenderCommand(CLI::App* program);
 /// Adds "generate" to the "scenes" command.

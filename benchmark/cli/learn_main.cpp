@@ -13,6 +13,7 @@ int main(int argc, char** argv) {
     bulletnav::bench::AddTrainCommand(program);
     bulletnav::bench::AddEvaluatePerceptionCommand(program);
     bulletnav::bench::AddRunCommand(program);
+    bulletnav::bench::AddMergeCommand(program);
     bulletnav::bench::AddTableCommand(program);
     bulletnav::bench::AddPlotCommand(program);
   });

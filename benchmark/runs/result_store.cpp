@@ -24,9 +24,13 @@ using sim::FileError;
 constexpr const char* kEpisodesFile = "episodes.jsonl";
 constexpr const char* kConfigFile = "config.yaml";
 
+constexpr const char* kIfBusy =
+    "share the work with --shard I/N, wait for it, or choose another --out";
+
 /// The whole lines of an episodes file, and how many bytes they are.
 struct Lines {
   std::map<ResultKey, EpisodeResult> results;
+  ResultLines texts;
   std::size_t bytes = 0;
 };
 
@@ -45,24 +49,16 @@ Lines ReadLines(const fs::path& file) {
                       fmt::format("episode '{}' of agent {} appears a second time; delete the line",
                                   key.episode, key.agent));
     }
+    lines.texts.emplace(key, line);
     lines.bytes = end + 1;
   }
   return lines;
 }
 
-/// Number and texts of the first lines that differ.
-std::string FirstDifference(const std::string& old_text, const std::string& new_text) {
-  std::istringstream old_lines(old_text);
-  std::istringstream new_lines(new_text);
-  for (int number = 1;; ++number) {
-    std::string old_line;
-    std::string new_line;
-    std::getline(old_lines, old_line);
-    std::getline(new_lines, new_line);
-    if (old_line != new_line || !old_lines || !new_lines) {
-      return fmt::format("line {} is '{}' there and '{}' here", number, old_line, new_line);
-    }
-  }
+std::string Joined(const ResultLines& lines) {
+  std::string text;
+  for (const auto& [key, line] : lines) text += line + "\n";
+  return text;
 }
 
 void SyncFolder(const fs::path& folder) {
@@ -96,7 +92,7 @@ int OpenToAppend(const fs::path& file, std::size_t bytes) {
 
 ResultStore::ResultStore(const fs::path& folder, const std::string& config,
                          const std::function<bool(const std::string&)>& can_go_on)
-    : folder_(folder), lock_(folder) {
+    : folder_(folder), lock_(folder, kIfBusy) {
   TakeConfig(config, can_go_on);
   const fs::path file = folder / kEpisodesFile;
   Lines lines;
@@ -179,10 +175,36 @@ int ResultStore::ForgetFailed() {
     return !entry.second.failure.empty();
   });
   if (forgotten == 0) return 0;
-  sim::WriteFileAtomically(file, kept);
-  const int fd = OpenToAppend(file, kept.size());
-  ::close(std::exchange(fd_, fd));
+  Rewrite(kept);
   return static_cast<int>(forgotten);
+}
+
+void ResultStore::PutInOrder() {
+  Add({});
+}
+
+void ResultStore::Add(const ResultLines& lines) {
+  const std::lock_guard lock(mutex_);
+  const fs::path file = folder_ / kEpisodesFile;
+  ResultLines all = ReadLines(file).texts;
+  for (const auto& [key, line] : lines) {
+    if (all.try_emplace(key, line).first->second == line) continue;
+    throw FileError(file, "",
+                    fmt::format("holds another result of episode '{}' of agent {} than the one to "
+                                "be added; choose another folder or delete this one",
+                                key.episode, key.agent));
+  }
+  const std::string text = Joined(all);
+  if (text == sim::ReadTextFile(file)) return;
+  Rewrite(text);
+  results_ = ReadLines(file).results;
+}
+
+void ResultStore::Rewrite(const std::string& text) {
+  const fs::path file = folder_ / kEpisodesFile;
+  sim::WriteFileAtomically(file, text);
+  const int fd = OpenToAppend(file, text.size());
+  ::close(std::exchange(fd_, fd));
 }
 
 std::vector<EpisodeResult> ReadResults(const fs::path& folder) {
@@ -191,6 +213,25 @@ std::vector<EpisodeResult> ReadResults(const fs::path& folder) {
     results.push_back(std::move(result));
   }
   return results;
+}
+
+ResultLines ReadResultLines(const fs::path& folder) {
+  const fs::path file = folder / kEpisodesFile;
+  return fs::exists(file) ? ReadLines(file).texts : ResultLines();
+}
+
+std::string FirstDifference(const std::string& there, const std::string& here) {
+  std::istringstream old_lines(there);
+  std::istringstream new_lines(here);
+  for (int number = 1;; ++number) {
+    std::string old_line;
+    std::string new_line;
+    std::getline(old_lines, old_line);
+    std::getline(new_lines, new_line);
+    if (old_line != new_line || !old_lines || !new_lines) {
+      return fmt::format("line {} is '{}' there and '{}' here", number, old_line, new_line);
+    }
+  }
 }
 
 }  // namespace bulletnav::bench

@@ -12,6 +12,10 @@
 
 namespace bulletnav::bench {
 
+/// Lines of episodes.jsonl as they are, without their ends. Their order is the canonical one: by
+/// agent, setting, condition, seed, scene and episode.
+using ResultLines = std::map<ResultKey, std::string>;
+
 /// The results of one run, in a folder that survives anything: config.yaml (resolved) and
 /// episodes.jsonl, one line a finished episode, on the disk before Append returns. After a kill at
 /// any moment a store opened on the same folder goes on: the line that was being written is gone,
@@ -20,8 +24,8 @@ class ResultStore {
  public:
   /// `config`: everything that results depend on, as YAML text. `can_go_on`, if given, is asked
   /// whether results of another config, which then is replaced, hold for this one. Throws
-  /// sim::Error if another run holds the folder, if its results are of another config, or if lines
-  /// of it are damaged.
+  /// sim::Error if another run holds the folder (with the remedy), if its results are of another
+  /// config, or if lines of it are damaged.
   ResultStore(const std::filesystem::path& folder, const std::string& config,
               const std::function<bool(const std::string& other)>& can_go_on = {});
   ~ResultStore();
@@ -30,6 +34,7 @@ class ResultStore {
   ResultStore(ResultStore&&) = delete;
   ResultStore& operator=(ResultStore&&) = delete;
 
+  const std::filesystem::path& folder() const { return folder_; }
   bool Has(const ResultKey& key) const;
   std::size_t size() const;
   /// Ordered by key.
@@ -41,8 +46,15 @@ class ResultStore {
   /// Takes out the episodes that failed (EpisodeResult::failure), to be played again; returns how
   /// many. The file is whole at any moment.
   int ForgetFailed();
+  /// Sorts the file, so that runs of the same results have the same bytes, in whatever order their
+  /// episodes ended. The file is whole at any moment.
+  void PutInOrder();
+  /// Adds results of other stores, and puts all in order. Throws sim::FileError if one that is
+  /// there already is another.
+  void Add(const ResultLines& lines);
 
  private:
+  void Rewrite(const std::string& text);
   void TakeConfig(const std::string& config,
                   const std::function<bool(const std::string&)>& can_go_on) const;
 
@@ -56,5 +68,10 @@ class ResultStore {
 /// The results in a folder, ordered by key, also while a run writes there: an unfinished last line
 /// is left out. Throws sim::FileError for damaged lines and keys that appear twice.
 std::vector<EpisodeResult> ReadResults(const std::filesystem::path& folder);
+/// The same, as they are written; none if there is no file.
+ResultLines ReadResultLines(const std::filesystem::path& folder);
+
+/// "line 3 is 'seed: 1' there and 'seed: 2' here", of the first lines that differ.
+std::string FirstDifference(const std::string& there, const std::string& here);
 
 }  // namespace bulletnav::bench

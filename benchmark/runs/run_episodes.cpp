@@ -112,15 +112,20 @@ void CheckRunEpisodes(const RunConfig& config, const RunEpisodes& episodes, cons
   });
 }
 
-RunEpisodes PrepareEpisodes(RunConfig* config, std::optional<int> first, const RunTools& tools) {
+std::vector<Episode> Choose(std::vector<Episode> episodes, const EpisodeChoice& choice) {
+  const auto count = static_cast<std::size_t>(choice.first.value_or(0));
+  if (choice.first && count < episodes.size()) episodes.resize(count);
+  return choice.shard ? ShareOf(episodes, *choice.shard) : episodes;
+}
+
+RunEpisodes PrepareEpisodes(RunConfig* config, const EpisodeChoice& choice, const RunTools& tools) {
   MakeRunHouses(*config, tools);
   const bool drawn = DrawRunEpisodes(*config, tools);
   RunEpisodes episodes = ReadRunEpisodes(*config);
   const Fingerprints found = TakeFingerprints(*config, episodes, &tools.scenes);
   CheckFingerprints(*config, found);
   config->fingerprints = found;
-  const auto count = static_cast<std::size_t>(first.value_or(0));
-  if (first && count < episodes.episodes.size()) episodes.episodes.resize(count);
+  episodes.episodes = Choose(std::move(episodes.episodes), choice);
   if (!drawn) CheckRunEpisodes(*config, episodes, tools);
   return episodes;
 }

@@ -10,6 +10,7 @@
 #include "benchmark/episodes/made_houses.h"
 #include "benchmark/episodes/scene_cache.h"
 #include "benchmark/runs/run_config.h"
+#include "benchmark/runs/shard.h"
 
 namespace bulletnav::bench {
 
@@ -44,8 +45,15 @@ void CheckFingerprints(const RunConfig& config, const Fingerprints& found);
 /// Throws sim::Error for starts and goals where no body can stand.
 void CheckRunEpisodes(const RunConfig& config, const RunEpisodes& episodes, const RunTools& tools);
 
-/// These stages in turn. Puts the fingerprints into `config`. Episodes that were not drawn here are
-/// checked; `first`: only so many are, and are returned.
-RunEpisodes PrepareEpisodes(RunConfig* config, std::optional<int> first, const RunTools& tools);
+/// What of the episodes a process plays: of the first so many, if that is given, a share.
+struct EpisodeChoice {
+  std::optional<int> first;
+  std::optional<Shard> shard;
+};
+std::vector<Episode> Choose(std::vector<Episode> episodes, const EpisodeChoice& choice);
+
+/// These stages in turn. Puts the fingerprints into `config`. Returns the episodes of the choice;
+/// unless they were drawn here, they have been checked.
+RunEpisodes PrepareEpisodes(RunConfig* config, const EpisodeChoice& choice, const RunTools& tools);
 
 }  // namespace bulletnav::bench
