@@ -38,8 +38,8 @@ class Agent {
   /// Reset or NextGoal.
   virtual void Reset(const Panorama& goal, std::uint64_t seed) = 0;
 
-  /// Another goal in the same place, from where the body now is; steps go on counting. Agents that
-  /// remember the place override this; others start afresh.
+  /// Another goal in the same place, from where the body now is; steps count on from there. Agents
+  /// that remember the place override this; others start afresh.
   virtual void NextGoal(const Panorama& goal, std::uint64_t seed) { Reset(goal, seed); }
 
   /// The next action. The first observation after Reset has zero odometry.

@@ -1,35 +1,44 @@
 // SPDX-License-Identifier: MIT
 #include "sim/batch_simulator.h"
 
+#include <algorithm>
 #include <functional>
+#include <initializer_list>
 #include <map>
 #include <numeric>
 
-#include "sim/base/check.h"
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include "sim/base/error.h"
 #include "sim/threads/worker_pool.h"
 
 namespace bulletnav::sim {
 
 struct BatchSimulator::Impl {
-  using Renderers = std::map<const RenderScene*, std::unique_ptr<PanoramaRenderer>>;
+  using Renderers = std::map<const RenderScene*, std::unique_ptr<Renderer>>;
 
   Impl(std::vector<std::shared_ptr<const World>> worlds, const SimulatorSpec& the_spec, int workers)
       : spec(the_spec), noise(the_spec.noise), pool(workers) {
     spec.panorama.Validate();
-    for (auto& world : worlds) bodies.push_back(NewBody(std::move(world)));
+    for (auto& world : worlds) bodies.push_back(NewBody(std::move(world), "BatchSimulator"));
     renderers.resize(static_cast<std::size_t>(pool.workers()));
   }
 
-  std::unique_ptr<SimulatedBody> NewBody(std::shared_ptr<const World> world) const {
+  std::unique_ptr<SimulatedBody> NewBody(std::shared_ptr<const World> world,
+                                         const char* call) const {
+    internal::RequireWorld(world, call);
     return std::make_unique<SimulatedBody>(std::move(world), spec.body, noise);
   }
 
-  SimulatedBody& body(int lane) {
-    CHECK(lane >= 0 && static_cast<std::size_t>(lane) < bodies.size());
+  SimulatedBody& body(int lane, const char* call) {
+    if (lane < 0 || static_cast<std::size_t>(lane) >= bodies.size()) {
+      throw Error(fmt::format("{}: there is no lane {}; there are {}", call, lane, bodies.size()));
+    }
     return *bodies[static_cast<std::size_t>(lane)];
   }
 
-  PanoramaRenderer& RendererOf(const RenderScene& scene, int worker) {
+  Renderer& RendererOf(const RenderScene& scene, int worker) {
     auto& renderer = renderers[static_cast<std::size_t>(worker)][&scene];
     if (!renderer) renderer = scene.MakeRenderer(spec.panorama);
     return *renderer;
@@ -75,18 +84,17 @@ struct BatchSimulator::Impl {
   }
 
   /// Lets some lanes act, then draws what they see. `act` gets the place among `lanes`.
-  void ForEachLane(std::span<const int> lanes, const std::function<void(std::size_t place)>& act,
+  void ForEachLane(std::span<const int> lanes,
+                   const std::function<void(SimulatedBody&, std::size_t place)>& act,
                    const BatchObservations& out) {
-    CheckSizes(out);
     const bool draws = !out.color.empty() || !out.depth.empty();
     std::vector<char> together;
     for (const int lane : lanes) {
-      body(lane);  // throws if there is none
       together.push_back(draws && DrawsTogether(static_cast<std::size_t>(lane)) ? 1 : 0);
     }
     pool.ForEach(static_cast<int>(lanes.size()), [&](int place, int worker) {
       const auto i = static_cast<std::size_t>(place);
-      act(i);
+      act(*bodies[static_cast<std::size_t>(lanes[i])], i);
       if (together[i] == 0) Draw(static_cast<std::size_t>(lanes[i]), 1, worker, out);
     });
     if (draws) DrawTogether(lanes, out);
@@ -98,10 +106,27 @@ struct BatchSimulator::Impl {
     return lanes;
   }
 
-  void CheckSizes(const BatchObservations& out) const {
+  /// Throws Error for what a caller cannot mean.
+  void Check(const char* call, std::span<const int> lanes, const BatchObservations& out) {
+    for (std::size_t i = 0; i < lanes.size(); ++i) {
+      if (!body(lanes[i], call).is_placed()) {
+        throw Error(
+            fmt::format("{}: lane {} stands nowhere yet; call Reset first", call, lanes[i]));
+      }
+      if (i > 0 && lanes[i] <= lanes[i - 1]) {
+        throw Error(fmt::format("{}: lanes must rise, and {} comes after {}", call, lanes[i],
+                                lanes[i - 1]));
+      }
+    }
     const std::size_t pixels = spec.panorama.pixels() * bodies.size();
-    CHECK(out.color.empty() || out.color.size() == 3 * pixels);
-    CHECK(out.depth.empty() || out.depth.size() == pixels);
+    CheckSize(call, "values for colour", out.color.size(), {0, 3 * pixels});
+    CheckSize(call, "values for depth", out.depth.size(), {0, pixels});
+  }
+
+  static void CheckSize(const char* call, const char* what, std::size_t size,
+                        std::initializer_list<std::size_t> fitting) {
+    if (std::find(fitting.begin(), fitting.end(), size) != fitting.end()) return;
+    throw Error(fmt::format("{}: got {} {}, {} fit", call, size, what, fmt::join(fitting, " or ")));
   }
 
   SimulatorSpec spec;
@@ -125,13 +150,15 @@ int BatchSimulator::lanes() const {
 }
 
 void BatchSimulator::Reset(int lane, const BodyPose& pose, const EpisodeKey& key) {
-  impl_->body(lane).Reset(pose, key);
+  impl_->body(lane, "BatchSimulator::Reset").Reset(pose, key);
 }
 
 void BatchSimulator::SetWorld(int lane, std::shared_ptr<const World> world) {
-  CHECK(lane >= 0 && lane < lanes());
+  constexpr const char* kCall = "BatchSimulator::SetWorld";
+  impl_->body(lane, kCall);
   auto& slot = impl_->bodies[static_cast<std::size_t>(lane)];
-  const std::unique_ptr<SimulatedBody> old = std::exchange(slot, impl_->NewBody(std::move(world)));
+  const std::unique_ptr<SimulatedBody> old =
+      std::exchange(slot, impl_->NewBody(std::move(world), kCall));
   impl_->DropUnused(old->world());
 }
 
@@ -142,12 +169,15 @@ void BatchSimulator::Step(std::span<const Action> actions, std::span<Sensors> se
 
 void BatchSimulator::Step(std::span<const int> lanes, std::span<const Action> actions,
                           std::span<Sensors> sensors, const BatchObservations& out) {
-  CHECK_EQ(actions.size(), lanes.size());
-  CHECK_EQ(sensors.size(), lanes.size());
+  constexpr const char* kCall = "BatchSimulator::Step";
+  impl_->Check(kCall, lanes, out);
+  Impl::CheckSize(kCall, "actions", actions.size(), {lanes.size()});
+  Impl::CheckSize(kCall, "sensors", sensors.size(), {lanes.size()});
+  for (const Action action : actions) internal::RequireAction(action, kCall);
   impl_->ForEachLane(
       lanes,
-      [&](std::size_t place) {
-        sensors[place] = impl_->body(lanes[place]).Step(actions[place]);
+      [&](SimulatedBody& body, std::size_t place) {
+        sensors[place] = body.Step(actions[place]);
       },
       out);
 }
@@ -157,17 +187,18 @@ void BatchSimulator::Observe(const BatchObservations& out) {
 }
 
 void BatchSimulator::Observe(std::span<const int> lanes, const BatchObservations& out) {
+  impl_->Check("BatchSimulator::Observe", lanes, out);
   impl_->ForEachLane(
-      lanes, [](std::size_t) {}, out);
+      lanes, [](SimulatedBody&, std::size_t) {}, out);
 }
 
 void BatchSimulator::Render(int lane, const CameraPose& camera, const BatchObservations& out) {
-  const RenderScene& scene = impl_->body(lane).world().render_scene();
+  const RenderScene& scene = impl_->body(lane, "BatchSimulator::Render").world().render_scene();
   impl_->RendererOf(scene, 0).Render({&camera, 1}, out.color, out.depth);
 }
 
 const SimulatedBody& BatchSimulator::body(int lane) const {
-  return impl_->body(lane);
+  return impl_->body(lane, "BatchSimulator::body");
 }
 
 }  // namespace bulletnav::sim

@@ -19,10 +19,11 @@ struct BatchObservations {
 /// spec's color and depth flags do not matter here: what is not wanted is an empty span. Threads
 /// take lanes one after the other and draw straight into the caller's memory; on a graphics
 /// processor they do the physics, and neighbouring lanes of one world are drawn together.
+/// Misuse throws Error that names the call, and nothing has happened then: a null world, a lane
+/// that is not there or was not reset, memory that does not fit, an action that is none.
 class BatchSimulator {
  public:
-  /// One world a lane, none of them null (checked); lanes may share worlds. `workers` < 1: one a
-  /// processor.
+  /// One world a lane, none of them null; lanes may share worlds. `workers` < 1: one a processor.
   BatchSimulator(std::vector<std::shared_ptr<const World>> worlds, const SimulatorSpec& spec,
                  int workers);
   ~BatchSimulator();
@@ -35,14 +36,11 @@ class BatchSimulator {
 
   /// Starts an episode in one lane. Throws PoseError and leaves the lane as it was.
   void Reset(int lane, const BodyPose& pose, const EpisodeKey& key = {});
-  /// Moves a lane to another world, where it must be reset before the next Step or Observe
-  /// (checked).
+  /// Moves a lane to another world, where it must be reset before the next Step or Observe.
   void SetWorld(int lane, std::shared_ptr<const World> world);
 
   /// One action a lane; writes every lane's sensors and observation. An exception in a lane is
-  /// thrown here once all lanes have finished. Expects, here and below: every lane has been reset,
-  /// as many actions and sensors as lanes, buffers empty or of the batch's size, lanes in range
-  /// (checked).
+  /// thrown here once all lanes have finished.
   void Step(std::span<const Action> actions, std::span<Sensors> sensors,
             const BatchObservations& out);
   /// The same for some lanes, in rising order: actions and sensors in their order, `out` still of

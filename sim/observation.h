@@ -13,7 +13,7 @@ struct Sensors {
   bool collided = false;  // the bumper: something was in the way
 };
 
-/// What the body senses after a reset or a step. Panorama: see PanoramaRenderer.
+/// What the body senses after a reset or a step. Panorama: see Renderer.
 struct Observation {
   std::vector<std::uint8_t> color;  // [rows, cols, 3], empty if the spec wants none
   std::vector<float> depth;         // [rows, cols] metres, likewise

@@ -23,19 +23,21 @@ struct EpisodeKey {
 /// Deterministic: what a step does is a function of the world, the body's spec, the noise, the key
 /// and the actions since Reset; not of threads or of other bodies.
 /// Source: Neural Topological SLAM, section 5; noise of Active Neural SLAM.
+/// Misuse throws Error that names the call.
 class SimulatedBody {
  public:
-  /// Expects: a world (checked), which it keeps.
+  /// Keeps the world. Throws Error if it is null or the spec is bad.
   SimulatedBody(std::shared_ptr<const World> world, const BodySpec& spec, const NoiseModel& noise);
 
   /// Puts the body down (see CapsuleBody::Reset) and starts an episode. Throws PoseError and
   /// changes nothing if the body cannot stand there.
   void Reset(const BodyPose& pose, const EpisodeKey& key);
 
-  /// Executes one action with noise; kStop moves nothing. Expects: a Reset before (checked).
+  /// Executes one action with noise; kStop moves nothing. Throws Error before the first Reset.
   Sensors Step(Action action);
 
-  /// Where the camera is now: spec.camera_height above the feet. Expects: a Reset before (checked).
+  /// Where the camera is now: spec.camera_height above the feet. Throws Error before the first
+  /// Reset.
   CameraPose camera_pose() const;
 
   /// Ground truth, for metrics, drawing and privileged agents only.
@@ -46,6 +48,8 @@ class SimulatedBody {
   /// Metres really moved since Reset: the L of SPL.
   double path_length() const { return path_length_; }
   const World& world() const { return *world_; }
+  /// Whether there was a Reset.
+  bool is_placed() const { return is_placed_; }
 
  private:
   std::shared_ptr<const World> world_;
@@ -58,4 +62,11 @@ class SimulatedBody {
   double path_length_ = 0.0;
 };
 
+namespace internal {
+
+/// What callers of a simulator got wrong, as an Error that names the call.
+void RequireWorld(const std::shared_ptr<const World>& world, const char* call);
+void RequireAction(Action action, const char* call);
+
+}  // namespace internal
 }  // namespace bulletnav::sim

@@ -33,13 +33,13 @@ struct SimulatorSpec {
 /// Cost of a step: one panorama; physics and noise are some tens of microseconds.
 class Simulator {
  public:
-  /// Expects: a world (checked), which it keeps.
+  /// Keeps the world. Throws Error if it is null or the spec is bad.
   Simulator(std::shared_ptr<const World> world, const SimulatorSpec& spec);
 
   /// Starts an episode. Throws PoseError and changes nothing if the body cannot stand there. The
   /// odometry of the first observation is zero.
   const Observation& Reset(const BodyPose& pose, const EpisodeKey& key = {});
-  /// Expects: a Reset before (checked).
+  /// Throws Error before the first Reset.
   const Observation& Step(Action action);
 
   /// Ground truth, for metrics, drawing and privileged agents only.
@@ -51,7 +51,7 @@ class Simulator {
 
   SimulatorSpec spec_;
   SimulatedBody body_;
-  std::unique_ptr<PanoramaRenderer> renderer_;
+  std::unique_ptr<Renderer> renderer_;
   Observation observation_;
 };
 

@@ -6,7 +6,7 @@
 
 #include "sim/navmesh/navmesh.h"
 #include "sim/physics/physics_world.h"
-#include "sim/render/panorama_renderer.h"
+#include "sim/render/renderer.h"
 #include "sim/scene/import.h"
 
 namespace bulletnav::sim {

@@ -44,7 +44,7 @@ DepthRing::DepthRing(const Rig& rig, const MapSpec& spec)
 
 void DepthRing::Project(const Panorama& panorama, double x, double y, double yaw) {
   const std::span<const float> depth = panorama.depth;
-  CHECK_EQ(depth.size(), static_cast<std::size_t>(rows_) * cols_);
+  BULLETNAV_CHECK_EQ(depth.size(), static_cast<std::size_t>(rows_) * cols_);
   Clear();
   std::fill(free_.begin(), free_.end(), kNothingSeen);
   TurnColumns(yaw);

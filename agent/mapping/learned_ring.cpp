@@ -21,7 +21,7 @@ LearnedRing::LearnedRing(std::shared_ptr<FreeSpaceModel> model, const MapSpec& s
       vision_(std::min(spec.vision, FreeSpace::kReach)),
       cell_(spec.cell),
       obstacle_(static_cast<std::uint16_t>(spec.obstacle_points)) {
-  CHECK(model_ != nullptr);
+  BULLETNAV_CHECK(model_ != nullptr);
 }
 
 /// Asks for each cell of the window where its middle lies in the mapper's map. A line of cells as

@@ -177,7 +177,7 @@ void WriteTensorFile(const std::filesystem::path& file, const TensorFile& conten
   header[kMetadata] = content.metadata;
   std::vector<std::uint8_t> data;
   for (const auto& [name, tensor] : content.tensors) {
-    CHECK_EQ(CountOf(tensor.shape).value(), tensor.values.size());
+    BULLETNAV_CHECK_EQ(CountOf(tensor.shape).value(), tensor.values.size());
     const std::size_t begin = data.size();
     Append(tensor.values, type, &data);
     header[name] = {{"dtype", type == StoredType::kFloat32 ? "F32" : "BF16"},

@@ -51,7 +51,7 @@ class NtsAgent : public Agent {
   /// body could not get.
   void DropKnownGhosts();
   bool IsSeen(const Point& ghost) const;
-  /// Whether going there would be no news: it has been visited, seen or given up.
+  /// Whether nothing new is to be had there: it has been visited, seen or given up.
   bool IsKnown(const Point& point) const;
   bool IsVisited(const Point& point, double radius) const;
   bool IsGivenUp(const Point& point) const;

@@ -31,7 +31,7 @@ int TopologicalGraph::AddNode(RegularNode node) {
 }
 
 void TopologicalGraph::AddEdge(int a, int b) {
-  CHECK(a != b);
+  BULLETNAV_CHECK(a != b);
   if (HasEdge(a, b)) return;
   const sim::PlanarPose& from = nodes_.at(static_cast<std::size_t>(a)).pose;
   const sim::PlanarPose& to = nodes_.at(static_cast<std::size_t>(b)).pose;

@@ -167,13 +167,13 @@ torch::Tensor PrepareInput(const ModelConfig& config, const torch::Tensor& color
 
 torch::Tensor PrepareInput(const ModelConfig& config, const Panorama& panorama) {
   constexpr std::size_t kPixels = std::size_t{kPanoramaRows} * kPanoramaCols;
-  CHECK_EQ(panorama.color.size(), 3 * kPixels);
+  BULLETNAV_CHECK_EQ(panorama.color.size(), 3 * kPixels);
   // Torch has no tensors of constants; these are only read.
   const torch::Tensor color = torch::from_blob(const_cast<std::uint8_t*>(panorama.color.data()),
                                                {1, kPanoramaRows, kPanoramaCols, 3}, torch::kUInt8);
   torch::Tensor depth;
   if (config.uses_depth()) {
-    CHECK_EQ(panorama.depth.size(), kPixels);
+    BULLETNAV_CHECK_EQ(panorama.depth.size(), kPixels);
     depth = torch::from_blob(const_cast<float*>(panorama.depth.data()),
                              {1, kPanoramaRows, kPanoramaCols}, torch::kFloat32);
   }

@@ -13,7 +13,7 @@ namespace {
 
 sim::Grid<float> ToGrid(const torch::Tensor& map) {
   sim::Grid<float> grid(FreeSpace::kSide);
-  CHECK_EQ(static_cast<std::size_t>(map.numel()), grid.values().size());
+  BULLETNAV_CHECK_EQ(static_cast<std::size_t>(map.numel()), grid.values().size());
   const torch::Tensor flat = map.contiguous();
   const float* values = flat.data_ptr<float>();
   for (std::size_t i = 0; i < grid.values().size(); ++i) grid[i] = values[i];

@@ -32,7 +32,7 @@ void Append(const torch::Tensor& part, PanoramaCode* code) {
 
 std::array<float, kDirections> ToArray(const torch::Tensor& row) {
   const torch::Tensor flat = row.contiguous();
-  CHECK_EQ(flat.numel(), kDirections);
+  BULLETNAV_CHECK_EQ(flat.numel(), kDirections);
   std::array<float, kDirections> values{};
   std::copy_n(flat.data_ptr<float>(), kDirections, values.begin());
   return values;
@@ -83,7 +83,7 @@ class LearnedModel::Impl {
 
  private:
   PanoramaParts Parts(const PanoramaCode& code) const {
-    CHECK_EQ(code.size(), layout().size());
+    BULLETNAV_CHECK_EQ(code.size(), layout().size());
     std::int64_t at = kDirections;
     const auto next = [&](std::int64_t features) {
       const std::int64_t begin = std::exchange(at, at + kDirections * features);
@@ -117,7 +117,7 @@ std::vector<PanoramaCode> LearnedModel::Encode(std::span<const Panorama> panoram
 }
 
 std::array<float, kDirections> LearnedModel::Explorable(const PanoramaCode& source) {
-  CHECK_EQ(source.size(), impl_->layout().size());
+  BULLETNAV_CHECK_EQ(source.size(), impl_->layout().size());
   std::array<float, kDirections> probabilities{};
   std::copy_n(source.begin(), kDirections, probabilities.begin());
   return probabilities;

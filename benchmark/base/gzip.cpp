@@ -31,7 +31,7 @@ uInt InputSize(std::size_t size) {
 
 class Inflater {
  public:
-  Inflater() { CHECK_EQ(inflateInit2(&stream_, kGzipFormat), Z_OK); }
+  Inflater() { BULLETNAV_CHECK_EQ(inflateInit2(&stream_, kGzipFormat), Z_OK); }
   ~Inflater() { inflateEnd(&stream_); }
   Inflater(const Inflater&) = delete;
   Inflater& operator=(const Inflater&) = delete;
@@ -40,7 +40,7 @@ class Inflater {
 
   /// Unpacks one member to the end of `text`; returns the bytes behind it.
   std::span<const std::uint8_t> Member(std::span<const std::uint8_t> bytes, std::string* text) {
-    CHECK_EQ(inflateReset(&stream_), Z_OK);
+    BULLETNAV_CHECK_EQ(inflateReset(&stream_), Z_OK);
     bool is_over = false;
     while (!is_over) {
       if (bytes.empty()) throw Error("the gzip data is cut off; copy or download the file again");
@@ -81,17 +81,17 @@ bool IsGzip(std::span<const std::uint8_t> bytes) {
 }
 
 std::vector<std::uint8_t> Compress(std::string_view text) {
-  CHECK_LE(text.size(), kMostText);
+  BULLETNAV_CHECK_LE(text.size(), kMostText);
   z_stream stream{};
-  CHECK_EQ(deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, kGzipFormat, kMemoryLevel,
-                        Z_DEFAULT_STRATEGY),
-           Z_OK);
+  BULLETNAV_CHECK_EQ(deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, kGzipFormat,
+                                  kMemoryLevel, Z_DEFAULT_STRATEGY),
+                     Z_OK);
   std::vector<std::uint8_t> bytes(deflateBound(&stream, text.size()));
   stream.next_in = Input(text.data());
   stream.avail_in = static_cast<uInt>(text.size());
   stream.next_out = bytes.data();
   stream.avail_out = static_cast<uInt>(bytes.size());
-  CHECK_EQ(deflate(&stream, Z_FINISH), Z_STREAM_END);
+  BULLETNAV_CHECK_EQ(deflate(&stream, Z_FINISH), Z_STREAM_END);
   bytes.resize(stream.total_out);
   deflateEnd(&stream);
   return bytes;

@@ -10,7 +10,6 @@ void AddBenchCommand(CLI::App* program);
 void AddCompareCommand(CLI::App* program);
 void AddDatasetCommand(CLI::App* program);
 void AddTrainCommand(CLI::App* program);
-/// Handed over to bulletnav-learn, as training is.
 void AddEvaluatePerceptionCommand(CLI::App* program);
 void AddEpisodesCommand(CLI::App* program);
 /// Joins the shards of a run.

@@ -10,10 +10,10 @@
 #include "benchmark/base/program_version.h"
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/progress.h"
-#include "benchmark/training/data_config.h"
-#include "benchmark/training/dataset.h"
-#include "benchmark/training/label_picture.h"
-#include "benchmark/training/label_statistics.h"
+#include "benchmark/training/supervised/data_config.h"
+#include "benchmark/training/supervised/dataset.h"
+#include "benchmark/training/supervised/label_picture.h"
+#include "benchmark/training/supervised/label_statistics.h"
 #include "sim/base/error.h"
 
 namespace bulletnav::bench {
@@ -80,7 +80,7 @@ void AddDatasetCommand(CLI::App* program) {
       ->add_option("config", options->config,
                    "YAML file with a block 'data', as configs/train/data.yaml")
       ->required();
-  command->add_option("--workers", options->workers, "Threads (default: one a processor)")
+  command->add_option("--workers", options->workers, "Threads (default: one per processor)")
       ->check(CLI::Range(1, 1024));
   auto* draw = command->add_option(
       "--draw", options->draw, "Folder for pictures of some points of one scene; label no more");

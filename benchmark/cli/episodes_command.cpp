@@ -66,7 +66,7 @@ void AddGenerate(CLI::App* episodes) {
       "generate", "Draw easy, medium, hard and sequential-goal episodes in scenes");
   command->add_option("config", options->config, "YAML file, as configs/episodes.yaml")->required();
   command->add_option("--out", options->out, "File to write instead of the config's");
-  command->add_option("--workers", options->workers, "Threads (default: one a processor)")
+  command->add_option("--workers", options->workers, "Threads (default: one per processor)")
       ->check(CLI::Range(1, 1024));
   command->callback([options] {
     Generate(*options);

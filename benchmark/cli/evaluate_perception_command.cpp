@@ -99,7 +99,7 @@ void AddEvaluatePerceptionCommand(CLI::App* program) {
       ->required();
   command->add_option("--weights", options->weights, "Instead of the config's");
   command->add_option("--out", options->out, "Folder, instead of the config's");
-  command->add_option("--workers", options->workers, "Threads (default: one a processor)")
+  command->add_option("--workers", options->workers, "Threads (default: one per processor)")
       ->check(CLI::Range(1, 1024));
   command->add_flag("--json", options->json, "Print JSON instead of tables");
   command->callback([options] {

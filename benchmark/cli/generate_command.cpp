@@ -59,7 +59,7 @@ void AddGenerateCommand(CLI::App* scenes) {
       ->check(CLI::Range(0, 1'000'000'000))
       ->capture_default_str();
   command->add_option("--out", options->out, "Folder to write to")->capture_default_str();
-  command->add_option("--workers", options->set.workers, "Threads; 0: one a processor")
+  command->add_option("--workers", options->set.workers, "Threads; 0: one per processor")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
   command->callback([options] {

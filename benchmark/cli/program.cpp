@@ -41,6 +41,8 @@ int Run(int argc, char** argv, const std::function<void(CLI::App*)>& add_command
     program.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return program.exit(e);
+    // A command has told its trouble itself.
+    if (e.get_name() == "RuntimeError") return e.get_exit_code();
     const std::string command = argc > 1 ? argv[1] : "";
     if (!command.empty() && command[0] != '-' && !HasCommand(program, command)) {
       return Complain("there is no command '" + command + "'; see --help", kBadUse);

@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "benchmark/cli/camera_options.h"
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/progress.h"
 #include "benchmark/cli/scene_options.h"
@@ -28,31 +29,12 @@ constexpr int kTries = 100;
 struct RenderOptions {
   SceneOptions scene;
   sim::Backend backend = sim::Backend::kAuto;
-  sim::PanoramaSpec panorama;
+  CameraOptions camera;
   std::vector<double> pose;  // x, y, z, yaw in degrees
   int random = 0;
   std::uint64_t seed = 0;
-  std::string size = "512x128";
   std::filesystem::path out;
 };
-
-/// "WxH" -> cols and rows.
-void ParseSize(const std::string& text, sim::PanoramaSpec* spec) {
-  int width = 0;
-  int height = 0;
-  int used = 0;
-  const int fields = std::sscanf(text.c_str(), "%6dx%6d%n", &width, &height, &used);
-  if (fields != 2 || used != static_cast<int>(text.size())) {
-    throw Error("--size " + text + ": is not WIDTHxHEIGHT, as in 512x128");
-  }
-  spec->cols = width;
-  spec->rows = height;
-  try {
-    spec->Validate();
-  } catch (const Error& e) {
-    throw Error("--size " + text + ": " + e.what());
-  }
-}
 
 /// The body's pose at a random free place. Throws sim::PoseError if none is found.
 BodyPose RandomPose(const sim::NavmeshQuery& query, sim::CapsuleBody* body, sim::Rng* rng) {
@@ -91,9 +73,9 @@ BodyPose GivenPose(const sim::World& world, const RenderOptions& options) {
 }
 
 void WritePictures(const std::filesystem::path& folder, const std::string& stem,
-                   const sim::PanoramaSpec& spec, const std::vector<std::uint8_t>& color,
+                   const sim::PictureSize& size, const std::vector<std::uint8_t>& color,
                    const std::vector<float>& depth) {
-  sim::Image image(spec.cols, spec.rows, 3);
+  sim::Image image(size.cols, size.rows, 3);
   image.pixels = color;
   sim::WritePng(folder / (stem + "_color.png"), image);
   std::vector<std::uint16_t> millimetres;
@@ -102,7 +84,7 @@ void WritePictures(const std::filesystem::path& folder, const std::string& stem,
     millimetres.push_back(static_cast<std::uint16_t>(std::min(65535.0f, std::round(1000.0f * d))));
   }
   sim::WriteFileAtomically(folder / (stem + "_depth.png"),
-                           sim::EncodePng16(millimetres, spec.cols, spec.rows));
+                           sim::EncodePng16(millimetres, size.cols, size.rows));
 }
 
 std::shared_ptr<const sim::World> LoadWorld(const std::filesystem::path& file,
@@ -111,19 +93,20 @@ std::shared_ptr<const sim::World> LoadWorld(const std::filesystem::path& file,
   return sim::World::Load(file, options);
 }
 
-void Render(RenderOptions options) {
-  ParseSize(options.size, &options.panorama);
+void Render(const RenderOptions& options) {
+  const sim::CameraSpec spec = options.camera.spec();
+  const sim::PictureSize size = sim::SizeOf(spec);
   sim::WorldOptions world_options;
   world_options.import = options.scene.import();
   world_options.backend = options.backend;
   const auto world = LoadWorld(options.scene.file, world_options);
   fmt::print(stderr, "{}", TextureWarnings(options.scene.file.string(), world->report()));
-  const auto renderer = world->render_scene().MakeRenderer(options.panorama);
+  const auto renderer = world->render_scene().MakeRenderer(spec);
   const std::vector<BodyPose> poses =
       options.pose.empty() ? RandomPoses(*world, std::max(1, options.random), options.seed)
                            : std::vector<BodyPose>{GivenPose(*world, options)};
-  std::vector<std::uint8_t> color(3 * options.panorama.pixels());
-  std::vector<float> depth(options.panorama.pixels());
+  std::vector<std::uint8_t> color(3 * size.pixels());
+  std::vector<float> depth(size.pixels());
   sim::MakeFolder(options.out);
   nlohmann::json list = nlohmann::json::array();
   Progress progress("rendering", static_cast<int>(poses.size()));
@@ -134,14 +117,15 @@ void Render(RenderOptions options) {
     const sim::CameraPose camera{eye.cast<float>(), static_cast<float>(pose.yaw)};
     renderer->Render({&camera, 1}, color, depth);
     const std::string stem = fmt::format("{:04}", i);
-    WritePictures(options.out, stem, options.panorama, color, depth);
+    WritePictures(options.out, stem, size, color, depth);
     list.push_back({{"name", stem},
                     {"position", {pose.position.x(), pose.position.y(), pose.position.z()}},
                     {"yaw_deg", sim::RadToDeg(pose.yaw)}});
     progress.Advance();
   }
   sim::WriteFileAtomically(options.out / "poses.json", list.dump(1) + "\n");
-  fmt::print("{} panorama{} in {} ({})\n", poses.size(), poses.size() == 1 ? "" : "s",
+  const char* what = std::holds_alternative<sim::PanoramaSpec>(spec) ? "panorama" : "picture";
+  fmt::print("{} {}{} in {} ({})\n", poses.size(), what, poses.size() == 1 ? "" : "s",
              options.out.string(), world->render_scene().description());
 }
 
@@ -150,7 +134,7 @@ void Render(RenderOptions options) {
 void AddRenderCommand(CLI::App* program) {
   auto options = std::make_shared<RenderOptions>();
   CLI::App* command = program->add_subcommand(
-      "render", "Draw panoramas: colour PNG and 16-bit depth PNG in millimetres");
+      "render", "Draw panoramas or flat pictures: colour PNG and 16-bit depth PNG in millimetres");
   options->scene.AddTo(command);
   CLI::Option* pose =
       command->add_option("--pose", options->pose, "Place on the floor and heading: X,Y,Z,YAW_DEG")
@@ -162,8 +146,7 @@ void AddRenderCommand(CLI::App* program) {
   command->add_option("--seed", options->seed, "Seed of the random places")
       ->check(CLI::Range(0, 1'000'000'000));
   AddBackendOption(command, &options->backend);
-  AddEnumOption(command, "--projection", &options->panorama.projection, "Projection");
-  command->add_option("--size", options->size, "Width and height in pixels: WxH");
+  options->camera.AddTo(command);
   command->add_option("--out", options->out, "Folder for the pictures")->required();
   command->callback([options] {
     Render(*options);

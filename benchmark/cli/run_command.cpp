@@ -129,7 +129,7 @@ void AddRunCommand(CLI::App* program) {
       ->required();
   command->add_option("--episodes", options->run.episodes, "Only the first so many")
       ->check(CLI::Range(1, 100'000'000));
-  command->add_option("--workers", options->run.workers, "Threads (default: one a processor)")
+  command->add_option("--workers", options->run.workers, "Threads (default: one per processor)")
       ->check(CLI::Range(1, 1024));
   command->add_option("--out", options->out, "Folder of results (default: results/NAME)");
   command

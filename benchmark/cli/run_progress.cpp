@@ -45,7 +45,7 @@ void RunProgress::Add(const EpisodeResult& result) {
   loading_.reset();
   ++done_;
   Count(result);
-  for (const GoalMetrics& goal : result.goals) steps_ += goal.steps;
+  for (const GoalMetrics& goal : result.goals) steps_ += goal.Whole("steps");
   const Clock::time_point now = Clock::now();
   if (Seconds(now - shown_) < (is_terminal_ ? kTerminalStepS : kLogStepS)) return;
   shown_ = now;
@@ -70,9 +70,9 @@ void RunProgress::Count(const EpisodeResult& result) {
   row->failed += result.failure.empty() ? 0 : 1;
   const auto goals = static_cast<double>(result.goals.size());
   for (const GoalMetrics& goal : result.goals) {
-    row->success += (goal.success ? 1.0 : 0.0) / goals;
-    row->spl += goal.spl / goals;
-    row->steps += goal.steps;
+    row->success += (goal.success() ? 1.0 : 0.0) / goals;
+    row->spl += goal.Value("spl") / goals;
+    row->steps += goal.Whole("steps");
   }
 }
 

@@ -50,7 +50,7 @@ std::string Mean(const std::vector<double>& values) {
 }  // namespace
 
 std::string TextHistogram(const std::vector<double>& values, double low, double width, int bins) {
-  CHECK(width > 0.0 && bins > 0);
+  BULLETNAV_CHECK(width > 0.0 && bins > 0);
   std::vector<std::size_t> counts(static_cast<std::size_t>(bins), 0);
   for (const double value : values) {
     const double bin = std::floor((value - low) / width);

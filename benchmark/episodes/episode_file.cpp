@@ -39,10 +39,10 @@ std::string OwnerName(const Json& episode, std::size_t i) {
   return "episode '" + id->get<std::string>() + "'";
 }
 
-std::vector<Episode> ParseList(const Json& list, const fs::path& file) {
+std::vector<Episode> ParseList(const JsonCursor& list, const fs::path& file) {
   std::vector<Episode> episodes;
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    const Json json = ToHabitatForm(list[i]);
+  for (std::size_t i = 0; i < list.Size(); ++i) {
+    const Json json = ToHabitatForm(list.value()[i]);
     episodes.push_back(EpisodeFromJson({json, file, OwnerName(json, i)}));
   }
   return episodes;
@@ -77,13 +77,12 @@ Json ToJson(const EpisodeSet& set, EpisodeFormat format) {
 
 EpisodeSet ReadEpisodes(const fs::path& file) {
   Json json = ParseJson(ReadText(file), file);
+  const JsonCursor whole(json, file);
   EpisodeSet set;
   if (json.is_array()) {
-    set.episodes = ParseList(json, file);
+    set.episodes = ParseList(whole, file);
   } else {
-    const JsonCursor list = JsonCursor(json, file, "").At("episodes");
-    list.ExpectList();
-    set.episodes = ParseList(list.value(), file);
+    set.episodes = ParseList(whole.At("episodes"), file);
     // Its place among the other keys stays marked.
     json["episodes"] = nullptr;
     if (json.size() > 1) set.other = json.dump();

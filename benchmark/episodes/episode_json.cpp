@@ -50,9 +50,8 @@ EpisodeGoal ReadFurtherGoal(const JsonCursor& json) {
 
 std::vector<EpisodeGoal> ReadGoals(const JsonCursor& json) {
   const JsonCursor list = json.At("goals");
-  list.ExpectList();
-  if (list.value().size() != 1) {
-    list.Fail("has " + std::to_string(list.value().size()) +
+  if (list.Size() != 1) {
+    list.Fail("has " + std::to_string(list.Size()) +
               " goals; exactly one is read, a sequence goes into info.further_goals");
   }
   const JsonCursor info = json.At("info");
@@ -64,8 +63,7 @@ std::vector<EpisodeGoal> ReadGoals(const JsonCursor& json) {
   std::vector<EpisodeGoal> goals = {first};
   if (!info.Has("further_goals")) return goals;
   const JsonCursor further = info.At("further_goals");
-  further.ExpectList();
-  for (std::size_t i = 0; i < further.value().size(); ++i) {
+  for (std::size_t i = 0; i < further.Size(); ++i) {
     goals.push_back(ReadFurtherGoal(further.Item(i)));
   }
   return goals;

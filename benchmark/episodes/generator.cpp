@@ -112,9 +112,8 @@ std::vector<std::string> ScenesOf(const GeneratorSpec& spec) {
   }
   const Json json = ParseJson(sim::ReadTextFile(file), file);
   const JsonCursor houses = JsonCursor(json, file, "").At("houses");
-  houses.ExpectList();
   const std::size_t before = scenes.size();
-  for (std::size_t i = 0; i < houses.value().size(); ++i) {
+  for (std::size_t i = 0; i < houses.Size(); ++i) {
     const JsonCursor house = houses.Item(i);
     if (house.At("split").Text() != spec.houses->split) continue;
     scenes.push_back((file.parent_path() / house.At("file").Text()).string());

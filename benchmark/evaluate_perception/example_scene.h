@@ -6,7 +6,7 @@
 
 #include "benchmark/evaluate_perception/perception_cases.h"
 #include "benchmark/report/scene_map.h"
-#include "benchmark/training/scene_panoramas.h"
+#include "benchmark/training/supervised/scene_panoramas.h"
 #include "sim/image/image.h"
 
 namespace bulletnav::bench {

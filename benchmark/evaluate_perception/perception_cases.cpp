@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "benchmark/evaluate_perception/wall_count.h"
-#include "benchmark/training/scene_panoramas.h"
+#include "benchmark/training/supervised/scene_panoramas.h"
 #include "sim/scene/import.h"
 #include "sim/threads/worker_pool.h"
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "agent/models/semantic_model.h"
-#include "benchmark/training/dataset.h"
+#include "benchmark/training/supervised/dataset.h"
 
 namespace bulletnav::bench {
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "benchmark/training/data_config.h"
+#include "benchmark/training/supervised/data_config.h"
 
 namespace bulletnav::bench {
 

@@ -68,7 +68,7 @@ std::vector<double> Ranks(std::span<const double> values) {
 }
 
 double RankCorrelation(std::span<const double> a, std::span<const double> b) {
-  CHECK_EQ(a.size(), b.size());
+  BULLETNAV_CHECK_EQ(a.size(), b.size());
   const std::vector<double> ranks_a = Ranks(a);
   const std::vector<double> ranks_b = Ranks(b);
   const double middle = 0.5 * static_cast<double>(a.size() + 1);

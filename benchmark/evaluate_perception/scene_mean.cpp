@@ -16,7 +16,7 @@ constexpr std::size_t kTail = 25;  // draws beyond either end of the interval
 }  // namespace
 
 void SceneMean::Add(double value) {
-  CHECK(!scenes_.empty());
+  BULLETNAV_CHECK(!scenes_.empty());
   scenes_.back().sum += value;
   ++scenes_.back().count;
 }

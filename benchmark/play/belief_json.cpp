@@ -57,25 +57,15 @@ Json ToJson(const MapPicture& map) {
           {"rows", std::move(rows)}};
 }
 
-/// A whole number from 0 to `most`.
-int Whole(const JsonCursor& json, int most) {
-  if (!json.value().is_number_unsigned() ||
-      json.value().get<std::uint64_t>() > static_cast<std::uint64_t>(most)) {
-    json.Fail("expected a whole number up to " + std::to_string(most));
-  }
-  return json.value().get<int>();
-}
-
 MapPicture ReadMap(const JsonCursor& json) {
   MapPicture map;
-  map.size = Whole(json.At("size"), kLargestMap);
-  map.cell = json.At("cell").Number();
-  if (!(map.cell > 0.0)) json.At("cell").Fail("expected a positive number");
+  map.size = static_cast<int>(json.At("size").Whole(kLargestMap));
+  map.cell = json.At("cell").Positive();
   map.low_x = json.At("low_x").Number();
   map.low_y = json.At("low_y").Number();
   const JsonCursor rows = json.At("rows");
   rows.ExpectList(static_cast<std::size_t>(map.size));
-  for (std::size_t y = 0; y < rows.value().size(); ++y) ReadRow(rows.Item(y), &map);
+  for (std::size_t y = 0; y < rows.Size(); ++y) ReadRow(rows.Item(y), &map);
   return map;
 }
 
@@ -94,38 +84,31 @@ Json ToJson(const GraphPicture& graph) {
 }
 
 GraphPicture::Node ReadNode(const JsonCursor& json) {
-  json.ExpectList();
-  const bool has_score = json.value().size() == 4;
+  const bool has_score = json.Size() == 4;
   if (!has_score) json.ExpectList(3);
-  GraphPicture::Node node{json.Item(0).Number(), json.Item(1).Number(),
-                          Whole(json.Item(2), 1) == 1};
+  GraphPicture::Node node{json.Item(0).Number(), json.Item(1).Number(), json.Item(2).Whole(1) == 1};
   if (has_score) node.score = json.Item(3).Number();
   return node;
 }
 
 void ReadPath(const JsonCursor& json, GraphPicture* graph) {
-  json.ExpectList();
-  for (std::size_t i = 0; i < json.value().size(); ++i) {
-    if (graph->nodes.empty()) json.Fail("there are no nodes");
-    graph->path.push_back(Whole(json.Item(i), static_cast<int>(graph->nodes.size()) - 1));
+  for (std::size_t i = 0; i < json.Size(); ++i) {
+    graph->path.push_back(json.Item(i).Index(graph->nodes.size(), "nodes"));
   }
 }
 
 GraphPicture ReadGraph(const JsonCursor& json) {
   GraphPicture graph;
   const JsonCursor nodes = json.At("nodes");
-  nodes.ExpectList();
-  for (std::size_t i = 0; i < nodes.value().size(); ++i) {
-    graph.nodes.push_back(ReadNode(nodes.Item(i)));
-  }
+  for (std::size_t i = 0; i < nodes.Size(); ++i) graph.nodes.push_back(ReadNode(nodes.Item(i)));
   const JsonCursor edges = json.At("edges");
-  edges.ExpectList();
-  for (std::size_t i = 0; i < edges.value().size(); ++i) {
+  for (std::size_t i = 0; i < edges.Size(); ++i) {
     const JsonCursor edge = edges.Item(i);
     edge.ExpectList(2);
-    const int last = static_cast<int>(graph.nodes.size()) - 1;
-    if (last < 0) edge.Fail("there are no nodes");
-    graph.edges.emplace_back(Whole(edge.Item(0), last), Whole(edge.Item(1), last));
+    const auto node = [&](std::size_t end) {
+      return edge.Item(end).Index(graph.nodes.size(), "nodes");
+    };
+    graph.edges.emplace_back(node(0), node(1));
   }
   if (json.Has("path")) ReadPath(json.At("path"), &graph);
   return graph;

@@ -105,7 +105,7 @@ agent::Panorama Environment::goal(int lane) const {
 }
 
 void Environment::Observe(std::span<const int> lanes) {
-  for (const int lane : lanes) CHECK(!is_over(lane));
+  for (const int lane : lanes) BULLETNAV_CHECK(!is_over(lane));
   if (draws()) simulator_->Observe(lanes, {color_, depth_});
 }
 
@@ -124,7 +124,7 @@ agent::Observation Environment::observation(int lane) const {
 
 std::span<const StepOutcome> Environment::Step(std::span<const int> lanes,
                                                std::span<const sim::Action> actions) {
-  for (const int lane : lanes) CHECK(!is_over(lane));
+  for (const int lane : lanes) BULLETNAV_CHECK(!is_over(lane));
   read_.resize(lanes.size());
   simulator_->Step(lanes, actions, read_, {});
   outcomes_.clear();

@@ -11,52 +11,52 @@
 namespace bulletnav::bench {
 namespace {
 
-Json Finite(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
+constexpr std::uint64_t kMostWhole = std::numeric_limits<int>::max();
+
+Json ValueToJson(double value, MeasureKind kind) {
+  switch (kind) {
+    case MeasureKind::kYesNo:
+      return value != 0.0;
+    case MeasureKind::kWhole:
+      return static_cast<std::int64_t>(value);
+    case MeasureKind::kReal:
+    case MeasureKind::kRealOrInfinite:
+      return std::isfinite(value) ? Json(value) : Json(nullptr);
+  }
+  return {};
 }
 
 void WriteMetrics(const GoalMetrics& metrics, Json* json) {
-  (*json)["success"] = metrics.success;
-  (*json)["success_euclidean"] = metrics.success_euclidean;
-  (*json)["spl"] = metrics.spl;
-  (*json)["soft_spl"] = metrics.soft_spl;
-  (*json)["start_distance"] = metrics.start_distance;
-  (*json)["distance_to_goal"] = Finite(metrics.distance_to_goal);
-  (*json)["euclidean_distance"] = metrics.euclidean_distance;
-  (*json)["path_length"] = metrics.path_length;
-  (*json)["steps"] = metrics.steps;
-  (*json)["collisions"] = metrics.collisions;
-}
-
-bool Truth(const JsonCursor& json) {
-  if (!json.value().is_boolean()) json.Fail("expected true or false here");
-  return json.value().get<bool>();
-}
-
-template <class Integer>
-Integer Whole(const JsonCursor& json) {
-  if (!json.value().is_number_unsigned()) json.Fail("expected a whole number here");
-  const auto value = json.value().get<std::uint64_t>();
-  if (value > static_cast<std::uint64_t>(std::numeric_limits<Integer>::max())) {
-    json.Fail("is too large a number");
+  for (const Measure& measure : AllMeasures()) {
+    const std::string name(measure.name);
+    BULLETNAV_CHECK(!json->contains(name));  // a measure called like a part of the key
+    const std::optional<double> value = metrics.Find(name);
+    if (value) (*json)[name] = ValueToJson(*value, measure.kind);
   }
-  return static_cast<Integer>(value);
 }
 
+double ReadValue(const JsonCursor& json, MeasureKind kind) {
+  switch (kind) {
+    case MeasureKind::kYesNo:
+      return json.Truth() ? 1.0 : 0.0;
+    case MeasureKind::kWhole:
+      return static_cast<double>(json.Whole(kMostWhole));
+    case MeasureKind::kReal:
+      return json.Number();
+    case MeasureKind::kRealOrInfinite:
+      return json.IsNull() ? std::numeric_limits<double>::infinity() : json.Number();
+  }
+  return 0.0;
+}
+
+/// Older programs had fewer measures, newer ones may have more.
 GoalMetrics ReadMetrics(const JsonCursor& json) {
   GoalMetrics metrics;
-  metrics.success = Truth(json.At("success"));
-  metrics.success_euclidean = Truth(json.At("success_euclidean"));
-  metrics.spl = json.At("spl").Number();
-  metrics.soft_spl = json.At("soft_spl").Number();
-  metrics.start_distance = json.At("start_distance").Number();
-  const JsonCursor distance = json.At("distance_to_goal");
-  metrics.distance_to_goal =
-      distance.value().is_null() ? std::numeric_limits<double>::infinity() : distance.Number();
-  metrics.euclidean_distance = json.At("euclidean_distance").Number();
-  metrics.path_length = json.At("path_length").Number();
-  metrics.steps = Whole<int>(json.At("steps"));
-  metrics.collisions = Whole<int>(json.At("collisions"));
+  for (const Measure& measure : AllMeasures()) {
+    const std::string name(measure.name);
+    if (json.Has(name.c_str())) metrics[name] = ReadValue(json.At(name.c_str()), measure.kind);
+  }
+  json.At("success");  // which all had
   return metrics;
 }
 
@@ -65,20 +65,19 @@ EpisodeResult FromJson(const JsonCursor& json) {
   result.key.agent = json.At("agent").Text();
   result.key.setting = json.At("setting").Text();
   result.key.condition = json.At("condition").Text();
-  result.key.seed = Whole<std::uint64_t>(json.At("seed"));
+  result.key.seed = json.At("seed").Whole();
   result.key.scene = json.At("scene").Text();
   result.key.episode = json.At("episode").Text();
-  if (!json.At("difficulty").value().is_null()) {
+  if (!json.At("difficulty").IsNull()) {
     result.difficulty = DifficultyNamed(json.At("difficulty").Text());
   }
-  if (!json.At("failure").value().is_null()) result.failure = json.At("failure").Text();
+  if (!json.At("failure").IsNull()) result.failure = json.At("failure").Text();
   if (!json.Has("goals")) {
     result.goals = {ReadMetrics(json)};
     return result;
   }
   const JsonCursor goals = json.At("goals");
-  goals.ExpectList();
-  for (std::size_t i = 0; i < goals.value().size(); ++i) {
+  for (std::size_t i = 0; i < goals.Size(); ++i) {
     result.goals.push_back(ReadMetrics(goals.Item(i)));
   }
   return result;
@@ -87,7 +86,7 @@ EpisodeResult FromJson(const JsonCursor& json) {
 }  // namespace
 
 std::string ToJsonLine(const EpisodeResult& result) {
-  CHECK(!result.goals.empty());
+  BULLETNAV_CHECK(!result.goals.empty());
   Json json = {
       {"agent", result.key.agent},
       {"setting", result.key.setting},

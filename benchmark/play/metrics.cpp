@@ -4,44 +4,70 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/core.h>
+
 #include "sim/base/check.h"
 #include "sim/base/error.h"
 
 namespace bulletnav::bench {
 namespace {
 
-/// d0 / max(d0, L): how much of the way was needed; 1 where none was and none was gone.
-double Directness(const GoalRecord& record) {
-  const double longer = std::max(record.start_distance, record.path_length);
-  return longer > 0.0 ? record.start_distance / longer : 1.0;
-}
-
-/// max(0, 1 - d / d0): how much of the distance is gone.
-double Progress(const GoalRecord& record) {
-  if (record.start_distance > 0.0) {
-    return std::max(0.0, 1.0 - record.distance_to_goal / record.start_distance);
-  }
-  return record.distance_to_goal > 0.0 ? 0.0 : 1.0;
+/// What a goal adds to its episode's value.
+std::optional<double> ShareOf(const GoalMetrics& goal, const Measure& measure) {
+  const std::optional<double> value = goal.Find(measure.name);
+  const bool stands = !value || std::isfinite(*value) || measure.if_infinite.empty();
+  return stands ? value : goal.Find(measure.if_infinite);
 }
 
 }  // namespace
 
-GoalMetrics Measure(const GoalRecord& record, const SuccessRule& rule) {
-  CHECK(std::isfinite(record.start_distance) && record.start_distance >= 0.0);
-  CHECK(record.path_length >= 0.0 && record.distance_to_goal >= 0.0);
-  const bool counts = record.stopped || rule.no_stop;
+std::optional<double> GoalMetrics::Find(std::string_view name) const {
+  const auto found = values_.find(name);
+  return found == values_.end() ? std::nullopt : std::optional(found->second);
+}
+
+double GoalMetrics::Value(std::string_view name) const {
+  if (const auto value = Find(name)) return *value;
+  throw sim::Error(fmt::format("these results have no '{}'; play the episodes again", name));
+}
+
+GoalMetrics MeasureGoal(const GoalRecord& record, const SuccessRule& rule) {
+  BULLETNAV_CHECK(std::isfinite(record.start_distance) && record.start_distance >= 0.0);
+  BULLETNAV_CHECK(record.path_length >= 0.0 && record.distance_to_goal >= 0.0);
   GoalMetrics metrics;
-  metrics.success = counts && record.distance_to_goal < rule.distance;
-  metrics.success_euclidean = counts && record.euclidean_distance < rule.distance;
-  metrics.spl = metrics.success ? Directness(record) : 0.0;
-  metrics.soft_spl = Progress(record) * Directness(record);
-  metrics.start_distance = record.start_distance;
-  metrics.distance_to_goal = record.distance_to_goal;
-  metrics.euclidean_distance = record.euclidean_distance;
-  metrics.path_length = record.path_length;
-  metrics.steps = record.steps;
-  metrics.collisions = record.collisions;
+  for (const Measure& measure : AllMeasures()) {
+    const double value = measure.value(record, rule);
+    BULLETNAV_CHECK(!measure.is_main() || (value >= 0.0 && value <= 1.0));
+    metrics[std::string(measure.name)] = value;
+  }
   return metrics;
+}
+
+GoalMetrics UntriedGoal(const sim::NavmeshQuery& query, const Eigen::Vector3d& from,
+                        const Eigen::Vector3d& goal, double start_distance) {
+  GoalRecord record;
+  record.distance_to_goal = query.GeodesicDistance(from.cast<float>(), goal.cast<float>());
+  record.start_distance =
+      std::isfinite(record.distance_to_goal) ? record.distance_to_goal : start_distance;
+  record.euclidean_distance = (goal - from).norm();
+  record.failed = true;
+  return MeasureGoal(record, {});
+}
+
+std::optional<double> EpisodeValue(const Measure& measure, std::span<const GoalMetrics> goals) {
+  BULLETNAV_CHECK(!goals.empty());
+  double sum = 0.0;
+  int count = 0;
+  for (const GoalMetrics& goal : goals) {
+    if (measure.over_goals == OverGoals::kMeanOfReached && !goal.success()) continue;
+    const std::optional<double> share = ShareOf(goal, measure);
+    if (!share) return std::nullopt;
+    sum += *share;
+    ++count;
+  }
+  if (count == 0) return std::nullopt;
+  // Divided after summing: ten goals of ten are 1.
+  return measure.over_goals == OverGoals::kSum ? sum : sum / count;
 }
 
 GoalWatch::GoalWatch(const sim::NavmeshQuery& query, const Eigen::Vector3d& start,
@@ -71,12 +97,23 @@ bool GoalWatch::Reached() const {
   return Geodesic() < rule_.distance;
 }
 
-GoalMetrics GoalWatch::Finish(bool stopped) const {
+GoalRecord GoalWatch::Record() const {
   GoalRecord record = record_;
-  record.stopped = stopped;
   record.distance_to_goal = Geodesic();
   record.euclidean_distance = (goal_ - position_).norm();
-  return Measure(record, rule_);
+  return record;
+}
+
+GoalMetrics GoalWatch::Finish(bool stopped) const {
+  GoalRecord record = Record();
+  record.stopped = stopped;
+  return MeasureGoal(record, rule_);
+}
+
+GoalMetrics GoalWatch::Fail() const {
+  GoalRecord record = Record();
+  record.failed = true;
+  return MeasureGoal(record, rule_);
 }
 
 }  // namespace bulletnav::bench

@@ -1,51 +1,52 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <initializer_list>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
 #include <Eigen/Core>
 
+#include "benchmark/play/measure.h"
 #include "sim/navmesh/navmesh.h"
 
 namespace bulletnav::bench {
 
-/// When an episode counts as a success.
-struct SuccessRule {
-  double distance = 1.0;  // metres; nearer than this
-  /// The "no stop" condition: being near is enough, at any step, and a stop does nothing. Else the
-  /// agent must stop there.
-  bool no_stop = false;
-};
+/// What one goal of an episode came to: values of measures by name. Results of older runs lack
+/// those that were not measured then.
+class GoalMetrics {
+ public:
+  GoalMetrics() = default;
+  GoalMetrics(std::initializer_list<std::pair<const std::string, double>> values)
+      : values_(values) {}
 
-/// What one goal of an episode came to.
-/// Source: success, SPL: Anderson et al., "On evaluation of embodied navigation agents", 2018;
-/// SoftSPL: Datta et al., "Integrating egocentric localization for more realistic point-goal
-/// navigation agents", 2020; 1 m, geodesic: Neural Topological SLAM.
-struct GoalMetrics {
-  bool success = false;
-  bool success_euclidean = false;   // by the straight line: stops behind a wall count too
-  double spl = 0.0;                 // success * d0 / max(d0, L); 1 for a success with d0 = L = 0
-  double soft_spl = 0.0;            // max(0, 1 - d / d0) * d0 / max(d0, L)
-  double start_distance = 0.0;      // d0: geodesic metres from start to goal
-  double distance_to_goal = 0.0;    // d: geodesic metres at the end; infinite off the goal's island
-  double euclidean_distance = 0.0;  // metres at the end
-  double path_length = 0.0;         // L: metres really moved
-  int steps = 0;
-  int collisions = 0;
+  double& operator[](const std::string& name) { return values_[name]; }
+  std::optional<double> Find(std::string_view name) const;
+  /// Throws sim::Error if there is none.
+  double Value(std::string_view name) const;
 
+  bool success() const { return Value("success") != 0.0; }
+  int Whole(std::string_view name) const { return static_cast<int>(Value(name)); }
   bool operator==(const GoalMetrics&) const = default;
+
+ private:
+  std::map<std::string, double, std::less<>> values_;
 };
 
-/// What happened on the way to one goal.
-struct GoalRecord {
-  double start_distance = 0.0;  // geodesic; finite and not negative (checked)
-  double distance_to_goal = 0.0;
-  double euclidean_distance = 0.0;
-  double path_length = 0.0;
-  bool stopped = false;  // the agent said so, before the steps ran out
-  int steps = 0;
-  int collisions = 0;
-};
+/// All measures of a finished goal.
+GoalMetrics MeasureGoal(const GoalRecord& record, const SuccessRule& rule);
 
-/// The metrics of a finished goal.
-GoalMetrics Measure(const GoalRecord& record, const SuccessRule& rule);
+/// Those of a goal that an agent, taken off at `from` or before, never set out for. Where no way
+/// leads there, `start_distance` stands for its length.
+GoalMetrics UntriedGoal(const sim::NavmeshQuery& query, const Eigen::Vector3d& from,
+                        const Eigen::Vector3d& goal, double start_distance);
+
+/// What an episode counts with in one measure; empty if a goal lacks it, or none counts. Expects:
+/// at least one goal (checked).
+std::optional<double> EpisodeValue(const Measure& measure, std::span<const GoalMetrics> goals);
 
 /// Watches a body on its way to one goal. Give it every true position, the first included; under
 /// `no_stop` the goal is over as soon as Reached() says so.
@@ -61,7 +62,11 @@ class GoalWatch {
   bool Reached() const;
   /// Metres of way left from where the body now is.
   double Geodesic() const;
+  /// The facts so far.
+  GoalRecord Record() const;
   GoalMetrics Finish(bool stopped) const;
+  /// Of an agent that was taken off on its way.
+  GoalMetrics Fail() const;
 
  private:
   const sim::NavmeshQuery& query_;

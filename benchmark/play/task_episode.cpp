@@ -1,27 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/play/task_episode.h"
 
-#include <cmath>
-
 #include "sim/base/check.h"
 #include "sim/base/files.h"
 
 namespace bulletnav::bench {
-namespace {
-
-/// A goal that the agent did not come to because it failed before.
-GoalMetrics NeverTried(const sim::NavmeshQuery& query, const Eigen::Vector3d& from,
-                       const EpisodeGoal& goal) {
-  GoalRecord record;
-  const double geodesic = query.GeodesicDistance(from.cast<float>(), goal.position.cast<float>());
-  record.start_distance = std::isfinite(geodesic) ? geodesic : goal.geodesic_distance;
-  record.distance_to_goal = geodesic;
-  record.euclidean_distance = (goal.position - from).norm();
-  return Measure(record, {});
-}
-
-}  // namespace
-
 TaskEpisode::TaskEpisode(EpisodeTask episode, const Task& task,
                          std::shared_ptr<const sim::World> world)
     : episode_(std::move(episode)),
@@ -47,7 +30,7 @@ bool TaskEpisode::IsThere() const {
 
 StepOutcome TaskEpisode::Take(sim::Action action, const sim::BodyPose& now,
                               const sim::Sensors& sensors) {
-  CHECK(!is_over());
+  BULLETNAV_CHECK(!is_over());
   believed_ = Compose(believed_, sensors.odometry);
   steps_.push_back({action, now, believed_, sensors.collided});
   ++goal_steps_;
@@ -61,7 +44,7 @@ StepOutcome TaskEpisode::Take(sim::Action action, const sim::BodyPose& now,
   if (outcome.terminated || outcome.truncated) EndGoal(stops);
   if (task_.reward) {
     outcome.reward = task_.reward->step + task_.reward->progress * (left - distance_left_);
-    if (outcome.terminated) outcome.reward += task_.reward->success * metrics_.back().spl;
+    if (outcome.terminated) outcome.reward += task_.reward->success * metrics_.back().Value("spl");
   }
   return outcome;
 }
@@ -76,17 +59,14 @@ void TaskEpisode::Fail(const std::string& why, const sim::BodyPose& here) {
   const auto& goals = episode_.episode.goals;
   Eigen::Vector3d from = here.position;
   if (!is_over() && watch_ && goal_steps_ > 0) {
-    GoalMetrics metrics = watch_->Finish(false);
-    metrics.success = false;
-    metrics.success_euclidean = false;
-    metrics.spl = 0.0;
-    metrics_.push_back(metrics);
+    metrics_.push_back(watch_->Fail());
     from = goals[goal_].position;
     ++goal_;
   }
   for (; !is_over(); ++goal_) {
-    metrics_.push_back(NeverTried(query_, from, goals[goal_]));
-    from = goals[goal_].position;
+    const EpisodeGoal& goal = goals[goal_];
+    metrics_.push_back(UntriedGoal(query_, from, goal.position, goal.geodesic_distance));
+    from = goal.position;
   }
 }
 
@@ -103,7 +83,7 @@ std::vector<Eigen::Vector3d> TaskEpisode::ShortestPath() const {
 }
 
 EpisodeTrajectory TaskEpisode::Finish(agent::Belief belief) const {
-  CHECK(is_over());
+  BULLETNAV_CHECK(is_over());
   EpisodeTrajectory trajectory;
   trajectory.result = {episode_.key, episode_.episode.difficulty, metrics_, failure_};
   trajectory.scene_file = episode_.scene_file;

@@ -47,9 +47,8 @@ sim::BodyPose ReadPose(const JsonCursor& json) {
 
 template <class T, class Read>
 std::vector<T> ReadList(const JsonCursor& json, const Read& read) {
-  json.ExpectList();
   std::vector<T> items;
-  for (std::size_t i = 0; i < json.value().size(); ++i) items.push_back(read(json.Item(i)));
+  for (std::size_t i = 0; i < json.Size(); ++i) items.push_back(read(json.Item(i)));
   return items;
 }
 
@@ -64,33 +63,9 @@ struct BodyReader {
   void operator()(const char* name, float& value) const {
     value = static_cast<float>(json.At(name).Number());
   }
-  void operator()(const char* name, bool& value) const {
-    const JsonCursor member = json.At(name);
-    if (!member.value().is_boolean()) member.Fail("expected true or false here");
-    value = member.value().get<bool>();
-  }
+  void operator()(const char* name, bool& value) const { value = json.At(name).Truth(); }
   const JsonCursor& json;
 };
-
-std::uint64_t ReadUnsigned(const JsonCursor& json) {
-  if (!json.value().is_number_unsigned()) json.Fail("expected a whole number here");
-  return json.value().get<std::uint64_t>();
-}
-
-std::string_view NoiseName(sim::NoiseMode mode) {
-  for (const auto& [name, value] : sim::EnumNames<sim::NoiseMode>::kNames) {
-    if (value == mode) return name;
-  }
-  return "";
-}
-
-sim::NoiseMode ReadNoise(const JsonCursor& json) {
-  const std::string text = json.Text();
-  for (const auto& [name, value] : sim::EnumNames<sim::NoiseMode>::kNames) {
-    if (text == name) return value;
-  }
-  json.Fail("'" + text + "' is no kind of noise");
-}
 
 /// A text with one letter a step.
 std::string ReadLetters(const JsonCursor& json, std::size_t steps, std::string_view letters) {
@@ -149,7 +124,7 @@ std::string ToJson(const EpisodeTrajectory& trajectory) {
   json["scene_file"] = trajectory.scene_file.string();
   json["run_seed"] = trajectory.key.run_seed;
   json["episode_number"] = trajectory.key.episode;
-  json["noise"] = NoiseName(trajectory.noise);
+  json["noise"] = sim::NameOf(trajectory.noise);
   BodyWriter body;
   sim::BodySpec(trajectory.body).Visit(body);
   json["body"] = std::move(body.json);
@@ -171,8 +146,8 @@ EpisodeTrajectory ReadTrajectory(const std::filesystem::path& file) {
   EpisodeTrajectory trajectory;
   trajectory.result = FromJsonLine(json.At("result").value().dump(), file, 1);
   trajectory.scene_file = json.At("scene_file").Text();
-  trajectory.key = {ReadUnsigned(json.At("run_seed")), ReadUnsigned(json.At("episode_number"))};
-  trajectory.noise = ReadNoise(json.At("noise"));
+  trajectory.key = {json.At("run_seed").Whole(), json.At("episode_number").Whole()};
+  trajectory.noise = json.At("noise").Enum<sim::NoiseMode>();
   const JsonCursor body = json.At("body");
   BodyReader reader{body};
   trajectory.body.Visit(reader);

@@ -31,9 +31,9 @@ struct EpisodeTrajectory {
   sim::EpisodeKey key;
   sim::NoiseMode noise = sim::NoiseMode::kNone;
   sim::BodySpec body;
-  sim::BodyPose start;                // as given to sim::Simulator::Reset
-  std::vector<sim::BodyPose> goals;   // in order; their yaw is that of the goal's panorama
-  std::vector<TrajectoryStep> steps;  // every action: the stops are stepped too, a last one at will
+  sim::BodyPose start;                         // as given to sim::Simulator::Reset
+  std::vector<sim::BodyPose> goals;            // in order; their yaw is that of the goal's panorama
+  std::vector<TrajectoryStep> steps;           // every action, stops too
   std::vector<Eigen::Vector3d> shortest_path;  // from the start to each goal in turn
   agent::Belief belief;                        // at the end; may be empty
 };

@@ -51,7 +51,7 @@ std::vector<PairPrediction> MixedSemanticModel::Compare(
 }
 
 MixedSemanticModel::Codes MixedSemanticModel::Split(const PanoramaCode& code) const {
-  CHECK_LE(oracle_size_, code.size());
+  BULLETNAV_CHECK_LE(oracle_size_, code.size());
   const auto middle = code.end() - static_cast<std::ptrdiff_t>(oracle_size_);
   return {PanoramaCode(code.begin(), middle), PanoramaCode(middle, code.end())};
 }

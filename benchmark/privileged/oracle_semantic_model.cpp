@@ -28,7 +28,7 @@ agent::PanoramaCode ToCode(const sim::BodyPose& pose) {
 }
 
 sim::BodyPose ToPose(const agent::PanoramaCode& code) {
-  CHECK_EQ(code.size(), 4u);
+  BULLETNAV_CHECK_EQ(code.size(), 4u);
   return {Eigen::Vector3f(code[0], code[1], code[2]).cast<double>(), code[3]};
 }
 

@@ -85,7 +85,7 @@ std::uint32_t ToArgb(const std::uint8_t* p, std::uint32_t alpha) {
 }
 
 Surface ToSurface(const sim::Image& image) {
-  CHECK(image.channels == 3 || image.channels == 4);
+  BULLETNAV_CHECK(image.channels == 3 || image.channels == 4);
   const bool has_alpha = image.channels == 4;
   Surface surface(cairo_image_surface_create(has_alpha ? CAIRO_FORMAT_ARGB32 : CAIRO_FORMAT_RGB24,
                                              image.width, image.height));
@@ -107,7 +107,7 @@ struct Canvas::Impl {
       : kind(canvas_kind),
         surface(MakeSurface(kind, size, scale, &svg)),
         context(cairo_create(surface.get())) {
-    CHECK_EQ(cairo_status(context.get()), CAIRO_STATUS_SUCCESS);
+    BULLETNAV_CHECK_EQ(cairo_status(context.get()), CAIRO_STATUS_SUCCESS);
     if (kind == Kind::kPixels) cairo_scale(context.get(), scale, scale);
   }
 
@@ -153,7 +153,7 @@ Canvas::Canvas(int width, int height, const Paint& background, Kind kind, double
 
 Canvas::Canvas(const sim::Image& image)
     : impl_(std::make_unique<Impl>(Point(image.width, image.height), Kind::kPixels, 1.0)) {
-  CHECK_EQ(image.channels, 3);
+  BULLETNAV_CHECK_EQ(image.channels, 3);
   Picture(image, Eigen::Affine2d::Identity(), false);
 }
 
@@ -269,7 +269,7 @@ void Canvas::Text(const Point& at, const std::string& text, double size, const P
 }
 
 sim::Image Canvas::ToImage() const {
-  CHECK(impl_->kind == Kind::kPixels);
+  BULLETNAV_CHECK(impl_->kind == Kind::kPixels);
   cairo_surface_flush(impl_->surface.get());
   sim::Image image(cairo_image_surface_get_width(impl_->surface.get()),
                    cairo_image_surface_get_height(impl_->surface.get()), 3);
@@ -286,9 +286,9 @@ sim::Image Canvas::ToImage() const {
 }
 
 std::string Canvas::ToSvg() {
-  CHECK(impl_->kind == Kind::kSvg);
+  BULLETNAV_CHECK(impl_->kind == Kind::kSvg);
   cairo_surface_finish(impl_->surface.get());
-  CHECK_EQ(cairo_surface_status(impl_->surface.get()), CAIRO_STATUS_SUCCESS);
+  BULLETNAV_CHECK_EQ(cairo_surface_status(impl_->surface.get()), CAIRO_STATUS_SUCCESS);
   return Renumber(impl_->svg);
 }
 

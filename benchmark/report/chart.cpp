@@ -149,7 +149,7 @@ void DrawLegend(const Chart& chart, double top, Canvas* canvas) {
 Figure ChartFigure(std::span<const Chart> charts) {
   const auto shared = std::make_shared<const std::vector<Chart>>(charts.begin(), charts.end());
   const std::size_t series = charts.empty() ? 0 : charts.front().series.size();
-  for (const Chart& chart : charts) CHECK_EQ(chart.series.size(), series);
+  for (const Chart& chart : charts) BULLETNAV_CHECK_EQ(chart.series.size(), series);
   const double pitch = kLeft + kPanelWidth + kRight;
   const double legend = kTop + kPanelHeight + kBottom;
   Figure figure;

@@ -17,7 +17,7 @@ double Shared(const Eigen::AlignedBox2d& a, const Eigen::AlignedBox2d& b) {
 
 Canvas::Point FreePlaces::Choose(std::span<const Canvas::Point> middles,
                                  const Canvas::Point& size) {
-  CHECK(!middles.empty());
+  BULLETNAV_CHECK(!middles.empty());
   Canvas::Point best = middles.front();
   double least = std::numeric_limits<double>::infinity();
   for (const Canvas::Point& middle : middles) {

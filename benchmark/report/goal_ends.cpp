@@ -3,12 +3,14 @@
 
 #include <algorithm>
 
+#include "benchmark/play/condition.h"
+
 namespace bulletnav::bench {
 namespace {
 
 /// Under the condition "no_stop" a stop is a step that does nothing.
 bool StopsCount(const EpisodeTrajectory& trajectory) {
-  return trajectory.result.key.condition != "no_stop";
+  return trajectory.result.key.condition != sim::NameOf(Condition::kNoStop);
 }
 
 }  // namespace
@@ -27,12 +29,12 @@ std::vector<GoalEnd> GoalEnds(const EpisodeTrajectory& trajectory) {
   std::vector<GoalEnd> ends;
   std::size_t at = 0;  // steps taken
   for (const GoalMetrics& goal : trajectory.result.goals) {
-    if (at == steps.size() && !goal.success) break;
-    at = std::min(at + static_cast<std::size_t>(goal.steps), steps.size());
-    EndKind kind = goal.success ? EndKind::kReached : EndKind::kNoStop;
+    if (at == steps.size() && !goal.success()) break;
+    at = std::min(at + static_cast<std::size_t>(goal.Whole("steps")), steps.size());
+    EndKind kind = goal.success() ? EndKind::kReached : EndKind::kNoStop;
     // A stop is no step of its goal.
     if (StopsCount(trajectory) && at < steps.size() && steps[at].action == sim::Action::kStop) {
-      kind = goal.success ? EndKind::kStopAtGoal : EndKind::kStopElsewhere;
+      kind = goal.success() ? EndKind::kStopAtGoal : EndKind::kStopElsewhere;
       ++at;
     }
     ends.push_back({kind, at == 0 ? trajectory.start : steps[at - 1].pose, at});

@@ -17,12 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-double MeanSoftSpl(const EpisodeResult& result) {
-  double sum = 0.0;
-  for (const GoalMetrics& goal : result.goals) sum += goal.soft_spl;
-  return sum / static_cast<double>(result.goals.size());
-}
-
 /// A row of a table: an agent in a setting, under a condition, with a seed.
 std::string RowOf(const EpisodeResult& one) {
   const ResultKey& key = one.key;
@@ -43,6 +37,7 @@ class WorstFirst {
   }
 
   void Sort(std::vector<EpisodeResult>* all) const {
+    const Measure& soft_spl = FindMeasure("soft_spl");
     std::map<std::tuple<double, std::size_t, std::size_t>, std::size_t> in_scene;
     std::vector<std::pair<Rank, std::size_t>> ranks;
     for (std::size_t i = 0; i < all->size(); ++i) {
@@ -50,7 +45,7 @@ class WorstFirst {
       const std::size_t row = rows_.at(RowOf(one));
       const std::size_t scene = scenes_.at(one.key.scene);
       const std::size_t turn = (scene + scenes_.size() - row % scenes_.size()) % scenes_.size();
-      const double score = MeanSoftSpl(one);
+      const double score = EpisodeValue(soft_spl, one.goals).value_or(0.0);
       ranks.push_back({{score, in_scene[{score, row, scene}]++, turn, row}, i});
     }
     TakeTurns(&ranks);

@@ -12,8 +12,9 @@ namespace {
 
 constexpr double kMostDeviation = 0.01;  // metres
 
-sim::Image Render(const sim::CameraPose& camera, sim::PanoramaRenderer* renderer) {
-  sim::Image image(renderer->spec().cols, renderer->spec().rows, 3);
+sim::Image Render(const sim::CameraPose& camera, sim::Renderer* renderer) {
+  const sim::PictureSize size = sim::SizeOf(renderer->spec());
+  sim::Image image(size.cols, size.rows, 3);
   renderer->Render({&camera, 1}, image.pixels, {});
   return image;
 }
@@ -31,8 +32,8 @@ void RequireRecorded(const EpisodeTrajectory& trajectory, std::size_t step,
 /// Takes the steps from one number to another.
 void Walk(const EpisodeTrajectory& trajectory, std::size_t from, std::size_t to,
           sim::SimulatedBody* body) {
-  CHECK_LE(from, to);
-  CHECK_LE(to, trajectory.steps.size());
+  BULLETNAV_CHECK_LE(from, to);
+  BULLETNAV_CHECK_LE(to, trajectory.steps.size());
   for (std::size_t i = from; i < to; ++i) {
     body->Step(trajectory.steps[i].action);
     RequireRecorded(trajectory, i, body->true_pose());

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <optional>
 #include <tuple>
 
 #include <fmt/core.h>
@@ -44,20 +45,29 @@ std::string NameOf(const LineKey& key, std::span<const AgentRow> agents) {
                      note);
 }
 
-/// Success and SPL with nothing in them yet.
+/// One of each main measure, with nothing in them yet.
 std::vector<Chart> EmptyCharts(const std::string& x_label) {
-  return {{x_label, "success", {}}, {x_label, "SPL", {}}};
+  std::vector<Chart> charts;
+  for (const Measure& measure : MainMeasures()) {
+    charts.push_back({x_label, std::string(measure.label), {}});
+  }
+  return charts;
 }
 
-struct Bin {
-  std::vector<double> spl;
-  int successes = 0;
-};
+using Bin = std::vector<const GoalMetrics*>;
 
-/// The same for the same values in any order.
-Interval SplInterval(std::vector<double> spl) {
-  std::sort(spl.begin(), spl.end());
-  return BootstrapInterval(spl, kBootstrapSeed);
+/// A mean with its interval, if there is something to take it of; the same for the same goals in
+/// any order.
+std::optional<Chart::Value> ValueAt(double x, const Bin& bin, const Measure& measure) {
+  std::vector<double> values;
+  for (const GoalMetrics* goal : bin) {
+    if (const auto value = EpisodeValue(measure, {goal, 1})) values.push_back(*value);
+  }
+  if (values.empty()) return std::nullopt;
+  std::sort(values.begin(), values.end());
+  const bool is_share = measure.kind == MeasureKind::kYesNo;
+  return Chart::Value{x, Mean(values),
+                      is_share ? ShareInterval(values) : BootstrapInterval(values, kBootstrapSeed)};
 }
 
 using Bins = std::map<int, Bin>;  // by the metre they begin at
@@ -65,16 +75,45 @@ using Bins = std::map<int, Bin>;  // by the metre they begin at
 Bins Filled(const Bins& bins) {
   Bins filled;
   for (const auto& [metre, bin] : bins) {
-    if (bin.spl.size() >= kLeastEpisodes) filled[metre] = bin;
+    if (bin.size() >= kLeastEpisodes) filled[metre] = bin;
   }
   return filled;
+}
+
+using GoalCounts = std::map<int, const SummaryRow*>;
+
+std::vector<Chart::Value> ValuesOf(const GoalCounts& counts, const Measure& measure) {
+  std::vector<Chart::Value> values;
+  for (const auto& [goals, row] : counts) {
+    const Average average = row->Of(measure.name);
+    if (!average.mean || !average.interval) continue;
+    values.push_back({static_cast<double>(goals), *average.mean, *average.interval});
+  }
+  return values;
+}
+
+std::vector<Chart::Value> ValuesOf(const Bins& bins, const Measure& measure) {
+  std::vector<Chart::Value> values;
+  for (const auto& [metre, bin] : bins) {
+    if (const auto value = ValueAt(metre + 0.5, bin, measure)) values.push_back(*value);
+  }
+  return values;
+}
+
+/// A series for `line` in the chart of each main measure.
+template <class Line>
+void AddSeries(const std::string& name, const Line& line, std::vector<Chart>* charts) {
+  const std::vector<Measure> measures = MainMeasures();
+  for (std::size_t i = 0; i < measures.size(); ++i) {
+    (*charts)[i].series.push_back({name, ValuesOf(line, measures[i])});
+  }
 }
 
 }  // namespace
 
 std::vector<Chart> GoalCountCharts(std::span<const SummaryRow> rows,
                                    std::span<const AgentRow> agents) {
-  std::map<LineKey, std::map<int, const SummaryRow*>> lines;
+  std::map<LineKey, GoalCounts> lines;
   for (const SummaryRow& row : rows) {
     int goals = 0;
     if (std::sscanf(row.difficulty.c_str(), "goals_%9d", &goals) != 1) continue;
@@ -82,14 +121,7 @@ std::vector<Chart> GoalCountCharts(std::span<const SummaryRow> rows,
   }
   if (lines.empty()) return {};
   std::vector<Chart> charts = EmptyCharts("number of goals");
-  for (const auto& [key, line] : lines) {
-    for (Chart& chart : charts) chart.series.push_back({NameOf(key, agents), {}});
-    for (const auto& [goals, row] : line) {
-      const auto x = static_cast<double>(goals);
-      charts[0].series.back().values.push_back({x, row->success, row->success_ci});
-      charts[1].series.back().values.push_back({x, row->spl, row->spl_ci});
-    }
-  }
+  for (const auto& [key, line] : lines) AddSeries(NameOf(key, agents), line, &charts);
   return charts;
 }
 
@@ -99,24 +131,15 @@ std::vector<Chart> DistanceCharts(std::span<const EpisodeResult> results,
   for (const EpisodeResult& result : results) {
     if (result.goals.size() != 1) continue;
     const GoalMetrics& goal = result.goals.front();
-    Bin& bin = lines[KeyOf(result.key, agents)][static_cast<int>(std::floor(goal.start_distance))];
-    bin.spl.push_back(goal.spl);
-    bin.successes += goal.success ? 1 : 0;
+    const auto metre = static_cast<int>(std::floor(goal.Value("start_distance")));
+    lines[KeyOf(result.key, agents)][metre].push_back(&goal);
   }
   std::vector<Chart> charts = EmptyCharts("geodesic distance to the goal (m)");
   bool left_out = false;
   for (const auto& [key, bins] : lines) {
     const Bins filled = Filled(bins);
     left_out = left_out || filled.size() < bins.size();
-    if (filled.empty()) continue;
-    for (Chart& chart : charts) chart.series.push_back({NameOf(key, agents), {}});
-    for (const auto& [metre, bin] : filled) {
-      const double x = metre + 0.5;
-      const auto count = static_cast<int>(bin.spl.size());
-      const double share = static_cast<double>(bin.successes) / count;
-      charts[0].series.back().values.push_back({x, share, WilsonInterval(bin.successes, count)});
-      charts[1].series.back().values.push_back({x, Mean(bin.spl), SplInterval(bin.spl)});
-    }
+    if (!filled.empty()) AddSeries(NameOf(key, agents), filled, &charts);
   }
   if (charts.front().series.empty()) return {};
   for (Chart& chart : charts) {

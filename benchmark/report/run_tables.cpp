@@ -2,12 +2,12 @@
 #include "benchmark/report/run_tables.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 
 #include <fmt/core.h>
 
 #include "benchmark/base/counted.h"
+#include "benchmark/play/condition.h"
 #include "benchmark/report/agent_title.h"
 #include "benchmark/runs/published.h"
 #include "benchmark/runs/result_store.h"
@@ -22,13 +22,11 @@ constexpr const char* kOurs =
     "in Neural Topological SLAM, in other scenes; to look at side by side, not to compare number "
     "by number.";
 
-enum class Measure { kSuccess, kSpl, kEuclidean };
-
 /// One column: a figure of the rows of one condition and difficulty.
 struct Column {
   std::string condition;
   std::string difficulty;
-  Measure measure = Measure::kSuccess;
+  Measure measure;
 };
 
 struct TableLayout {
@@ -47,12 +45,21 @@ std::vector<Head> Difficulties() {
 }
 
 struct ConditionTitle {
-  const char* condition;
   const char* title;
   const char* in_caption;
 };
-constexpr std::array kOthers = {ConditionTitle{"no_stop", "No stop", "without stop action"},
-                                ConditionTitle{"no_noise", "No noise", "without motion noise"}};
+
+ConditionTitle TitleOf(Condition condition) {
+  switch (condition) {
+    case Condition::kNoise:
+      return {"Noise", "with motion noise"};
+    case Condition::kNoStop:
+      return {"No stop", "without stop action"};
+    case Condition::kNoNoise:
+      return {"No noise", "without motion noise"};
+  }
+  return {};
+}
 
 bool HasCondition(std::span<const SummaryRow> rows, const std::string& condition) {
   return std::any_of(rows.begin(), rows.end(), [&](const SummaryRow& row) {
@@ -60,38 +67,46 @@ bool HasCondition(std::span<const SummaryRow> rows, const std::string& condition
   });
 }
 
-/// Success and SPL for each of some heads under one condition.
-TableLayout SuccessAndSpl(std::string caption, const std::string& condition,
-                          std::span<const Head> heads) {
+/// The measures with columns for each of some heads, under one condition.
+TableLayout ForEach(std::span<const Head> heads, const std::string& condition,
+                    std::string caption) {
   TableLayout layout;
   layout.caption = std::move(caption);
   for (const Head& head : heads) {
-    layout.groups.push_back({head.title, {"Succ", "SPL"}});
-    layout.columns.push_back({condition, head.difficulty, Measure::kSuccess});
-    layout.columns.push_back({condition, head.difficulty, Measure::kSpl});
+    layout.groups.push_back({head.title, {}});
+    for (const Measure& measure : AllMeasures()) {
+      if (measure.table_title.empty() || !measure.table_head.empty()) continue;
+      layout.groups.back().columns.emplace_back(measure.table_title);
+      layout.columns.push_back({condition, head.difficulty, measure});
+    }
   }
   return layout;
 }
 
 /// Table 1; stops behind a wall show in its last column.
 TableLayout ByDifficulty() {
-  TableLayout layout = SuccessAndSpl("Success and SPL by difficulty.", "noise", Difficulties());
-  layout.groups.push_back({"Euclidean", {"Succ"}});
-  layout.columns.push_back({"noise", "overall", Measure::kEuclidean});
+  const std::string condition(sim::NameOf(Condition::kNoise));
+  TableLayout layout = ForEach(Difficulties(), condition, "Success and SPL by difficulty.");
+  for (const Measure& measure : AllMeasures()) {
+    if (measure.table_head.empty()) continue;
+    layout.groups.push_back({std::string(measure.table_head), {std::string(measure.table_title)}});
+    layout.columns.push_back({condition, "overall", measure});
+  }
   return layout;
 }
 
 /// Table 2, as far as the run has its conditions.
 TableLayout SuccessWithoutStopOrNoise(std::span<const SummaryRow> rows) {
   TableLayout layout;
-  for (const ConditionTitle& other : kOthers) {
-    if (!HasCondition(rows, other.condition)) continue;
+  for (const auto& [name, condition] : sim::EnumNames<Condition>::kNames) {
+    if (condition == Condition::kNoise || !HasCondition(rows, name)) continue;
+    const ConditionTitle title = TitleOf(condition);
     layout.caption +=
-        (layout.caption.empty() ? "Success " : " and ") + std::string(other.in_caption);
-    layout.groups.push_back({other.title, {}});
+        (layout.caption.empty() ? "Success " : " and ") + std::string(title.in_caption);
+    layout.groups.push_back({title.title, {}});
     for (const Head& head : Difficulties()) {
       layout.groups.back().columns.push_back(head.title);
-      layout.columns.push_back({other.condition, head.difficulty, Measure::kSuccess});
+      layout.columns.push_back({name, head.difficulty, FindMeasure("success")});
     }
   }
   layout.caption += ".";
@@ -103,11 +118,11 @@ std::vector<TableLayout> ByNumberOfGoals(std::span<const SummaryRow> rows,
                                          std::span<const Head> heads) {
   const std::string caption = "Share of goals reached and SPL by number of sequential goals";
   std::vector<TableLayout> layouts;
-  if (HasCondition(rows, "noise")) layouts.push_back(SuccessAndSpl(caption + ".", "noise", heads));
-  for (const ConditionTitle& other : kOthers) {
-    if (!HasCondition(rows, other.condition)) continue;
-    layouts.push_back(
-        SuccessAndSpl(caption + ", " + other.in_caption + ".", other.condition, heads));
+  for (const auto& [name, condition] : sim::EnumNames<Condition>::kNames) {
+    if (!HasCondition(rows, name)) continue;
+    const std::string under =
+        condition == Condition::kNoise ? "" : std::string(", ") + TitleOf(condition).in_caption;
+    layouts.push_back(ForEach(heads, name, caption + under + "."));
   }
   return layouts;
 }
@@ -125,16 +140,6 @@ std::string Figure(const std::optional<double>& value) {
   return value ? fmt::format("{:.2f}", *value) : "";
 }
 
-std::string Figure(const SummaryRow& row, Measure measure) {
-  if (measure == Measure::kSpl) return Figure(row.spl);
-  return Figure(measure == Measure::kSuccess ? row.success : row.success_euclidean);
-}
-
-std::string Figure(const PublishedFigure& known, Measure measure) {
-  if (measure == Measure::kEuclidean) return "";  // the paper has none
-  return Figure(measure == Measure::kSpl ? known.spl : known.success);
-}
-
 std::string SettingTitle(std::string setting) {
   for (char& c : setting) {
     if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
@@ -146,25 +151,43 @@ std::string Percent95(const Interval& interval) {
   return fmt::format("{:.2f}-{:.2f}", interval.low, interval.high);
 }
 
-/// "300 episodes, 95%: 0.78-0.87 / 0.55-0.66, 25.0M frames, oracle": the intervals are of the
-/// last column of success and, if there is one, of SPL.
+/// Of a measure, in its last column that the rows have.
+std::optional<Interval> LastInterval(const TableLayout& layout, std::span<const SummaryRow> rows,
+                                     const SummaryRow& like, const Measure& measure) {
+  std::optional<Interval> last;
+  for (const Column& column : layout.columns) {
+    if (column.measure.name != measure.name) continue;
+    const SummaryRow* row = Find(rows, like, column);
+    if (row != nullptr) last = row->Of(measure.name).interval;
+  }
+  return last;
+}
+
+/// "0.78-0.87 / 0.55-0.66": of each main measure that has a column.
+std::string Intervals(const TableLayout& layout, std::span<const SummaryRow> rows,
+                      const SummaryRow& like) {
+  std::string text;
+  for (const Measure& measure : MainMeasures()) {
+    const auto interval = LastInterval(layout, rows, like, measure);
+    if (interval) text += (text.empty() ? "" : " / ") + Percent95(*interval);
+  }
+  return text;
+}
+
+/// "300 episodes, 95%: 0.78-0.87 / 0.55-0.66, 25.0M frames, oracle".
 std::string Remark(const TableLayout& layout, std::span<const SummaryRow> rows,
                    const SummaryRow& like) {
   int episodes = 0;
   int failures = 0;
-  std::string success;
-  std::string spl;
   for (const Column& column : layout.columns) {
     const SummaryRow* row = Find(rows, like, column);
     if (row == nullptr) continue;
     episodes = std::max(episodes, row->episodes);
     failures = std::max(failures, row->failures);
-    if (column.measure == Measure::kSuccess) success = Percent95(row->success_ci);
-    if (column.measure == Measure::kSpl) spl = " / " + Percent95(row->spl_ci);
   }
   std::string text = Counted(static_cast<std::size_t>(episodes), "episode");
   if (failures > 0) text += fmt::format(", {} of them failed", failures);
-  text.append(", 95%: ").append(success).append(spl);
+  text += ", 95%: " + Intervals(layout, rows, like);
   if (like.frames_trained) {
     text += fmt::format(", {:.1f}M frames", static_cast<double>(*like.frames_trained) / 1e6);
   }
@@ -178,8 +201,8 @@ void AddPaperRow(const TableLayout& layout, const std::string& agent, const std:
       SettingTitle(setting), AgentTitle(agent, {}) + ", paper, Gibson", true, {}, ""};
   bool any = false;
   for (const Column& column : layout.columns) {
-    paper.cells.push_back(
-        Figure(FindPublished(agent, setting, column.condition, column.difficulty), column.measure));
+    paper.cells.push_back(Figure(
+        FindPublished(column.measure.name, agent, setting, column.condition, column.difficulty)));
     any = any || !paper.cells.back().empty();
   }
   if (any) table->rows.push_back(std::move(paper));
@@ -193,7 +216,7 @@ void AddRows(const TableLayout& layout, std::span<const SummaryRow> rows, const 
   bool any = false;
   for (const Column& column : layout.columns) {
     const SummaryRow* row = Find(rows, like, column);
-    ours.cells.push_back(row == nullptr ? "" : Figure(*row, column.measure));
+    ours.cells.push_back(row == nullptr ? "" : Figure(row->Of(column.measure.name).mean));
     any = any || row != nullptr;
   }
   if (!any) return;

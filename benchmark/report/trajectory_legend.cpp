@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "benchmark/play/condition.h"
 #include "benchmark/report/belief_layer.h"
 #include "benchmark/report/goal_ends.h"
 #include "benchmark/report/marks.h"
@@ -28,7 +29,7 @@ const char* EndText(EndKind kind, const EpisodeResult& result) {
     case EndKind::kReached:
       return "goal reached";
     case EndKind::kNoStop:
-      if (result.key.condition != "no_stop") return "end without stop";
+      if (result.key.condition != sim::NameOf(Condition::kNoStop)) return "end without stop";
       return result.failure.empty() ? "goal not reached in time" : "goal not reached";
   }
   return "";

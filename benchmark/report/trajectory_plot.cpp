@@ -37,17 +37,17 @@ double DrawColumn(const EpisodeTrajectory& trajectory, const MapPlace& place,
 std::string Verdict(const EpisodeTrajectory& trajectory) {
   const auto& goals = trajectory.result.goals;
   if (!trajectory.result.failure.empty()) return "failed: " + trajectory.result.failure;
+  const double spl = EpisodeValue(FindMeasure("spl"), goals).value_or(0.0);
   if (goals.size() > 1) {
-    double spl = 0.0;
-    for (const GoalMetrics& goal : goals) spl += goal.spl / static_cast<double>(goals.size());
     const auto reached = std::count_if(goals.begin(), goals.end(), [](const GoalMetrics& goal) {
-      return goal.success;
+      return goal.success();
     });
     return fmt::format("{} of {} goals, SPL {:.2f}", reached, goals.size(), spl);
   }
-  if (goals.front().success) return fmt::format("success, SPL {:.2f}", goals.front().spl);
-  if (!std::isfinite(goals.front().distance_to_goal)) return "failed, cut off from the goal";
-  return fmt::format("failed, {:.1f} m from the goal", goals.front().distance_to_goal);
+  if (goals.front().success()) return fmt::format("success, SPL {:.2f}", spl);
+  const double left = goals.front().Value("distance_to_goal");
+  if (!std::isfinite(left)) return "failed, cut off from the goal";
+  return fmt::format("failed, {:.1f} m from the goal", left);
 }
 
 /// What was walked, and the shortest way: of all goals, or of several those that were reached, for
@@ -57,10 +57,10 @@ std::vector<std::string> DistanceLines(const std::vector<GoalMetrics>& goals) {
   double walked = 0.0;
   double shortest = 0.0;
   for (const GoalMetrics& goal : goals) {
-    all += goal.path_length;
-    if (goals.size() > 1 && !goal.success) continue;
-    walked += goal.path_length;
-    shortest += goal.start_distance;
+    all += goal.Value("path_length");
+    if (goals.size() > 1 && !goal.success()) continue;
+    walked += goal.Value("path_length");
+    shortest += goal.Value("start_distance");
   }
   if (goals.size() == 1) return {fmt::format("walked {:.1f} m, shortest {:.1f} m", all, shortest)};
   return {fmt::format("walked {:.1f} m in all", all),
@@ -74,8 +74,8 @@ std::vector<std::string> OutcomeLines(const EpisodeTrajectory& trajectory) {
   int steps = 0;
   int collisions = 0;
   for (const GoalMetrics& goal : result.goals) {
-    steps += goal.steps;
-    collisions += goal.collisions;
+    steps += goal.Whole("steps");
+    collisions += goal.Whole("collisions");
   }
   const std::string difficulty =
       result.difficulty ? fmt::format(" ({})", DifficultyName(*result.difficulty)) : "";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/runs/agent_models.h"
 
+#include <algorithm>
 #include <set>
 
 #include "agent/models/model_registry.h"

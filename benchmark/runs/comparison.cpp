@@ -16,13 +16,8 @@ namespace {
 constexpr std::uint64_t kBootstrapSeed = 0;
 constexpr double kSameStart = 1e-3;  // metres of way; versions may differ in the last digits
 
-/// Values of the paired episodes of one row, in the order of their keys.
-struct Samples {
-  std::vector<double> success_a;
-  std::vector<double> success_b;
-  std::vector<double> spl_a;
-  std::vector<double> spl_b;
-};
+/// Paired episodes of one row, in the order of their keys.
+using Pairs = std::vector<std::pair<const EpisodeResult*, const EpisodeResult*>>;
 
 struct RowKey {
   std::string agent_a;
@@ -33,18 +28,6 @@ struct RowKey {
   auto Order() const { return std::tie(agent_a, setting_a, condition_a, difficulty); }
   bool operator<(const RowKey& other) const { return Order() < other.Order(); }
 };
-
-double Success(const EpisodeResult& result) {
-  std::vector<double> values;
-  for (const GoalMetrics& goal : result.goals) values.push_back(goal.success ? 1.0 : 0.0);
-  return Mean(values);
-}
-
-double Spl(const EpisodeResult& result) {
-  std::vector<double> values;
-  for (const GoalMetrics& goal : result.goals) values.push_back(goal.spl);
-  return Mean(values);
-}
 
 using ResultMap = std::map<ResultKey, const EpisodeResult*>;
 
@@ -86,8 +69,8 @@ ResultKey Partner(ResultKey key, const Pairing& pairing) {
 }
 
 void RequireSameEpisode(const EpisodeResult& a, const EpisodeResult& b) {
-  const double start_a = a.goals.front().start_distance;
-  const double start_b = b.goals.front().start_distance;
+  const double start_a = a.goals.front().Value("start_distance");
+  const double start_b = b.goals.front().Value("start_distance");
   if (a.goals.size() == b.goals.size() && std::abs(start_a - start_b) <= kSameStart) return;
   throw sim::Error(fmt::format(
       "the runs are of different episodes: '{}' in {} has {} goals in one, the first {:.3f} m "
@@ -100,14 +83,20 @@ std::string Between(const std::string& a, const std::string& b) {
   return a == b ? a : a + " -> " + b;
 }
 
-void Add(const EpisodeResult& a, const EpisodeResult& b, Samples* samples) {
-  samples->success_a.push_back(Success(a));
-  samples->success_b.push_back(Success(b));
-  samples->spl_a.push_back(Spl(a));
-  samples->spl_b.push_back(Spl(b));
+ComparedMeasure Compared(const Measure& measure, const Pairs& pairs) {
+  std::vector<double> a;
+  std::vector<double> b;
+  for (const auto& [result_a, result_b] : pairs) {
+    const auto value_a = EpisodeValue(measure, result_a->goals);
+    const auto value_b = EpisodeValue(measure, result_b->goals);
+    if (!value_a || !value_b) continue;
+    a.push_back(*value_a);
+    b.push_back(*value_b);
+  }
+  return {measure, Mean(a), Mean(b), ComparePairs(a, b, kBootstrapSeed)};
 }
 
-ComparisonRow MakeRow(const RowKey& key, const Samples& samples, const Pairing& pairing) {
+ComparisonRow MakeRow(const RowKey& key, const Pairs& pairs, const Pairing& pairing) {
   const ResultKey partner =
       Partner({key.agent_a, key.setting_a, key.condition_a, 0, "", ""}, pairing);
   ComparisonRow row;
@@ -118,12 +107,10 @@ ComparisonRow MakeRow(const RowKey& key, const Samples& samples, const Pairing& 
   row.difficulty = key.difficulty < kDifficulties.size()
                        ? std::string(DifficultyName(kDifficulties[key.difficulty]))
                        : "overall";
-  row.success_a = Mean(samples.success_a);
-  row.success_b = Mean(samples.success_b);
-  row.spl_a = Mean(samples.spl_a);
-  row.spl_b = Mean(samples.spl_b);
-  row.success = ComparePairs(samples.success_a, samples.success_b, kBootstrapSeed);
-  row.spl = ComparePairs(samples.spl_a, samples.spl_b, kBootstrapSeed);
+  for (const Measure& measure : MainMeasures()) {
+    row.measures.push_back(Compared(measure, pairs));
+    if (row.measures.back().difference.pairs == 0) row.measures.pop_back();
+  }
   return row;
 }
 
@@ -134,7 +121,7 @@ Comparison CompareRuns(const std::vector<EpisodeResult>& a, const std::vector<Ep
   using Sides = std::pair<std::string, std::string>;
   const ResultMap all_a = ByKey(a, pairing, &Sides::first);
   const ResultMap all_b = ByKey(b, pairing, &Sides::second);
-  std::map<RowKey, Samples> groups;
+  std::map<RowKey, Pairs> groups;
   int pairs = 0;
   for (const auto& [key_a, result_a] : all_a) {
     const auto found = all_b.find(Partner(key_a, pairing));
@@ -142,10 +129,10 @@ Comparison CompareRuns(const std::vector<EpisodeResult>& a, const std::vector<Ep
     RequireSameEpisode(*result_a, *found->second);
     ++pairs;
     RowKey row = {key_a.agent, key_a.setting, key_a.condition, kDifficulties.size()};
-    Add(*result_a, *found->second, &groups[row]);
+    groups[row].emplace_back(result_a, found->second);
     if (!result_a->difficulty) continue;
     row.difficulty = static_cast<std::size_t>(*result_a->difficulty);
-    Add(*result_a, *found->second, &groups[row]);
+    groups[row].emplace_back(result_a, found->second);
   }
   if (pairs == 0) {
     throw sim::Error(fmt::format(
@@ -154,8 +141,8 @@ Comparison CompareRuns(const std::vector<EpisodeResult>& a, const std::vector<Ep
         ContentsOf(a), ContentsOf(b)));
   }
   Comparison comparison;
-  for (const auto& [key, samples] : groups) {
-    comparison.rows.push_back(MakeRow(key, samples, pairing));
+  for (const auto& [key, row_pairs] : groups) {
+    comparison.rows.push_back(MakeRow(key, row_pairs, pairing));
   }
   comparison.only_a = static_cast<int>(all_a.size()) - pairs;
   comparison.only_b = static_cast<int>(all_b.size()) - pairs;
@@ -174,10 +161,16 @@ std::string ToText(const Comparison& comparison) {
         fmt::format("{}, {}, {}", Between(row.agent_a, row.agent_b), row.setting, row.condition);
     if (head != last) text += head + "\n";
     last = head;
-    text += fmt::format("  {:<8} {:5} pairs  success {:.2f} -> {:.2f}: {}\n", row.difficulty,
-                        row.success.pairs, row.success_a, row.success_b, difference(row.success));
-    text += fmt::format("  {:<8} {:5}        SPL     {:.2f} -> {:.2f}: {}\n", "", "", row.spl_a,
-                        row.spl_b, difference(row.spl));
+    int pairs = 0;  // said where it changes
+    for (const ComparedMeasure& m : row.measures) {
+      const bool is_first = &m == &row.measures.front();
+      const std::string count =
+          m.difference.pairs == pairs ? "" : fmt::format("{:5} pairs", m.difference.pairs);
+      pairs = m.difference.pairs;
+      text += fmt::format("  {:<8} {:<11}  {:<7} {:.2f} -> {:.2f}: {}\n",
+                          is_first ? row.difficulty : "", count, m.measure.label, m.a, m.b,
+                          difference(m.difference));
+    }
   }
   text +=
       "differences: second less first, with the 95% interval of their mean, and p of the sign "

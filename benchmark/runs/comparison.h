@@ -19,6 +19,14 @@ struct Pairing {
   Names conditions;
 };
 
+/// A main measure of the episodes that both runs have it of.
+struct ComparedMeasure {
+  Measure measure;
+  double a = 0.0;  // means
+  double b = 0.0;
+  PairedDifference difference;  // b - a
+};
+
 /// Two sets of results on the same episodes with the same seed.
 struct ComparisonRow {
   std::string agent_a;
@@ -26,12 +34,7 @@ struct ComparisonRow {
   std::string setting;     // or "rgb -> rgbd"
   std::string condition;   // likewise
   std::string difficulty;  // "easy", "medium", "hard", "overall"
-  double success_a = 0.0;
-  double success_b = 0.0;
-  double spl_a = 0.0;
-  double spl_b = 0.0;
-  PairedDifference success;  // b - a
-  PairedDifference spl;
+  std::vector<ComparedMeasure> measures;
 };
 
 struct Comparison {

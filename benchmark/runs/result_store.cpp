@@ -147,9 +147,9 @@ std::vector<EpisodeResult> ResultStore::results() const {
 void ResultStore::Append(const EpisodeResult& result) {
   const std::string line = ToJsonLine(result) + "\n";
   const std::lock_guard lock(mutex_);
-  CHECK(!results_.contains(result.key));
+  BULLETNAV_CHECK(!results_.contains(result.key));
   struct stat before = {};
-  CHECK_EQ(::fstat(fd_, &before), 0);
+  BULLETNAV_CHECK_EQ(::fstat(fd_, &before), 0);
   if (!WriteDurably(fd_, line)) {
     const std::string reason = std::strerror(errno);
     // Even if this fails too, the next run drops the part of a line.

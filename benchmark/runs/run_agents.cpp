@@ -24,7 +24,7 @@ class PrivilegedLanes final : public agent::BatchAgent {
   PrivilegedLanes(std::vector<std::unique_ptr<PrivilegedAgent>> agents,
                   std::span<const GroundTruth* const> truths)
       : agents_(std::move(agents)), truths_(truths.begin(), truths.end()) {
-    CHECK_EQ(agents_.size(), truths_.size());
+    BULLETNAV_CHECK_EQ(agents_.size(), truths_.size());
   }
 
   int lanes() const override { return static_cast<int>(agents_.size()); }

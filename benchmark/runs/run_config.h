@@ -12,6 +12,7 @@
 #include "agent/observation.h"
 #include "benchmark/episodes/generator.h"
 #include "benchmark/episodes/made_houses.h"
+#include "benchmark/play/condition.h"
 #include "benchmark/privileged/mixed_semantic_model.h"
 #include "sim/noise/noise_model.h"
 #include "sim/simulator.h"
@@ -20,9 +21,6 @@ namespace bulletnav::bench {
 
 /// What the panoramas hold.
 enum class Setting { kRgb, kRgbd };
-/// kNoNoise: exact motion and odometry. kNoStop: being near the goal ends the episode, a stop does
-/// nothing. Source: Neural Topological SLAM, table 2.
-enum class Condition { kNoise, kNoNoise, kNoStop };
 
 }  // namespace bulletnav::bench
 
@@ -30,13 +28,6 @@ template <>
 struct bulletnav::sim::EnumNames<bulletnav::bench::Setting> {
   static constexpr std::array kNames = {std::pair{"rgb", bulletnav::bench::Setting::kRgb},
                                         std::pair{"rgbd", bulletnav::bench::Setting::kRgbd}};
-};
-template <>
-struct bulletnav::sim::EnumNames<bulletnav::bench::Condition> {
-  static constexpr std::array kNames = {
-      std::pair{"noise", bulletnav::bench::Condition::kNoise},
-      std::pair{"no_noise", bulletnav::bench::Condition::kNoNoise},
-      std::pair{"no_stop", bulletnav::bench::Condition::kNoStop}};
 };
 
 namespace bulletnav::bench {

@@ -34,7 +34,7 @@ double Mean(std::span<const double> values) {
 }
 
 Interval WilsonInterval(int successes, int count) {
-  CHECK(successes >= 0 && successes <= count);
+  BULLETNAV_CHECK(successes >= 0 && successes <= count);
   if (count == 0) return {0.0, 1.0};
   const double n = count;
   const double share = successes / n;
@@ -43,6 +43,11 @@ Interval WilsonInterval(int successes, int count) {
   const double half = shrink * kZ * std::sqrt(share * (1.0 - share) / n + kZ * kZ / (4.0 * n * n));
   // Exactly, what rounding would miss by a last digit.
   return {successes == 0 ? 0.0 : centre - half, successes == count ? 1.0 : centre + half};
+}
+
+Interval ShareInterval(std::span<const double> values) {
+  const auto ones = std::count(values.begin(), values.end(), 1.0);
+  return WilsonInterval(static_cast<int>(ones), static_cast<int>(values.size()));
 }
 
 Interval BootstrapInterval(std::span<const double> values, std::uint64_t seed) {
@@ -61,7 +66,7 @@ Interval BootstrapInterval(std::span<const double> values, std::uint64_t seed) {
 
 PairedDifference ComparePairs(std::span<const double> a, std::span<const double> b,
                               std::uint64_t seed) {
-  CHECK_EQ(a.size(), b.size());
+  BULLETNAV_CHECK_EQ(a.size(), b.size());
   PairedDifference result;
   std::vector<double> differences;
   for (std::size_t i = 0; i < a.size(); ++i) {

@@ -21,6 +21,9 @@ double Mean(std::span<const double> values);
 /// statistical inference", 1927.
 Interval WilsonInterval(int successes, int count);
 
+/// The same of a share given as ones and zeros.
+Interval ShareInterval(std::span<const double> values);
+
 /// Of a mean, by the percentiles of 2000 means of values drawn again with replacement. The same
 /// values in the same order and the same seed give the same interval. Source: Efron, 1979.
 Interval BootstrapInterval(std::span<const double> values, std::uint64_t seed);

@@ -2,57 +2,26 @@
 #include "benchmark/runs/summary.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <map>
 #include <tuple>
 
 #include <fmt/core.h>
 
 #include "benchmark/base/json_cursor.h"
+#include "benchmark/play/condition.h"
 #include "benchmark/runs/published.h"
+#include "sim/base/check.h"
 
 namespace bulletnav::bench {
 namespace {
 
 constexpr std::uint64_t kBootstrapSeed = 0;
 
-/// The numbers of one episode, as they enter a row's means.
+/// An episode, or the first goals of one.
 struct Sample {
-  double success = 0.0;
-  double success_euclidean = 0.0;
-  double spl = 0.0;
-  double soft_spl = 0.0;
-  double distance_to_goal = 0.0;
-  double steps = 0.0;
-  double collisions = 0.0;
+  std::span<const GoalMetrics> goals;
   bool failed = false;
-  bool single = true;
 };
-
-/// Of the first `count` goals of an episode.
-Sample SampleOf(const EpisodeResult& result, std::size_t count) {
-  Sample sample;
-  const auto n = static_cast<double>(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const GoalMetrics& goal = result.goals[i];
-    sample.success += goal.success ? 1.0 : 0.0;
-    sample.success_euclidean += goal.success_euclidean ? 1.0 : 0.0;
-    sample.spl += goal.spl;
-    sample.soft_spl += goal.soft_spl;
-    sample.distance_to_goal +=
-        std::isfinite(goal.distance_to_goal) ? goal.distance_to_goal : goal.euclidean_distance;
-    sample.steps += goal.steps;
-    sample.collisions += goal.collisions;
-  }
-  for (double* sum : {&sample.success, &sample.success_euclidean, &sample.spl, &sample.soft_spl,
-                      &sample.distance_to_goal}) {
-    *sum /= n;  // after summing: ten goals of ten are 1
-  }
-  sample.failed = !result.failure.empty();
-  sample.single = count == 1;
-  return sample;
-}
 
 /// Where a row stands among the others.
 struct RowKey {
@@ -69,13 +38,15 @@ struct RowKey {
   bool operator<(const RowKey& other) const { return Order() < other.Order(); }
 };
 
-constexpr std::array<const char*, 3> kConditions = {"noise", "no_stop", "no_noise"};
 constexpr std::size_t kOverall = 3;
 constexpr std::size_t kFirstGoals = 4;  // and one further on a goal
 
 std::size_t ConditionPlace(const std::string& name) {
-  return static_cast<std::size_t>(std::find(kConditions.begin(), kConditions.end(), name) -
-                                  kConditions.begin());
+  const auto& names = sim::EnumNames<Condition>::kNames;
+  const auto found = std::find_if(names.begin(), names.end(), [&](const auto& known) {
+    return known.first == name;
+  });
+  return static_cast<std::size_t>(found - names.begin());
 }
 
 std::string DifficultyOfPlace(std::size_t place) {
@@ -83,23 +54,31 @@ std::string DifficultyOfPlace(std::size_t place) {
   return place == kOverall ? "overall" : fmt::format("goals_{}", place - kFirstGoals + 1);
 }
 
-std::vector<double> Column(const std::vector<Sample>& samples, double Sample::*member) {
+bool HasAll(const Measure& measure, const Sample& sample) {
+  return std::all_of(sample.goals.begin(), sample.goals.end(), [&](const GoalMetrics& goal) {
+    return goal.Find(measure.name).has_value();
+  });
+}
+
+bool AreSingle(const std::vector<Sample>& samples) {
+  return std::all_of(samples.begin(), samples.end(), [](const Sample& sample) {
+    return sample.goals.size() == 1;
+  });
+}
+
+Average AverageOf(const Measure& measure, const std::vector<Sample>& samples) {
   std::vector<double> values;
-  values.reserve(samples.size());
-  for (const Sample& sample : samples) values.push_back(sample.*member);
-  return values;
-}
-
-bool IsSingle(const Sample& sample) {
-  return sample.single;
-}
-
-Interval SuccessInterval(const std::vector<Sample>& samples) {
-  const std::vector<double> success = Column(samples, &Sample::success);
-  const bool single = std::all_of(samples.begin(), samples.end(), IsSingle);
-  if (!single) return BootstrapInterval(success, kBootstrapSeed);
-  const auto successes = std::count(success.begin(), success.end(), 1.0);
-  return WilsonInterval(static_cast<int>(successes), static_cast<int>(success.size()));
+  for (const Sample& sample : samples) {
+    if (!HasAll(measure, sample)) return {};
+    if (const auto value = EpisodeValue(measure, sample.goals)) values.push_back(*value);
+  }
+  if (values.empty()) return {};
+  Average average;
+  average.mean = Mean(values);
+  if (!measure.is_main()) return average;
+  const bool is_share = measure.kind == MeasureKind::kYesNo && AreSingle(samples);
+  average.interval = is_share ? ShareInterval(values) : BootstrapInterval(values, kBootstrapSeed);
+  return average;
 }
 
 SummaryRow MakeRow(const RowKey& key, const std::vector<Sample>& samples) {
@@ -113,21 +92,14 @@ SummaryRow MakeRow(const RowKey& key, const std::vector<Sample>& samples) {
       static_cast<int>(std::count_if(samples.begin(), samples.end(), [](const Sample& s) {
         return s.failed;
       }));
-  const std::vector<double> spl = Column(samples, &Sample::spl);
-  row.success = Mean(Column(samples, &Sample::success));
-  row.success_ci = SuccessInterval(samples);
-  row.success_euclidean = Mean(Column(samples, &Sample::success_euclidean));
-  row.spl = Mean(spl);
-  row.spl_ci = BootstrapInterval(spl, kBootstrapSeed);
-  row.soft_spl = Mean(Column(samples, &Sample::soft_spl));
-  row.distance_to_goal_mean = Mean(Column(samples, &Sample::distance_to_goal));
-  row.steps_mean = Mean(Column(samples, &Sample::steps));
-  row.collisions_mean = Mean(Column(samples, &Sample::collisions));
-  if (!std::all_of(samples.begin(), samples.end(), IsSingle)) return row;
-  const PublishedFigure paper =
-      FindPublished(row.agent, row.setting, row.condition, row.difficulty);
-  row.paper_success = paper.success;
-  row.paper_spl = paper.spl;
+  for (const Measure& measure : AllMeasures()) {
+    if (measure.column.empty()) continue;
+    Average& average = row.averages[std::string(measure.name)];
+    average = AverageOf(measure, samples);
+    if (!AreSingle(samples)) continue;
+    average.paper =
+        FindPublished(measure.name, row.agent, row.setting, row.condition, row.difficulty);
+  }
   return row;
 }
 
@@ -145,14 +117,15 @@ std::map<RowKey, std::vector<Sample>> Group(const std::vector<EpisodeResult>& re
                   ConditionPlace(from.condition),
                   from.condition,
                   kOverall};
-    groups[key].push_back(SampleOf(result, result.goals.size()));
+    const bool failed = !result.failure.empty();
+    groups[key].push_back({result.goals, failed});
     if (result.difficulty) {
       key.difficulty = static_cast<std::size_t>(*result.difficulty);
-      groups[key].push_back(SampleOf(result, result.goals.size()));
+      groups[key].push_back({result.goals, failed});
     }
     for (std::size_t count = 1; result.goals.size() > 1 && count <= result.goals.size(); ++count) {
       key.difficulty = kFirstGoals + count - 1;
-      groups[key].push_back(SampleOf(result, count));
+      groups[key].push_back({std::span(result.goals).first(count), failed});
     }
   }
   return groups;
@@ -163,25 +136,33 @@ Json OrNull(const std::optional<T>& value) {
   return value ? Json(*value) : Json(nullptr);
 }
 
+void WriteAverages(const SummaryRow& row, ColumnPlace place, Json* json) {
+  for (const Measure& measure : AllMeasures()) {
+    if (measure.column.empty() || measure.column_place != place) continue;
+    const std::string column(measure.column);
+    BULLETNAV_CHECK(!json->contains(column));  // two columns of one name
+    const Average average = row.Of(measure.name);
+    (*json)[column] = OrNull(average.mean);
+    if (!measure.is_main()) continue;
+    const std::optional<Interval>& interval = average.interval;
+    (*json)[column + "_ci"] = interval ? Json{interval->low, interval->high} : Json{{}, {}};
+  }
+}
+
 Json ToJson(const SummaryRow& row) {
-  return {{"agent", row.agent},
-          {"setting", row.setting},
-          {"condition", row.condition},
-          {"difficulty", row.difficulty},
-          {"episodes", row.episodes},
-          {"success", row.success},
-          {"success_ci", {row.success_ci.low, row.success_ci.high}},
-          {"success_euclidean", row.success_euclidean},
-          {"spl", row.spl},
-          {"spl_ci", {row.spl_ci.low, row.spl_ci.high}},
-          {"soft_spl", row.soft_spl},
-          {"steps_mean", row.steps_mean},
-          {"collisions_mean", row.collisions_mean},
-          {"frames_trained", OrNull(row.frames_trained)},
-          {"paper_success", OrNull(row.paper_success)},
-          {"paper_spl", OrNull(row.paper_spl)},
-          {"distance_to_goal_mean", row.distance_to_goal_mean},
-          {"note", row.note}};
+  Json json = {{"agent", row.agent},
+               {"setting", row.setting},
+               {"condition", row.condition},
+               {"difficulty", row.difficulty},
+               {"episodes", row.episodes}};
+  WriteAverages(row, ColumnPlace::kBeforePaper, &json);
+  json["frames_trained"] = OrNull(row.frames_trained);
+  for (const std::string_view measure : kPublishedMeasures) {
+    json["paper_" + std::string(measure)] = OrNull(row.Of(measure).paper);
+  }
+  WriteAverages(row, ColumnPlace::kAfterPaper, &json);
+  json["note"] = row.note;
+  return json;
 }
 
 /// A text as one CSV field.
@@ -198,6 +179,11 @@ std::string CsvValue(const Json& value) {
 }
 
 }  // namespace
+
+Average SummaryRow::Of(std::string_view measure) const {
+  const auto found = averages.find(measure);
+  return found == averages.end() ? Average() : found->second;
+}
 
 std::vector<SummaryRow> Summarize(std::vector<EpisodeResult> results,
                                   std::span<const AgentRow> agents) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "benchmark/play/episode_result.h"
@@ -21,6 +22,13 @@ struct AgentRow {
   std::string note;  // "oracle", "privileged", or why there are no results; may be empty
 };
 
+/// What the episodes of a row came to in one measure; empty where they were not measured.
+struct Average {
+  std::optional<double> mean;
+  std::optional<Interval> interval;  // of main measures; see Measure
+  std::optional<double> paper;       // on Gibson, of single goals
+};
+
 /// Results of one agent under one condition, over the episodes of one difficulty.
 struct SummaryRow {
   std::string agent;
@@ -30,30 +38,24 @@ struct SummaryRow {
   /// of sequences.
   std::string difficulty;
   int episodes = 0;
-  int failures = 0;      // episodes whose agent was taken off; they count as not solved
-  double success = 0.0;  // of goals reached
-  Interval success_ci;   // Wilson; of sequences, bootstrapped over episodes
-  double success_euclidean = 0.0;
-  double spl = 0.0;
-  Interval spl_ci;  // bootstrapped over episodes
-  double soft_spl = 0.0;
-  double distance_to_goal_mean = 0.0;  // metres at the end; straight where no way leads there
-  double steps_mean = 0.0;
-  double collisions_mean = 0.0;
+  int failures = 0;  // episodes whose agent was taken off; they count as not solved
+  std::map<std::string, Average, std::less<>> averages;  // by measure, of those with a column
   std::optional<std::int64_t> frames_trained;
-  std::optional<double> paper_success;  // on Gibson, of single goals
-  std::optional<double> paper_spl;
   std::string note;  // the agent's
+
+  /// An empty one for a measure without a column.
+  Average Of(std::string_view measure) const;
 };
 
 /// One row for each agent, setting, condition and difficulty that there are results of. Agents come
 /// in the order of `agents`, those it leaves out after them by name. Deterministic: the same
-/// results, in any order, give the same rows. An episode of several goals counts with their mean;
-/// steps and collisions with their sum.
+/// results, in any order, give the same rows. A measure that one episode of a row lacks is left
+/// empty in it.
 std::vector<SummaryRow> Summarize(std::vector<EpisodeResult> results,
                                   std::span<const AgentRow> agents);
 
-/// {"rows": [...]}, indented; keys are the members' names, `failures` left out.
+/// {"rows": [...]}, indented: what the row is of, the columns of its measures, with "_ci" after
+/// those that have an interval, frames, the paper's figures and note.
 std::string SummaryToJson(std::span<const SummaryRow> rows);
 /// A line of names and a line a row, intervals in two columns.
 std::string SummaryToCsv(std::span<const SummaryRow> rows);

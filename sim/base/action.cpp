@@ -16,7 +16,7 @@ std::string_view ActionName(Action action) {
     case Action::kTurnRight:
       return "turn_right";
   }
-  CHECK(false);
+  BULLETNAV_CHECK(false);
 }
 
 }  // namespace bulletnav::sim

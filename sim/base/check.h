@@ -6,8 +6,9 @@
 
 #include "sim/base/check_failed.h"
 
-/// CHECK(condition) and CHECK_EQ(a, b) end the program on a broken invariant, always; they are for
-/// our own bugs, never for input. DCHECK vanishes from release builds: for pixel loops.
+/// BULLETNAV_CHECK(condition) and BULLETNAV_CHECK_EQ(a, b) end the program on a broken invariant,
+/// always; they are for our own bugs, never for input. BULLETNAV_DCHECK vanishes from release
+/// builds: for pixel loops.
 namespace bulletnav::sim::internal {
 
 template <class A, class B>
@@ -26,8 +27,8 @@ void CheckBoth(const Holds& holds, const A& a, const B& b, std::string_view file
 }  // namespace bulletnav::sim::internal
 
 // NOLINTBEGIN(bugprone-macro-parentheses): the operator cannot be parenthesised.
-#define CHECK(condition) \
-  ((condition) ? void(0) \
+#define BULLETNAV_CHECK(condition) \
+  ((condition) ? void(0)           \
                : ::bulletnav::sim::internal::CheckFailed(__FILE__, __LINE__, #condition, {}))
 
 #define BULLETNAV_CHECK_OP(a, op, b)                 \
@@ -38,16 +39,16 @@ void CheckBoth(const Holds& holds, const A& a, const B& b, std::string_view file
       a, b, __FILE__, __LINE__, #a " " #op " " #b)
 // NOLINTEND(bugprone-macro-parentheses)
 
-#define CHECK_EQ(a, b) BULLETNAV_CHECK_OP(a, ==, b)
-#define CHECK_LT(a, b) BULLETNAV_CHECK_OP(a, <, b)
-#define CHECK_LE(a, b) BULLETNAV_CHECK_OP(a, <=, b)
-#define CHECK_GT(a, b) BULLETNAV_CHECK_OP(a, >, b)
-#define CHECK_GE(a, b) BULLETNAV_CHECK_OP(a, >=, b)
+#define BULLETNAV_CHECK_EQ(a, b) BULLETNAV_CHECK_OP(a, ==, b)
+#define BULLETNAV_CHECK_LT(a, b) BULLETNAV_CHECK_OP(a, <, b)
+#define BULLETNAV_CHECK_LE(a, b) BULLETNAV_CHECK_OP(a, <=, b)
+#define BULLETNAV_CHECK_GT(a, b) BULLETNAV_CHECK_OP(a, >, b)
+#define BULLETNAV_CHECK_GE(a, b) BULLETNAV_CHECK_OP(a, >=, b)
 
 #ifdef NDEBUG
-#define DCHECK(condition) \
-  do {                    \
+#define BULLETNAV_DCHECK(condition) \
+  do {                              \
   } while (false)
 #else
-#define DCHECK(condition) CHECK(condition)
+#define BULLETNAV_DCHECK(condition) BULLETNAV_CHECK(condition)
 #endif

@@ -5,8 +5,8 @@
 
 namespace bulletnav::sim::internal {
 
-/// Ends the program with the place and the condition that does not hold. For headers that others
-/// include, where the macros of check.h would meet macros of the same names.
+/// Ends the program with the place and the condition that does not hold. For headers that many
+/// include, which check.h would make slower to read.
 [[noreturn]] void CheckFailed(std::string_view file, int line, std::string_view condition,
                               const std::string& values);
 

@@ -7,7 +7,8 @@
 namespace bulletnav::sim {
 
 /// What a user can mend: a file, a config, a flag, a pose. The message is one line that names the
-/// file, the place in it, what is wrong and the remedy. Our own bugs are CHECK failures instead.
+/// file, the place in it, what is wrong and the remedy. Our own bugs end the program instead, see
+/// check.h.
 class Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -52,7 +52,7 @@ void YamlWriter::WriteScalar(const T& value) {
   } else {
     std::array<char, 64> digits{};
     const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
-    CHECK(error == std::errc());
+    BULLETNAV_CHECK(error == std::errc());
     emitter_ << std::string(digits.data(), end);
   }
 }
@@ -83,7 +83,7 @@ void YamlWriter::Write(const T& value) {
 template <class T>
 void YamlWriter::WriteCompound(const T& value) {
   if constexpr (internal::kIsOptional<T>) {
-    CHECK(value.has_value());
+    BULLETNAV_CHECK(value.has_value());
     Write(*value);
   } else if constexpr (internal::kIsVector<T> || internal::kIsArray<T>) {
     WriteList(value);

@@ -29,10 +29,10 @@ bool HasBlockedRim(const Grid<CellState>& map) {
 FastMarching::FastMarching(int size) : settled_(size, kInfinity), tentative_(size, kInfinity) {}
 
 void FastMarching::Start(const Grid<CellState>& map, const Query& query) {
-  CHECK_EQ(map.size(), settled_.size());
-  CHECK(HasBlockedRim(map));
-  CHECK(query.from.x > 0 && query.from.y > 0);
-  CHECK(query.from.x < map.size() - 1 && query.from.y < map.size() - 1);
+  BULLETNAV_CHECK_EQ(map.size(), settled_.size());
+  BULLETNAV_CHECK(HasBlockedRim(map));
+  BULLETNAV_CHECK(query.from.x > 0 && query.from.y > 0);
+  BULLETNAV_CHECK(query.from.x < map.size() - 1 && query.from.y < map.size() - 1);
   for (const std::size_t i : touched_) settled_[i] = tentative_[i] = kInfinity;
   touched_.clear();
   for (auto& bucket : buckets_) bucket.clear();

@@ -9,8 +9,8 @@
 namespace bulletnav::sim {
 
 void BuildArchitecture(const FloorPlan& plan, const HouseStyle& style, MeshBuilder* builder) {
-  CHECK_EQ(plan.rooms.size(), style.rooms.size());
-  CHECK_EQ(plan.openings.size(), style.thresholds.size());
+  BULLETNAV_CHECK_EQ(plan.rooms.size(), style.rooms.size());
+  BULLETNAV_CHECK_EQ(plan.openings.size(), style.thresholds.size());
   for (int room = 0; room < static_cast<int>(plan.rooms.size()); ++room) {
     shell::AddFloorAndCeiling(plan, style, room, builder);
     shell::AddWalls(plan, style, room, builder);

@@ -30,7 +30,7 @@ bool IsInside(std::span<const PlanPoint> outline, const PlanPoint& point) {
 }
 
 std::array<PlanPoint, 4> LeafOutline(const Opening& door) {
-  CHECK(door.has_leaf);
+  BULLETNAV_CHECK(door.has_leaf);
   const PlanPoint& hinge_jamb = door.hinge_at_a ? door.a : door.b;
   const PlanPoint& free_jamb = door.hinge_at_a ? door.b : door.a;
   const PlanPoint along = (free_jamb - hinge_jamb).normalized();

@@ -41,7 +41,7 @@ void FurnishRoom(RoomType type, placing::RoomFurnisher* room) {
 std::vector<std::vector<std::string_view>> FurnishHouse(const FloorPlan& plan,
                                                         const HouseStyle& style, const Rng& rng,
                                                         MeshBuilder* builder) {
-  CHECK_EQ(plan.rooms.size(), style.rooms.size());
+  BULLETNAV_CHECK_EQ(plan.rooms.size(), style.rooms.size());
   std::vector<std::vector<std::string_view>> kinds;
   for (std::size_t i = 0; i < plan.rooms.size(); ++i) {
     placing::RoomSpace space(plan, style, static_cast<int>(i));

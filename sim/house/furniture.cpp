@@ -71,7 +71,7 @@ Piece BuildPiece(const FurnitureKind& kind, const Rng& rng, const Palette& palet
   }
   furniture::PieceMaker maker(rng, palette, granted);
   kind.build(maker);
-  CHECK_GT(maker.triangles(), 0u);
+  BULLETNAV_CHECK_GT(maker.triangles(), 0u);
   const Vec move = MoveIntoFrame(kind.placement, maker.Bounds());
   Piece piece;
   {

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/base/files.h"
-#include "sim/house/json_node.h"
+#include "sim/config/json_node.h"
 
 namespace bulletnav::sim {
 
@@ -23,15 +23,15 @@ nlohmann::ordered_json ToJson(const std::vector<HouseEntry>& houses) {
 }
 
 std::vector<HouseEntry> ReadHouseIndex(const std::filesystem::path& index) {
-  const JsonNode root =
-      JsonNode::Parse(ReadTextFile(index), index, "remove it and make the houses again");
-  const JsonNode houses = root["houses"];
+  const std::string remedy = "remove it and make the houses again";
+  const auto document = ParseJson<FloatJson>(ReadTextFile(index), index, 1, remedy);
+  const JsonNode<FloatJson> houses = JsonNode(document, index, "", remedy).At("houses");
   std::vector<HouseEntry> entries;
-  for (std::size_t i = 0; i < houses.size(1); ++i) {
-    const JsonNode house = houses[i];
-    entries.push_back({house["file"].ToString(), house["split"].ToEnum<Split>(),
-                       house["seed"].ToUint(), static_cast<int>(house["rooms"].ToUint()),
-                       static_cast<double>(house["area_m2"].ToPositive())});
+  for (std::size_t i = 0; i < houses.Size(1); ++i) {
+    const JsonNode<FloatJson> house = houses.Item(i);
+    entries.push_back({house.At("file").Text(), house.At("split").Enum<Split>(),
+                       house.At("seed").Whole(), static_cast<int>(house.At("rooms").Whole()),
+                       static_cast<double>(house.At("area_m2").Positive())});
   }
   return entries;
 }

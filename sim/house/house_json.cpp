@@ -7,12 +7,13 @@
 #include <span>
 
 #include "sim/base/files.h"
-#include "sim/house/json_node.h"
+#include "sim/config/json_node.h"
 
 namespace bulletnav::sim {
 namespace {
 
 using Json = FloatJson;
+using Node = JsonNode<Json>;
 
 constexpr float kAreaSlack = 0.01f;  // square metres; areas are said for people and checked
 
@@ -106,111 +107,111 @@ std::string Lines(const Json& json) {
   return text + "\n}\n";
 }
 
-PlanPoint ReadPoint(const JsonNode& node) {
-  if (node.size() != 2) node.Fail("is not a pair [x, z]");
-  return {node[0].ToFloat(), node[1].ToFloat()};
+PlanPoint ReadPoint(const Node& node) {
+  if (node.Size() != 2) node.Fail("is not a pair [x, z]");
+  return {node.Item(0).Number(), node.Item(1).Number()};
 }
 
-std::vector<PlanPoint> ReadPolygon(const JsonNode& node) {
+std::vector<PlanPoint> ReadPolygon(const Node& node) {
   std::vector<PlanPoint> outline;
-  const std::size_t n = node.size(3);
-  for (std::size_t i = 0; i < n; ++i) outline.push_back(ReadPoint(node[i]));
+  const std::size_t n = node.Size(3);
+  for (std::size_t i = 0; i < n; ++i) outline.push_back(ReadPoint(node.Item(i)));
   if (!(PolygonArea(outline) > 0.0f)) node.Fail("encloses nothing");
   return outline;
 }
 
-void CheckArea(const JsonNode& node, float area) {
-  if (!(std::abs(node.ToFloat() - area) <= kAreaSlack)) {
+void CheckArea(const Node& node, float area) {
+  if (!(std::abs(node.Number() - area) <= kAreaSlack)) {
     node.Fail("is not the area of the shape, " + std::to_string(area));
   }
 }
 
-int ReadRoomIndex(const JsonNode& node, std::size_t rooms) {
-  return node.IsNull() ? -1 : node.ToIndex(rooms, "rooms");
+int ReadRoomIndex(const Node& node, std::size_t rooms) {
+  return node.IsNull() ? -1 : node.Index(rooms, "rooms");
 }
 
-void ReadEnds(const JsonNode& node, PlanPoint* a, PlanPoint* b) {
-  *a = ReadPoint(node["a"]);
-  *b = ReadPoint(node["b"]);
+void ReadEnds(const Node& node, PlanPoint* a, PlanPoint* b) {
+  *a = ReadPoint(node.At("a"));
+  *b = ReadPoint(node.At("b"));
   if (*a == *b) node.Fail("has no length: a and b are the same point");
 }
 
-std::vector<Room> ReadRooms(const JsonNode& node) {
+std::vector<Room> ReadRooms(const Node& node) {
   std::vector<Room> rooms;
   std::set<std::string> names;
-  const std::size_t n = node.size(1);
+  const std::size_t n = node.Size(1);
   for (std::size_t i = 0; i < n; ++i) {
-    const JsonNode item = node[i];
+    const Node item = node.Item(i);
     Room room;
-    room.name = item["name"].ToString();
-    if (!names.insert(room.name).second) item["name"].Fail("'" + room.name + "' is there twice");
-    room.type = item["type"].ToEnum<RoomType>();
-    room.outline = ReadPolygon(item["polygon"]);
-    CheckArea(item["area_m2"], room.area());
+    room.name = item.At("name").Text();
+    if (!names.insert(room.name).second) item.At("name").Fail("'" + room.name + "' is there twice");
+    room.type = item.At("type").Enum<RoomType>();
+    room.outline = ReadPolygon(item.At("polygon"));
+    CheckArea(item.At("area_m2"), room.area());
     rooms.push_back(std::move(room));
   }
   return rooms;
 }
 
-void ReadLeaf(const JsonNode& node, std::size_t rooms, Opening* opening) {
+void ReadLeaf(const Node& node, std::size_t rooms, Opening* opening) {
   if (node.IsNull()) return;
   if (!opening->IsPassage()) node.Fail("belongs to a window, which has none");
   opening->has_leaf = true;
-  opening->door_angle = node["angle"].ToFloat();
-  const std::string hinge = node["hinge"].ToString();
-  if (hinge != "a" && hinge != "b") node["hinge"].Fail("'" + hinge + "' is not one of: a, b");
+  opening->door_angle = node.At("angle").Number();
+  const std::string hinge = node.At("hinge").Text();
+  if (hinge != "a" && hinge != "b") node.At("hinge").Fail("'" + hinge + "' is not one of: a, b");
   opening->hinge_at_a = hinge == "a";
-  const int into = ReadRoomIndex(node["opens_into"], rooms);
+  const int into = ReadRoomIndex(node.At("opens_into"), rooms);
   if (into != opening->room_a && into != opening->room_b) {
-    node["opens_into"].Fail("is none of the two rooms of the door");
+    node.At("opens_into").Fail("is none of the two rooms of the door");
   }
   opening->opens_into_a = into == opening->room_a;
 }
 
-std::vector<Opening> ReadOpenings(const JsonNode& node, std::size_t rooms) {
+std::vector<Opening> ReadOpenings(const Node& node, std::size_t rooms) {
   std::vector<Opening> openings;
-  const std::size_t n = node.size();
+  const std::size_t n = node.Size();
   for (std::size_t i = 0; i < n; ++i) {
-    const JsonNode item = node[i];
+    const Node item = node.Item(i);
     Opening opening;
-    opening.kind = item["kind"].ToEnum<OpeningKind>();
+    opening.kind = item.At("kind").Enum<OpeningKind>();
     ReadEnds(item, &opening.a, &opening.b);
-    opening.bottom = item["bottom"].ToFloat();
-    opening.top = item["top"].ToFloat();
-    if (!(opening.bottom < opening.top)) item["top"].Fail("is not above the bottom");
-    opening.wall_thickness = item["wall_thickness"].ToPositive();
-    const JsonNode sides = item["rooms"];
-    if (sides.size() != 2) sides.Fail("is not a pair of rooms");
-    opening.room_a = sides[0].ToIndex(rooms, "rooms");
-    opening.room_b = ReadRoomIndex(sides[1], rooms);
+    opening.bottom = item.At("bottom").Number();
+    opening.top = item.At("top").Number();
+    if (!(opening.bottom < opening.top)) item.At("top").Fail("is not above the bottom");
+    opening.wall_thickness = item.At("wall_thickness").Positive();
+    const Node sides = item.At("rooms");
+    if (sides.Size() != 2) sides.Fail("is not a pair of rooms");
+    opening.room_a = sides.Item(0).Index(rooms, "rooms");
+    opening.room_b = ReadRoomIndex(sides.Item(1), rooms);
     if (opening.room_a == opening.room_b) sides.Fail("are the same room twice");
-    ReadLeaf(item["leaf"], rooms, &opening);
+    ReadLeaf(item.At("leaf"), rooms, &opening);
     openings.push_back(opening);
   }
   return openings;
 }
 
-std::vector<Wall> ReadWalls(const JsonNode& node) {
+std::vector<Wall> ReadWalls(const Node& node) {
   std::vector<Wall> walls;
-  const std::size_t n = node.size();
+  const std::size_t n = node.Size();
   for (std::size_t i = 0; i < n; ++i) {
     Wall wall;
-    ReadEnds(node[i], &wall.a, &wall.b);
-    wall.thickness = node[i]["thickness"].ToPositive();
-    wall.is_outer = node[i]["is_outer"].ToBool();
+    ReadEnds(node.Item(i), &wall.a, &wall.b);
+    wall.thickness = node.Item(i).At("thickness").Positive();
+    wall.is_outer = node.Item(i).At("is_outer").Truth();
     walls.push_back(wall);
   }
   return walls;
 }
 
 /// The rooms' doors follow from the openings: they are said for people and checked.
-void CheckDoors(const JsonNode& rooms, const FloorPlan& plan) {
+void CheckDoors(const Node& rooms, const FloorPlan& plan) {
   for (std::size_t i = 0; i < plan.rooms.size(); ++i) {
-    const JsonNode doors = rooms[i]["doors"];
+    const Node doors = rooms.Item(i).At("doors");
     std::vector<int> found;
-    const std::size_t n = doors.size();
+    const std::size_t n = doors.Size();
     for (std::size_t k = 0; k < n; ++k) {
-      found.push_back(doors[k].ToIndex(plan.openings.size(), "openings"));
+      found.push_back(doors.Item(k).Index(plan.openings.size(), "openings"));
     }
     if (found != DoorsOf(plan, static_cast<int>(i))) {
       doors.Fail("are not the doors and arches that name this room, in order");
@@ -233,18 +234,19 @@ std::string ToJson(const HouseDescription& house) {
 }
 
 HouseDescription ReadHouseJson(const std::filesystem::path& file) {
-  const JsonNode root =
-      JsonNode::Parse(ReadTextFile(file), file, "generate the house again, or delete this file");
+  const std::string remedy = "generate the house again, or delete this file";
+  const Json document = ParseJson<Json>(ReadTextFile(file), file, 1, remedy);
+  const Node root(document, file, "", remedy);
   HouseDescription house;
-  house.seed = root["seed"].ToUint();
-  house.style = root["style"].ToString();
-  house.plan.ceiling = root["ceiling"].ToPositive();
-  house.plan.rooms = ReadRooms(root["rooms"]);
-  CheckArea(root["area_m2"], house.plan.area());
-  house.plan.openings = ReadOpenings(root["openings"], house.plan.rooms.size());
-  CheckDoors(root["rooms"], house.plan);
-  house.plan.walls = ReadWalls(root["walls"]);
-  house.plan.footprint = ReadPolygon(root["footprint"]);
+  house.seed = root.At("seed").Whole();
+  house.style = root.At("style").Text();
+  house.plan.ceiling = root.At("ceiling").Positive();
+  house.plan.rooms = ReadRooms(root.At("rooms"));
+  CheckArea(root.At("area_m2"), house.plan.area());
+  house.plan.openings = ReadOpenings(root.At("openings"), house.plan.rooms.size());
+  CheckDoors(root.At("rooms"), house.plan);
+  house.plan.walls = ReadWalls(root.At("walls"));
+  house.plan.footprint = ReadPolygon(root.At("footprint"));
   return house;
 }
 

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/base/files.h"
-#include "sim/house/json_node.h"
+#include "sim/config/json_node.h"
 
 namespace bulletnav::sim {
 namespace {
@@ -19,9 +19,10 @@ fs::path FileIn(const fs::path& folder) {
 }
 
 bool IsOf(const fs::path& file, const std::string& made_by, std::uint64_t first_seed) {
-  const JsonNode root = JsonNode::Parse(ReadTextFile(file), file,
-                                        "remove it, and the houses are made from the first one on");
-  return root["made_by"].ToString() == made_by && root["first_seed"].ToUint() == first_seed;
+  const std::string remedy = "remove it, and the houses are made from the first one on";
+  const auto document = ParseJson<FloatJson>(ReadTextFile(file), file, 1, remedy);
+  const JsonNode root(document, file, "", remedy);
+  return root.At("made_by").Text() == made_by && root.At("first_seed").Whole() == first_seed;
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/base/check.h"
+#include "sim/base/error.h"
 #include "sim/base/files.h"
 #include "sim/image/codecs.h"
 
@@ -74,7 +74,9 @@ void WritePng(const std::filesystem::path& file, const Image& image) {
 }
 
 Image Resize(const Image& image, int width, int height) {
-  CHECK(width > 0 && height > 0 && image.width > 0 && image.height > 0);
+  if (width <= 0 || height <= 0 || image.width <= 0 || image.height <= 0) {
+    throw Error("only pictures with pixels can be resized, to sizes above 0");
+  }
   if (image.width == width && image.height == height) return image;
   if (image.width % 2 == 0 && image.height % 2 == 0 && image.width >= 2 * width &&
       image.height >= 2 * height) {

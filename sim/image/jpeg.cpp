@@ -6,7 +6,7 @@
 
 #include <jpeglib.h>
 
-#include "sim/base/check.h"
+#include "sim/base/error.h"
 #include "sim/image/codecs.h"
 #include "sim/image/image.h"
 
@@ -121,7 +121,7 @@ Image DecodeJpeg(std::span<const std::uint8_t> bytes) {
 }
 
 std::vector<std::uint8_t> EncodeJpeg(const Image& image, int quality) {
-  CHECK_EQ(image.channels, 3);
+  if (image.channels != 3) throw Error("only RGB pictures can be written as JPEG");
   return JpegEncoder().Encode(image, quality);
 }
 

@@ -4,7 +4,7 @@
 
 #include <png.h>
 
-#include "sim/base/check.h"
+#include "sim/base/error.h"
 #include "sim/image/codecs.h"
 #include "sim/image/image.h"
 
@@ -160,7 +160,9 @@ std::vector<std::uint16_t> DecodePng16(std::span<const std::uint8_t> bytes, int*
 }
 
 std::vector<std::uint8_t> EncodePng(const Image& image) {
-  CHECK(image.channels == 1 || image.channels == 3 || image.channels == 4);
+  if (image.channels != 1 && image.channels != 3 && image.channels != 4) {
+    throw Error("only grey, RGB and RGBA pictures can be written as PNG");
+  }
   const int color_type = image.channels == 1   ? PNG_COLOR_TYPE_GRAY
                          : image.channels == 3 ? PNG_COLOR_TYPE_RGB
                                                : PNG_COLOR_TYPE_RGB_ALPHA;
@@ -171,7 +173,9 @@ std::vector<std::uint8_t> EncodePng(const Image& image) {
 
 std::vector<std::uint8_t> EncodePng16(std::span<const std::uint16_t> values, int width,
                                       int height) {
-  CHECK_EQ(values.size(), static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  if (values.size() != static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {
+    throw Error("a grey picture has not as many values as its size says");
+  }
   std::vector<png_bytep> rows;
   for (int y = 0; y < height; ++y) {
     const auto* row = &values[static_cast<std::size_t>(y) * static_cast<std::size_t>(width)];

@@ -2,8 +2,9 @@
 #include "sim/math/rng.h"
 
 #include <cmath>
+#include <string>
 
-#include "sim/base/check.h"
+#include "sim/base/error.h"
 #include "sim/base/files.h"
 #include "sim/math/pose.h"
 
@@ -85,7 +86,7 @@ double Rng::Uniform(double low, double high) {
 }
 
 int Rng::Below(int n) {
-  CHECK_GT(n, 0);
+  if (n <= 0) throw Error("Rng::Below takes a positive number, not " + std::to_string(n));
   const auto range = static_cast<std::uint32_t>(n);
   const std::uint32_t first_fair = (0u - range) % range;  // 2^32 mod n
   while (true) {
@@ -95,7 +96,9 @@ int Rng::Below(int n) {
 }
 
 int Rng::Between(int low, int high) {
-  CHECK_LE(low, high);
+  if (low > high) {
+    throw Error("Rng::Between: " + std::to_string(low) + " is above " + std::to_string(high));
+  }
   return low + Below(high - low + 1);
 }
 
@@ -119,7 +122,7 @@ double Rng::Normal() {
 std::size_t Rng::Weighted(std::span<const double> weights) {
   double total = 0.0;
   for (const double w : weights) total += w;
-  CHECK_GT(total, 0.0);
+  if (!(total > 0.0)) throw Error("Rng::Weighted takes weights with a positive sum");
   double left = Uniform() * total;
   std::size_t last_positive = 0;
   for (std::size_t i = 0; i < weights.size(); ++i) {

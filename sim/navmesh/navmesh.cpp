@@ -69,7 +69,7 @@ struct Navmesh::Impl {
     if (data.empty()) return;
     // Detour takes over, changes and frees the memory it is given.
     auto* copy = static_cast<unsigned char*>(dtAlloc(data.size(), DT_ALLOC_PERM));
-    CHECK(copy != nullptr);
+    BULLETNAV_CHECK(copy != nullptr);
     std::memcpy(copy, data.data(), data.size());
     detour.reset(dtAllocNavMesh());
     if (dtStatusFailed(detour->init(copy, static_cast<int>(data.size()), DT_TILE_FREE_DATA))) {
@@ -200,7 +200,7 @@ struct NavmeshQuery::Impl {
   explicit Impl(const Navmesh::Impl& navmesh) : mesh(navmesh) {
     if (!mesh.detour) return;
     detour.reset(dtAllocNavMeshQuery());
-    CHECK(dtStatusSucceed(detour->init(mesh.detour.get(), kMaxSearchNodes)));
+    BULLETNAV_CHECK(dtStatusSucceed(detour->init(mesh.detour.get(), kMaxSearchNodes)));
     polygons.resize(static_cast<std::size_t>(mesh.polygon_count()) + 2);
     points.resize(3 * polygons.size());
   }
@@ -227,11 +227,11 @@ struct NavmeshQuery::Impl {
     const dtStatus status =
         detour->findPath(start.polygon, end.polygon, start.point.data(), end.point.data(), &filter,
                          polygons.data(), &count, capacity);
-    CHECK(dtStatusSucceed(status) && !dtStatusDetail(status, DT_PARTIAL_RESULT));
+    BULLETNAV_CHECK(dtStatusSucceed(status) && !dtStatusDetail(status, DT_PARTIAL_RESULT));
     int corners = 0;
-    CHECK(dtStatusSucceed(detour->findStraightPath(start.point.data(), end.point.data(),
-                                                   polygons.data(), count, points.data(), nullptr,
-                                                   nullptr, &corners, capacity)));
+    BULLETNAV_CHECK(dtStatusSucceed(
+        detour->findStraightPath(start.point.data(), end.point.data(), polygons.data(), count,
+                                 points.data(), nullptr, nullptr, &corners, capacity)));
     Path path;
     for (int i = 0; i < corners; ++i) {
       const float* p = &points[3 * static_cast<std::size_t>(i)];
@@ -287,14 +287,17 @@ double NavmeshQuery::GeodesicDistance(const Vec& from, const Vec& to) const {
 
 Vec NavmeshQuery::RandomPoint(Rng* rng, int island) const {
   const auto& islands = impl_->mesh.islands;
-  CHECK(!islands.empty() && island >= -1);
+  if (islands.empty()) throw Error("the scene has no floor to draw a point from");
+  const auto count = static_cast<int>(islands.size());
+  if (island < -1 || island >= count) {
+    throw Error(fmt::format("there is no island {} to draw a point from, of {}", island, count));
+  }
   if (island == -1) {
     std::vector<double> areas;
     for (const auto& i : islands) areas.push_back(i.area);
     island = static_cast<int>(rng->Weighted(areas));
   }
   const auto n = static_cast<std::size_t>(island);
-  CHECK_LT(n, islands.size());
   const auto& sums = impl_->mesh.area_up_to[n];
   const auto target = static_cast<float>(rng->Uniform() * sums.back());
   const auto found = std::upper_bound(sums.begin(), sums.end(), target);

@@ -82,7 +82,7 @@ PlanarPose NominalMotion(Action action) {
     case Action::kTurnRight:
       return {0.0, 0.0, -DegToRad(kTurnStepDeg)};
   }
-  CHECK(false);
+  BULLETNAV_CHECK(false);
 }
 
 GaussianMixture::GaussianMixture(const std::vector<Component>& components) {
@@ -124,7 +124,7 @@ const GaussianMixture& NoiseModel::PerAction::of(Action action) const {
     case Action::kStop:
       break;
   }
-  CHECK(false);
+  BULLETNAV_CHECK(false);
 }
 
 NoiseModel::NoiseModel(NoiseMode mode) : mode_(mode) {

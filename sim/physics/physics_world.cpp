@@ -7,7 +7,7 @@
 
 #include <btBulletCollisionCommon.h>
 
-#include "sim/base/check.h"
+#include "sim/base/error.h"
 #include "sim/math/segment_triangle.h"
 
 namespace bulletnav::sim {
@@ -101,7 +101,7 @@ struct PhysicsWorld::Impl {
 };
 
 PhysicsWorld::PhysicsWorld(const SceneMesh& mesh) {
-  CHECK(!mesh.triangles.empty());
+  if (mesh.triangles.empty()) throw Error("a scene without triangles has no physics");
   impl_ = std::make_unique<Impl>(mesh);
 }
 

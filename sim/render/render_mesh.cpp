@@ -37,7 +37,7 @@ void AddTexture(const Image& image, TexturePyramids* out) {
     if (level.width == 1) break;
     level = Resize(level, level.width / 2, level.width / 2);
   }
-  CHECK_LT(out->texels.size(), std::size_t{1} << 30);
+  BULLETNAV_CHECK_LT(out->texels.size(), std::size_t{1} << 30);
 }
 
 std::uint32_t PackColor(const Rgb8& a, const Rgb8& b) {

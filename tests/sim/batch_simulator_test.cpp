@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "sim/batch_simulator.h"
 
+#include <array>
+#include <cmath>
+
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "sim/base/error.h"
@@ -127,17 +131,102 @@ TEST(BatchSimulator, ABadResetNamesThePlaceAndKeepsTheLane) {
   EXPECT_EQ(batch.body(0).true_pose().position.x(), Start(0).position.x());
 }
 
-TEST(BatchSimulatorDeathTest, MistakesOfTheCallerEndTheProgram) {
+/// What the call throws as Error, or nothing.
+template <class Call>
+std::string ErrorOf(const Call& call) {
+  try {
+    call();
+  } catch (const Error& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(BatchSimulator, MisuseThrowsNamesTheCallAndMovesNothing) {
+  using testing::StartsWith;
   const auto worlds = Worlds(Backend::kEmbree);
+  EXPECT_THAT(ErrorOf([] {
+                BatchSimulator({nullptr}, Small(), 1);
+              }),
+              StartsWith("BatchSimulator: the world is null"));
   BatchSimulator batch({worlds[0], worlds[0]}, Small(), 1);
   batch.Reset(0, Start(0));
   std::vector<float> depth(2 * Small().panorama.pixels());
-  EXPECT_DEATH(batch.SetWorld(2, worlds[3]), "lane");
-  EXPECT_DEATH(batch.SetWorld(-1, worlds[3]), "lane");
-  EXPECT_DEATH(batch.SetWorld(0, nullptr), "world");
-  EXPECT_DEATH(batch.Reset(2, Start(0)), "lane");
-  EXPECT_DEATH(batch.Observe({{}, depth}), "is_placed_");
-  EXPECT_DEATH(BatchSimulator({nullptr}, Small(), 1), "world");
+  EXPECT_THAT(ErrorOf([&] {
+                batch.SetWorld(2, worlds[3]);
+              }),
+              StartsWith("BatchSimulator::SetWorld: there is no lane 2; there are 2"));
+  EXPECT_THAT(ErrorOf([&] {
+                batch.SetWorld(-1, worlds[3]);
+              }),
+              StartsWith("BatchSimulator::SetWorld: there is no lane -1"));
+  EXPECT_THAT(ErrorOf([&] {
+                batch.SetWorld(0, nullptr);
+              }),
+              StartsWith("BatchSimulator::SetWorld: the world is null"));
+  EXPECT_EQ(batch.body(0).world().name(), "a");
+  EXPECT_THAT(ErrorOf([&] {
+                batch.Reset(2, Start(0));
+              }),
+              StartsWith("BatchSimulator::Reset: there is no lane 2"));
+  EXPECT_THAT(ErrorOf([&] {
+                batch.body(2);
+              }),
+              StartsWith("BatchSimulator::body: there is no"));
+  EXPECT_THAT(ErrorOf([&] {
+                batch.Observe({{}, depth});
+              }),
+              StartsWith("BatchSimulator::Observe: lane 1 stands nowhere yet"));
+  EXPECT_THAT(ErrorOf([&] {
+                batch.Render(3, {}, {{}, depth});
+              }),
+              StartsWith("BatchSimulator::Render: there is no lane 3"));
+}
+
+TEST(BatchSimulator, StepsThatDoNotFitMoveNothing) {
+  using testing::StartsWith;
+  const auto worlds = Worlds(Backend::kEmbree);
+  BatchSimulator batch({worlds[0], worlds[0]}, Small(), 1);
+  std::array actions = {Action::kMoveForward, Action::kMoveForward};
+  std::array<Sensors, 2> sensors;
+  std::vector<float> depth(2 * Small().panorama.pixels());
+  batch.Reset(0, Start(0));
+  EXPECT_THAT(ErrorOf([&] {
+                batch.Step(actions, sensors, {});
+              }),
+              StartsWith("BatchSimulator::Step: lane 1 stands nowhere yet"));
+  batch.Reset(1, Start(1));
+  EXPECT_THAT(ErrorOf([&] {
+                batch.Step(std::span(actions).first(1), sensors, {});
+              }),
+              StartsWith("BatchSimulator::Step: got 1 actions, 2 fit"));
+  EXPECT_THAT(ErrorOf([&] {
+                batch.Step(actions, std::span(sensors).first(1), {});
+              }),
+              StartsWith("BatchSimulator::Step: got 1 sensors, 2 fit"));
+  EXPECT_THAT(ErrorOf([&] {
+                batch.Step(actions, sensors, {{}, std::span(depth).first(5)});
+              }),
+              StartsWith("BatchSimulator::Step: got 5 values for depth, 0 or 2048 fit"));
+  EXPECT_THAT(ErrorOf([&] {
+                batch.Step(std::array{1, 0}, actions, sensors, {});
+              }),
+              StartsWith("BatchSimulator::Step: lanes must rise"));
+  EXPECT_THAT(ErrorOf([&] {
+                batch.Step(std::array{0, 0}, actions, sensors, {});
+              }),
+              StartsWith("BatchSimulator::Step: lanes must rise"));
+  actions[1] = static_cast<Action>(-3);
+  EXPECT_THAT(ErrorOf([&] {
+                batch.Step(actions, sensors, {});
+              }),
+              StartsWith("BatchSimulator::Step: -3 is no action"));
+  EXPECT_EQ(batch.body(0).steps(), 0);
+  const CameraPose nowhere{{0, std::nanf(""), 0}, 0.0f};
+  EXPECT_THAT(ErrorOf([&] {
+                batch.Render(0, nowhere, {{}, std::span(depth).first(1024)});
+              }),
+              StartsWith("Render: "));
 }
 
 }  // namespace

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "sim/simulator.h"
 
+#include <cmath>
+
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "sim/base/error.h"
@@ -155,11 +158,51 @@ TEST(World, SaysWhenThereIsNoFloor) {
   EXPECT_NO_THROW(Room()->RequireFloor());
 }
 
-TEST(SimulatorDeathTest, NeedsAWorldAndAReset) {
-  const auto world = World::FromMesh(tests::BoxRoom(4, 2.6f, 3), "room");
-  Simulator simulator(world, {});
-  EXPECT_DEATH(simulator.Step(Action::kMoveForward), "is_placed_");
-  EXPECT_DEATH(Simulator(nullptr, {}), "world");
+/// What the call throws as Error, or nothing.
+template <class Call>
+std::string ErrorOf(const Call& call) {
+  try {
+    call();
+  } catch (const Error& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(Simulator, MisuseThrowsAndNamesTheCall) {
+  using testing::StartsWith;
+  EXPECT_THAT(ErrorOf([] {
+                Simulator(nullptr, {});
+              }),
+              StartsWith("Simulator: the world is null"));
+  EXPECT_THAT(ErrorOf([] {
+                SimulatedBody(nullptr, {}, NoiseModel(NoiseMode::kNone));
+              }),
+              StartsWith("SimulatedBody: the world is null"));
+  Simulator simulator(Room(), Small(NoiseMode::kNone));
+  EXPECT_THAT(ErrorOf([&] {
+                simulator.Step(Action::kMoveForward);
+              }),
+              StartsWith("Simulator::Step: call Reset first"));
+  EXPECT_THAT(ErrorOf([&] {
+                simulator.body().camera_pose();
+              }),
+              StartsWith("SimulatedBody::camera_pose: "));
+  SimulatorSpec bad = Small(NoiseMode::kNone);
+  bad.panorama.rows = -1;
+  EXPECT_THROW(Simulator(Room(), bad), Error);
+  // A place that is none leaves the simulator as it was: not yet reset, then where it stood.
+  const double nan = std::nan("");
+  EXPECT_THROW(simulator.Reset({{2, nan, -1}, 0.0}), PoseError);
+  EXPECT_THROW(simulator.Step(Action::kMoveForward), Error);
+  simulator.Reset({{2, 0, -1}, 0.0});
+  EXPECT_THROW(simulator.Reset({{2, 0, -1}, nan}), PoseError);
+  EXPECT_THAT(ErrorOf([&] {
+                simulator.Step(static_cast<Action>(17));
+              }),
+              StartsWith("Simulator::Step: 17 is no action"));
+  EXPECT_EQ(simulator.body().steps(), 0);
+  EXPECT_EQ(simulator.body().true_pose().position.x(), 2.0);
 }
 
 TEST(World, MeshesThatDoNotFitTogetherAreRefused) {

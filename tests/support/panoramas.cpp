@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include <Eigen/Geometry>
+
 #include "sim/math/pose.h"
 #include "sim/render/projection.h"
 
@@ -14,18 +16,16 @@ namespace {
 /// Whether depth changes by more than a tenth between a pixel and one beside it.
 bool IsEdge(const Panorama& p, int row, int col) {
   const float here = p.depth_at(row, col);
-  for (int r = std::max(0, row - 1); r <= std::min(p.spec.rows - 1, row + 1); ++r) {
+  for (int r = std::max(0, row - 1); r <= std::min(p.rows - 1, row + 1); ++r) {
     for (int dc = -1; dc <= 1; ++dc) {
-      const float there = p.depth_at(r, (col + dc + p.spec.cols) % p.spec.cols);
+      const float there = p.depth_at(r, (col + dc + p.cols) % p.cols);
       if (std::abs(there - here) > 0.1f * std::min(there, here)) return true;
     }
   }
   return false;
 }
 
-}  // namespace
-
-Eigen::Vector3f RayDirection(const sim::PanoramaSpec& spec, int row, int col, float yaw) {
+Eigen::Vector3f Ray(const sim::PanoramaSpec& spec, int row, int col, double yaw) {
   const double turns = (col + 0.5) / spec.cols;
   double clockwise = 2.0 * sim::kPi * turns - sim::kPi;
   double up = 1.0 - 2.0 * (row + 0.5) / spec.rows;
@@ -42,16 +42,41 @@ Eigen::Vector3f RayDirection(const sim::PanoramaSpec& spec, int row, int col, fl
       .normalized();
 }
 
-Panorama RenderPanorama(const sim::RenderScene& scene, const sim::PanoramaSpec& spec,
+/// From the corners of the field of view: ahead, to the right, up.
+Eigen::Vector3f Ray(const sim::PinholeSpec& spec, int row, int col, double yaw) {
+  const double pitch = sim::DegToRad(spec.pitch_deg);
+  const Eigen::Vector3d level(-std::sin(yaw), 0.0, -std::cos(yaw));
+  const Eigen::Vector3d right(std::cos(yaw), 0.0, -std::sin(yaw));
+  const Eigen::Vector3d ahead =
+      std::cos(pitch) * level + std::sin(pitch) * Eigen::Vector3d::UnitY();
+  const double reach = std::tan(0.5 * sim::DegToRad(spec.hfov_deg)) / (0.5 * spec.cols);
+  const double across = reach * (col + 0.5 - 0.5 * spec.cols);
+  const double up = reach * (0.5 * spec.rows - row - 0.5);
+  return (ahead + across * right + up * right.cross(ahead)).normalized().cast<float>();
+}
+
+}  // namespace
+
+Eigen::Vector3f RayDirection(const sim::CameraSpec& spec, int row, int col, float yaw) {
+  return std::visit(
+      [&](const auto& s) {
+        return Ray(s, row, col, yaw);
+      },
+      spec);
+}
+
+Panorama RenderPanorama(const sim::RenderScene& scene, const sim::CameraSpec& spec,
                         const sim::CameraPose& camera) {
-  Panorama p{spec, std::vector<std::uint8_t>(3 * spec.pixels()), std::vector<float>(spec.pixels())};
+  const sim::PictureSize size = sim::SizeOf(spec);
+  Panorama p{size.rows, size.cols, std::vector<std::uint8_t>(3 * size.pixels()),
+             std::vector<float>(size.pixels())};
   scene.MakeRenderer(spec)->Render({&camera, 1}, p.color, p.depth);
   return p;
 }
 
 void Agreement::Add(const Panorama& a, const Panorama& b) {
-  for (int r = 0; r < a.spec.rows; ++r) {
-    for (int c = 0; c < a.spec.cols; ++c) {
+  for (int r = 0; r < a.rows; ++r) {
+    for (int c = 0; c < a.cols; ++c) {
       const sim::Rgb8 x = a.color_at(r, c);
       const sim::Rgb8 y = b.color_at(r, c);
       int worst = 0;

@@ -3,12 +3,14 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/render/panorama_renderer.h"
+#include "sim/render/renderer.h"
 
 namespace bulletnav::tests {
 
+/// One picture of any camera.
 struct Panorama {
-  sim::PanoramaSpec spec;
+  int rows = 0;
+  int cols = 0;
   std::vector<std::uint8_t> color;
   std::vector<float> depth;
 
@@ -18,16 +20,16 @@ struct Panorama {
     return {p[0], p[1], p[2]};
   }
   std::size_t index(int row, int col) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(spec.cols) +
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(cols) +
            static_cast<std::size_t>(col);
   }
 };
 
 /// Unit direction of a pixel's ray in the world, by the definitions in projection.h, not by
 /// RayGrid.
-Eigen::Vector3f RayDirection(const sim::PanoramaSpec& spec, int row, int col, float yaw);
+Eigen::Vector3f RayDirection(const sim::CameraSpec& spec, int row, int col, float yaw);
 
-Panorama RenderPanorama(const sim::RenderScene& scene, const sim::PanoramaSpec& spec,
+Panorama RenderPanorama(const sim::RenderScene& scene, const sim::CameraSpec& spec,
                         const sim::CameraPose& camera);
 
 /// How well two renderers agree over some pictures: depth within 1 cm or 1% at pixels away from

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/support/training_scenes.h"
 
-#include "benchmark/training/scene_panoramas.h"
+#include "benchmark/training/supervised/scene_panoramas.h"
 #include "tests/support/scenes.h"
 
 namespace bulletnav::tests {

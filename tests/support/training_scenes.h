@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "benchmark/training/data_config.h"
+#include "benchmark/training/supervised/data_config.h"
 #include "sim/math/pose.h"
 #include "sim/scene/mesh.h"
 

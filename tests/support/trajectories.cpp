@@ -112,11 +112,11 @@ bench::EpisodeTrajectory MadeUpTrajectory() {
   trajectory.result.key = {"made_up", "rgbd", "noise", 7, "house.glb", "12"};
   trajectory.result.difficulty = bench::Difficulty::kEasy;
   bench::GoalMetrics metrics;
-  metrics.start_distance = 2.5;
-  metrics.distance_to_goal = 0.25;
-  metrics.success = true;
-  metrics.spl = 0.625;
-  metrics.path_length = 4.0;
+  metrics["start_distance"] = 2.5;
+  metrics["distance_to_goal"] = 0.25;
+  metrics["success"] = true;
+  metrics["spl"] = 0.625;
+  metrics["path_length"] = 4.0;
   trajectory.scene_file = "folder/house.glb";
   trajectory.key = {7, (1ULL << 63) + 1};
   trajectory.noise = sim::NoiseMode::kPhysical;
@@ -130,8 +130,8 @@ bench::EpisodeTrajectory MadeUpTrajectory() {
     pose = sim::Apply(pose, motion);
     odometry = sim::Compose(odometry, {0.9 * motion.x, motion.y, motion.yaw});
     trajectory.steps.push_back({action, pose, odometry, collided});
-    metrics.steps += action == sim::Action::kStop ? 0 : 1;
-    metrics.collisions += collided ? 1 : 0;
+    metrics["steps"] += action == sim::Action::kStop ? 0 : 1;
+    metrics["collisions"] += collided ? 1 : 0;
   };
   for (int i = 0; i < 8; ++i) step(sim::Action::kMoveForward, {0.25, 0, 0}, i == 7);
   for (int i = 0; i < 9; ++i) step(sim::Action::kTurnRight, {0, 0, -sim::kPi / 18}, false);

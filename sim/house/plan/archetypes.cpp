@@ -53,7 +53,7 @@ class Sketch {
       case Archetype::kSplit:
         return BuildSplit();
     }
-    CHECK(false);
+    BULLETNAV_CHECK(false);
   }
 
   bool BuildBlockWing() {
@@ -207,7 +207,7 @@ class Sketch {
 
   int Take(RoomType type) {
     const int room = Find(type);
-    CHECK_GE(room, 0);
+    BULLETNAV_CHECK_GE(room, 0);
     taken_[static_cast<std::size_t>(room)] = true;
     return room;
   }

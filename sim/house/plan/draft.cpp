@@ -47,7 +47,7 @@ int Draft::Gross(float metres) const {
 
 Box Draft::Bounds(int room) const {
   const auto& boxes = rooms[static_cast<std::size_t>(room)].boxes;
-  CHECK(!boxes.empty());
+  BULLETNAV_CHECK(!boxes.empty());
   Box bounds = boxes.front();
   for (const Box& box : boxes) {
     bounds.x0 = std::min(bounds.x0, box.x0);

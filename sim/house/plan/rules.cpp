@@ -28,7 +28,7 @@ constexpr std::array kRules = {
 
 const RoomRule& RuleOf(RoomType type) {
   const auto& rule = kRules[static_cast<std::size_t>(type)];
-  CHECK(rule.type == type);
+  BULLETNAV_CHECK(rule.type == type);
   return rule;
 }
 

@@ -70,8 +70,8 @@ std::vector<int> Share(const std::vector<Span>& spans, int length) {
     sum.want += span.want;
     sum.high += span.high;
   }
-  CHECK_LE(sum.low, length);
-  CHECK_LE(length, sum.high);
+  BULLETNAV_CHECK_LE(sum.low, length);
+  BULLETNAV_CHECK_LE(length, sum.high);
   const bool grow = length >= sum.want;
   const int room = grow ? sum.high - sum.want : sum.want - sum.low;
   const double part = room == 0 ? 0.0 : static_cast<double>(length - sum.want) / room;

@@ -41,7 +41,7 @@ constexpr std::array kWindowRules = {
 
 const WindowRule& WindowRuleOf(RoomType type) {
   const auto& rule = kWindowRules[static_cast<std::size_t>(type)];
-  CHECK(rule.type == type);
+  BULLETNAV_CHECK(rule.type == type);
   return rule;
 }
 

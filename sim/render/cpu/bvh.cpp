@@ -44,7 +44,7 @@ void SetBounds(void* node, const RTCBounds** bounds, unsigned count, void*) {
 
 void* CreateLeaf(RTCThreadLocalAllocator arena, const RTCBuildPrimitive* primitives,
                  std::size_t count, void*) {
-  CHECK_LE(count, std::size_t{kBvhWidth});
+  BULLETNAV_CHECK_LE(count, std::size_t{kBvhWidth});
   BuiltNode* node = NewNode(arena);
   node->is_leaf = true;
   node->count = static_cast<unsigned>(count);
@@ -90,7 +90,7 @@ const BuiltNode* Build(RTCBVH bvh, std::vector<RTCBuildPrimitive>* primitives) {
   arguments.setNodeBounds = SetBounds;
   arguments.createLeaf = CreateLeaf;
   const auto* root = static_cast<const BuiltNode*>(rtcBuildBVH(&arguments));
-  CHECK(root != nullptr);
+  BULLETNAV_CHECK(root != nullptr);
   return root;
 }
 
@@ -157,7 +157,7 @@ class Flattener {
 }  // namespace
 
 Bvh::Bvh(Triangles triangles) {
-  CHECK(!triangles.empty());
+  BULLETNAV_CHECK(!triangles.empty());
   const EmbreeDevice device = NewEmbreeDevice();
   const EmbreeBvh built(rtcNewBVH(device.get()));
   std::vector<RTCBuildPrimitive> primitives = MakePrimitives(triangles);

@@ -25,9 +25,9 @@ struct EmbreeData {
   Bvh bvh;
 };
 
-class EmbreeRenderer final : public PanoramaRenderer {
+class EmbreeRenderer final : public Renderer {
  public:
-  EmbreeRenderer(const EmbreeData& data, const Kernels& kernels, const PanoramaSpec& spec)
+  EmbreeRenderer(const EmbreeData& data, const Kernels& kernels, const CameraSpec& spec)
       : scene_(data.kernel()), kernels_(kernels), sampling_(spec) {
     tile_farthest_.resize(std::size_t{kTileRows} * kTileColumns);
     dirty_.resize(kTileColumns);
@@ -35,14 +35,14 @@ class EmbreeRenderer final : public PanoramaRenderer {
     buckets_.resize(kBuckets);
   }
 
-  const PanoramaSpec& spec() const override { return sampling_.spec(); }
+  const CameraSpec& spec() const override { return sampling_.spec(); }
   int preferred_batch() const override { return 1; }
 
   void Render(std::span<const CameraPose> cameras, std::span<std::uint8_t> color,
               std::span<float> depth) override {
     const KernelScratch scratch = {tile_farthest_.data(), dirty_.data(), entries_.data(),
                                    buckets_.data()};
-    const PanoramaSlices slices(spec(), cameras.size(), color, depth);
+    const PictureSlices slices(spec(), cameras, color, depth);
     for (std::size_t i = 0; i < cameras.size(); ++i) {
       const KernelFrame frame = sampling_.Frame(cameras[i]);
       kernels_.find_visible(scene_, sampling_.grid(), frame, scratch, sampling_.hits());
@@ -68,7 +68,7 @@ class EmbreeRenderScene final : public RenderScene {
 
   Backend backend() const override { return Backend::kEmbree; }
   std::string description() const override { return std::string("Embree 3, ") + kernels_.name; }
-  std::unique_ptr<PanoramaRenderer> MakeRenderer(const PanoramaSpec& spec) const override {
+  std::unique_ptr<Renderer> MakeRenderer(const CameraSpec& spec) const override {
     return std::make_unique<EmbreeRenderer>(data_, kernels_, spec);
   }
 

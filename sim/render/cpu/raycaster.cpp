@@ -35,7 +35,7 @@ Raycaster::Raycaster(std::span<const std::array<Eigen::Vector3f, 3>> triangles)
                                             3 * sizeof(float), vertices);
   void* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                                           3 * sizeof(unsigned), triangles.size());
-  CHECK(positions != nullptr && indices != nullptr);
+  BULLETNAV_CHECK(positions != nullptr && indices != nullptr);
   std::memcpy(positions, triangles.data(), triangles.size_bytes());
   auto* first = static_cast<unsigned*>(indices);
   std::iota(first, first + vertices, 0u);

@@ -10,6 +10,7 @@
 #include <epoxy/gl.h>
 
 #include "sim/base/error.h"
+#include "sim/render/egl_backend.h"
 
 namespace bulletnav::sim {
 namespace {

@@ -57,7 +57,4 @@ class EglContext {
   std::string renderer_;
 };
 
-/// Whether this machine has a graphics processor that EGL can use. Quick where it has none.
-bool HasHardwareGpu();
-
 }  // namespace bulletnav::sim

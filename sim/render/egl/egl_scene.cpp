@@ -12,6 +12,7 @@
 #include "sim/render/egl/scene_buffers.h"
 #include "sim/render/egl/shader_resolve.h"
 #include "sim/render/egl/views.h"
+#include "sim/render/egl_backend.h"
 #include "sim/render/kernels/sampling.h"
 
 namespace bulletnav::sim {
@@ -23,26 +24,26 @@ constexpr int kMaxTarget = 16384;
 
 /// The views are sampled finer than the panorama, so that the ids around a ray hold what it meets;
 /// finer where triangles are finer. Measured in docs/rendering.md.
-double Oversampling(const SceneBuffers& scene, const PanoramaSpec& spec) {
+double Oversampling(const SceneBuffers& scene, const CameraSpec& spec) {
   const double triangles = static_cast<double>(scene.mesh.corners.size());
   const double wanted =
       scene.shade_on_device ? 3.0 : std::clamp(std::sqrt(triangles / 10'000.0), 2.6, 3.0);
-  return std::min(wanted, 0.8 * kMaxTarget / spec.cols);
+  return std::min(wanted, 0.8 * kMaxTarget / SizeOf(spec).cols);
 }
 
 void CheckTarget(const ViewLayout& layout) {
   if (layout.width > kMaxTarget || layout.height > kMaxTarget) {
     throw RenderError(
-        fmt::format("the panorama needs a picture of {} x {} pixels, and OpenGL draws {} at most; "
+        fmt::format("the camera needs a picture of {} x {} pixels, and OpenGL draws {} at most; "
                     "make it smaller, or use the backend embree",
                     layout.width, layout.height, kMaxTarget));
   }
 }
 
 /// Both passes on the device, many cameras at once.
-class DeviceRenderer final : public PanoramaRenderer {
+class DeviceRenderer final : public Renderer {
  public:
-  DeviceRenderer(const SceneBuffers& scene, const PanoramaSpec& spec)
+  DeviceRenderer(const SceneBuffers& scene, const CameraSpec& spec)
       : spec_(spec), layout_(spec, Oversampling(scene, spec)), context_(scene.context.Share()) {
     CheckTarget(layout_);
     batch_ = scene.context.is_hardware() ? kHardwareBatch : kSoftwareBatch;
@@ -60,14 +61,14 @@ class DeviceRenderer final : public PanoramaRenderer {
   DeviceRenderer(DeviceRenderer&&) = delete;
   DeviceRenderer& operator=(DeviceRenderer&&) = delete;
 
-  const PanoramaSpec& spec() const override { return spec_; }
+  const CameraSpec& spec() const override { return spec_; }
   int preferred_batch() const override { return batch_; }
 
   void Render(std::span<const CameraPose> cameras, std::span<std::uint8_t> color,
               std::span<float> depth) override {
-    const PanoramaSlices checked(spec_, cameras.size(), color, depth);
+    const PictureSlices checked(spec_, cameras, color, depth);
     const EglContext::Current current(*context_);
-    const std::size_t pixels = spec_.pixels();
+    const std::size_t pixels = SizeOf(spec_).pixels();
     const auto batch = static_cast<std::size_t>(batch_);
     for (std::size_t first = 0; first < cameras.size(); first += batch) {
       const std::size_t n = std::min(batch, cameras.size() - first);
@@ -79,7 +80,7 @@ class DeviceRenderer final : public PanoramaRenderer {
   }
 
  private:
-  PanoramaSpec spec_;
+  CameraSpec spec_;
   ViewLayout layout_;
   std::unique_ptr<EglContext> context_;
   int batch_ = 1;
@@ -88,9 +89,9 @@ class DeviceRenderer final : public PanoramaRenderer {
 };
 
 /// The id pass by the driver, the rest with the CPU's kernels.
-class CpuResolveRenderer final : public PanoramaRenderer {
+class CpuResolveRenderer final : public Renderer {
  public:
-  CpuResolveRenderer(const SceneBuffers& scene, const PanoramaSpec& spec)
+  CpuResolveRenderer(const SceneBuffers& scene, const CameraSpec& spec)
       : sampling_(spec), layout_(spec, Oversampling(scene, spec)), context_(scene.context.Share()) {
     CheckTarget(layout_);
     const EglContext::Current current(*context_);
@@ -112,12 +113,12 @@ class CpuResolveRenderer final : public PanoramaRenderer {
   CpuResolveRenderer(CpuResolveRenderer&&) = delete;
   CpuResolveRenderer& operator=(CpuResolveRenderer&&) = delete;
 
-  const PanoramaSpec& spec() const override { return sampling_.spec(); }
+  const CameraSpec& spec() const override { return sampling_.spec(); }
   int preferred_batch() const override { return 1; }
 
   void Render(std::span<const CameraPose> cameras, std::span<std::uint8_t> color,
               std::span<float> depth) override {
-    const PanoramaSlices slices(spec(), cameras.size(), color, depth);
+    const PictureSlices slices(spec(), cameras, color, depth);
     const EglContext::Current current(*context_);
     for (std::size_t i = 0; i < cameras.size(); ++i) {
       ids_->Draw(cameras.subspan(i, 1), /*leave_out_hidden=*/true);
@@ -148,7 +149,7 @@ class EglScene final : public RenderScene {
 
   Backend backend() const override { return Backend::kEgl; }
   std::string description() const override { return "EGL, " + buffers_.context.renderer(); }
-  std::unique_ptr<PanoramaRenderer> MakeRenderer(const PanoramaSpec& spec) const override {
+  std::unique_ptr<Renderer> MakeRenderer(const CameraSpec& spec) const override {
     if (buffers_.shade_on_device) return std::make_unique<DeviceRenderer>(buffers_, spec);
     return std::make_unique<CpuResolveRenderer>(buffers_, spec);
   }
@@ -162,6 +163,10 @@ class EglScene final : public RenderScene {
 std::unique_ptr<const RenderScene> MakeEglScene(const SceneMesh& mesh, GlDevice device,
                                                 ResolveOn resolve) {
   return std::make_unique<EglScene>(mesh, device, resolve);
+}
+
+std::unique_ptr<const RenderScene> MakeEglRenderScene(const SceneMesh& mesh, bool on_hardware) {
+  return MakeEglScene(mesh, on_hardware ? GlDevice::kHardware : GlDevice::kAny);
 }
 
 }  // namespace bulletnav::sim

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "sim/render/egl/scene_buffers.h"
-#include "sim/render/panorama_renderer.h"
+#include "sim/render/renderer.h"
 
 namespace bulletnav::sim {
 

@@ -31,7 +31,7 @@ GlProgram Link(GLuint program) {
   glLinkProgram(program);
   GLint done = GL_FALSE;
   glGetProgramiv(program, GL_LINK_STATUS, &done);
-  CHECK_EQ(done, GL_TRUE);
+  BULLETNAV_CHECK_EQ(done, GL_TRUE);
   return GlProgram(program);
 }
 

@@ -38,18 +38,22 @@ GlBuffer Upload(const std::vector<T>& values) {
 }  // namespace
 
 ShaderResolve::ShaderResolve(const SceneBuffers& scene, const ViewLayout& layout,
-                             const PanoramaSpec& spec, int batch)
-    : scene_(scene), layout_(layout), spec_(spec), padded_pixels_((spec.pixels() + 3) / 4 * 4) {
+                             const CameraSpec& spec, int batch)
+    : scene_(scene),
+      layout_(layout),
+      size_(SizeOf(spec)),
+      max_depth_(MaxDepthOf(spec)),
+      padded_pixels_((size_.pixels() + 3) / 4 * 4) {
   program_ = NewComputeProgram(kResolveShader);
-  UploadRays();
+  UploadRays(RayGrid(spec));
   UploadViews();
   const auto n = static_cast<std::size_t>(batch);
   cameras_ = Upload(std::vector<CameraBlock>(n));
   output_ = NewReadBuffer(padded_pixels_ * kBytesAPixel * n);
 }
 
-void ShaderResolve::UploadRays() {
-  const RayGrid grid(spec_);
+void ShaderResolve::UploadRays(const RayGrid& grid) {
+  pitch_ = grid.pitch;
   std::vector<float> rays;
   for (const auto* part : {&grid.y, &grid.area, &grid.x, &grid.z}) {
     rays.insert(rays.end(), part->begin(), part->end());
@@ -101,9 +105,10 @@ void ShaderResolve::Dispatch(std::span<const CameraPose> cameras, GLuint ids) {
   glBindTextureUnit(0, ids);
   const auto padded = static_cast<GLint>(padded_pixels_);
   const auto n = static_cast<GLint>(cameras.size());
-  glUniform4i(0, spec_.rows, spec_.cols, padded, n);
+  glUniform4i(0, size_.rows, size_.cols, padded, n);
   glUniform2i(1, layout_.ring, static_cast<GLint>(layout_.views.size()));
-  glUniform1f(2, spec_.max_depth_m);
+  glUniform1f(2, max_depth_);
+  glUniform2f(3, static_cast<float>(std::cos(pitch_)), static_cast<float>(std::sin(pitch_)));
   const auto groups = static_cast<GLuint>((padded / 4 + kGroupSize - 1) / kGroupSize);
   glDispatchCompute(groups, static_cast<GLuint>(n), 1);
   glMemoryBarrier(GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
@@ -115,7 +120,7 @@ void ShaderResolve::ReadBack(std::size_t cameras, std::span<std::uint8_t> color,
   const auto* mapped = static_cast<const std::uint8_t*>(
       glMapNamedBufferRange(output_.get(), 0, static_cast<GLsizeiptr>(bytes), GL_MAP_READ_BIT));
   if (mapped == nullptr) throw RenderError("the OpenGL context is lost; restart the program");
-  const std::size_t pixels = spec_.pixels();
+  const std::size_t pixels = size_.pixels();
   const std::uint8_t* depths = mapped + 3 * padded_pixels_ * cameras;
   for (std::size_t i = 0; i < cameras; ++i) {
     if (!color.empty()) {

@@ -4,30 +4,32 @@
 
 #include "sim/render/egl/scene_buffers.h"
 #include "sim/render/egl/views.h"
-#include "sim/render/panorama_renderer.h"
+#include "sim/render/renderer.h"
 
 namespace bulletnav::sim {
 
-/// Turns id pictures into panoramas on the device, with kResolveShader, and brings a whole batch
-/// back with one readback. Its context must be current.
+/// Turns id pictures into a camera's pictures on the device, with kResolveShader, and brings a
+/// whole batch back with one readback. Its context must be current.
 class ShaderResolve {
  public:
-  ShaderResolve(const SceneBuffers& scene, const ViewLayout& layout, const PanoramaSpec& spec,
+  ShaderResolve(const SceneBuffers& scene, const ViewLayout& layout, const CameraSpec& spec,
                 int batch);
 
-  /// Output as PanoramaRenderer::Render gives it.
+  /// Output as Renderer::Render gives it.
   void Run(std::span<const CameraPose> cameras, GLuint ids, std::span<std::uint8_t> color,
            std::span<float> depth);
 
  private:
-  void UploadRays();
+  void UploadRays(const RayGrid& grid);
   void UploadViews();
   void Dispatch(std::span<const CameraPose> cameras, GLuint ids);
   void ReadBack(std::size_t cameras, std::span<std::uint8_t> color, std::span<float> depth) const;
 
   const SceneBuffers& scene_;
   const ViewLayout& layout_;
-  PanoramaSpec spec_;
+  PictureSize size_;
+  float max_depth_ = 0.0f;
+  double pitch_ = 0.0;
   std::size_t padded_pixels_;  // of a camera, a multiple of 4
   GlProgram program_;
   GlBuffer rays_;

@@ -65,6 +65,7 @@ layout(binding = 0) uniform usampler2DArray ids;  // a layer a camera
 layout(location = 0) uniform ivec4 size;    // rows, cols, pixels of a camera padded to 4, cameras
 layout(location = 1) uniform ivec2 layout_;  // views in the ring, all views
 layout(location = 2) uniform float max_depth;
+layout(location = 3) uniform vec2 tilt;  // cos, sin of the pitch
 
 const float kUnseen = 1e-6;
 const float kNearestPlane = 1e-6;
@@ -221,7 +222,9 @@ void main() {
     int pixel = min(4 * quad + i, size.x * size.y - 1);
     int row = pixel / size.y;
     int col = pixel - row * size.y;
-    vec3 d = vec3(rays[2 * size.x + col], rays[row], rays[2 * size.x + size.y + col]);
+    float y = rays[row];
+    float z = rays[2 * size.x + size.y + col];
+    vec3 d = vec3(rays[2 * size.x + col], y * tilt.x - z * tilt.y, y * tilt.y + z * tilt.x);
     vec3 ray = vec3(d.x * turn.x + d.z * turn.y, d.y, d.z * turn.x - d.x * turn.y);
     Hit hit = nearest_hit(camera, row, col, d, origin, ray);
     float t = 1.0 / max(hit.inverse_t, kUnseen);

@@ -38,7 +38,27 @@ FlatView Upright(double clockwise_from_behind) {
 
 }  // namespace
 
-ViewLayout::ViewLayout(const PanoramaSpec& spec, double oversampling) {
+ViewLayout::ViewLayout(const CameraSpec& spec, double oversampling) {
+  std::visit(
+      [&](const auto& s) {
+        Cover(s, oversampling);
+      },
+      spec);
+}
+
+void ViewLayout::Cover(const PinholeSpec& spec, double oversampling) {
+  const double pitch = DegToRad(spec.pitch_deg);
+  FlatView view;
+  view.right = Vec::UnitX();
+  view.up = Vec(0.0f, static_cast<float>(std::cos(pitch)), static_cast<float>(std::sin(pitch)));
+  view.forward = view.up.cross(view.right);
+  views.push_back(view);
+  ring = 1;
+  const double pixel = 2.0 * spec.tan_x() / spec.cols / oversampling;
+  SetSizes({spec.tan_x(), spec.tan_y()}, {pixel, pixel});
+}
+
+void ViewLayout::Cover(const PanoramaSpec& spec, double oversampling) {
   const bool sees_poles = spec.projection == Projection::kEquirectangular;
   ring = spec.projection == Projection::kCylindrical ? 6 : 4;
   const double half_angle = kPi / ring;
@@ -58,11 +78,15 @@ ViewLayout::ViewLayout(const PanoramaSpec& spec, double oversampling) {
     views.push_back(up);
     views.push_back(down);
   }
+  SetSizes({tan_x, tan_y}, {column, row});
+}
+
+void ViewLayout::SetSizes(const Eigen::Array2d& tangents, const Eigen::Array2d& pixel) {
   for (FlatView& view : views) {
-    view.width = PixelsFor(2.0 * tan_x, column);
-    view.height = PixelsFor(2.0 * tan_y, row);
-    view.tan_x = static_cast<float>(tan_x * view.width / (view.width - 2.0 * kBorder));
-    view.tan_y = static_cast<float>(tan_y * view.height / (view.height - 2.0 * kBorder));
+    view.width = PixelsFor(2.0 * tangents.x(), pixel.x());
+    view.height = PixelsFor(2.0 * tangents.y(), pixel.y());
+    view.tan_x = static_cast<float>(tangents.x() * view.width / (view.width - 2.0 * kBorder));
+    view.tan_y = static_cast<float>(tangents.y() * view.height / (view.height - 2.0 * kBorder));
     view.first_x = width;
     width += view.width;
     height = std::max(height, view.height);
@@ -77,7 +101,7 @@ std::vector<std::int32_t> PlacesOfRays(const ViewLayout& layout, const RayGrid& 
     for (std::size_t column = 0; column < width; ++column) {
       const std::size_t c =
           std::min(column, cols - 1);  // the padding looks where the last one does
-      const Vec d(rays.x[c], rays.y[r], rays.z[c]);
+      const Vec d = rays.Direction(r, c);
       std::size_t v = c * static_cast<std::size_t>(layout.ring) / cols;
       if (static_cast<int>(layout.views.size()) > layout.ring) v = MostAhead(layout, d);
       const FlatView& view = layout.views[v];

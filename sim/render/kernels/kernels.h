@@ -36,6 +36,8 @@ struct KernelGrid {
   int stride;              // cols rounded up to a multiple of kRowPadding
   int tile_row_shift;      // row >> shift is a row of tiles
   int tile_column_shift;   // column >> shift is a column of tiles
+  int circle;              // columns around all headings: cols in a panorama, which goes round;
+                           // more in a pinhole picture, which shows the first `cols` of them
   const float* y;          // [rows]
   const float* y_squared;  // [rows]
   const float* area;       // [rows], see RayGrid
@@ -59,6 +61,8 @@ struct KernelFrame {
   const float* x;  // [stride] world directions of the columns
   const float* z;
   const float* xz_squared;  // [stride]
+  bool is_level;            // no pitch; else all of the above is of the frame that is made level:
+  float tilt[3][3];         // level = tilt * (world - origin)
 };
 
 /// A node or leaf that waits for its turn, nearest first.

@@ -7,6 +7,7 @@
 #include "sim/render/kernels/kernels.h"
 #include "sim/render/kernels/pixel_bounds.h"
 #include "sim/render/kernels/simd.h"
+#include "sim/render/kernels/tilt.h"
 
 namespace bulletnav::sim {
 namespace {
@@ -63,6 +64,7 @@ class LeafPainter {
       for (int axis = 0; axis < 3; ++axis) {
         v[k][axis] = Load<F8>(leaf.corner[k][axis]) - frame_.origin[axis];
       }
+      MakeLevel(frame_, v[k]);
     }
     for (int e = 0; e < 3; ++e) Cross(v[(e + 1) % 3], v[(e + 2) % 3], out->edge[e]);
     F8 u[3];

@@ -65,10 +65,21 @@ inline void SetRows(const KernelGrid& grid, F8 highest, F8 lowest, PixelRect8* r
       Min((RowOf(grid, bottom) + grid.row_slack) >> kFixedBits, Splat<I8>(grid.rows - 1));
 }
 
-/// Columns whose centres lie in [low, high], fixed point, low in [-circle, circle).
+/// Columns whose centres lie in [low, high], fixed point; low is within a circle of the picture,
+/// high less than half a circle above it.
 inline void SetColumns(const KernelGrid& grid, I8 low, I8 high, I8 all, PixelRect8* rect) {
   I8 first = (low - kHalf + 255) >> kFixedBits;
   I8 last = (high + grid.column_slack - kHalf) >> kFixedBits;
+  if (grid.circle != grid.cols) {
+    // The picture does not go round: ranges that start right of it may come in from the left.
+    const I8 shift =
+        ((first < grid.cols - grid.circle) & grid.circle) - ((first >= grid.cols) & grid.circle);
+    first = Max(first + shift, I8{});
+    last = Min(last + shift, Splat<I8>(grid.cols - 1));
+    rect->first_col = all ? I8{} : first;
+    rect->last_col = all ? Splat<I8>(grid.cols - 1) : last;
+    return;
+  }
   const I8 turn = ((first < 0) & grid.cols) - ((first >= grid.cols) & grid.cols);
   first += turn;
   last += turn;
@@ -104,11 +115,13 @@ inline void SetBoxColumns(const KernelGrid& grid, const KernelFrame& frame, F8 l
   const F8 bz = lx > 0.0f ? hz : (hx < 0.0f ? lz : (lz > 0.0f ? lz : hz));
   const I8 a = ColumnOf(grid, frame, ax, az);
   const I8 b = ColumnOf(grid, frame, bx, bz);
-  const int circle = grid.cols << kFixedBits;
+  const int circle = grid.circle << kFixedBits;
   const I8 arc = Wrapped(b - a, circle);
   const I8 low = arc < 0 ? b : a;
   const I8 length = arc < 0 ? -arc : arc;
-  SetColumns(grid, low, low + length, around, rect);
+  // Of a box that the camera all but touches, rounding may take the wrong side.
+  const I8 touched = around | (length >= circle / 2 - 4 * grid.column_slack);
+  SetColumns(grid, low, low + length, touched, rect);
 }
 
 /// Bounds of triangles with the corners v[corner][axis] from the camera; u and w are their edges
@@ -118,7 +131,7 @@ inline void SetTriangleRect(const KernelGrid& grid, const KernelFrame& frame, co
   const I8 a = ColumnOf(grid, frame, v[0][0], v[0][2]);
   const I8 b = ColumnOf(grid, frame, v[1][0], v[1][2]);
   const I8 c = ColumnOf(grid, frame, v[2][0], v[2][2]);
-  const int circle = grid.cols << kFixedBits;
+  const int circle = grid.circle << kFixedBits;
   const I8 ab = Wrapped(b - a, circle);
   const I8 ac = Wrapped(c - a, circle);
   const I8 low = Min(Min(ab, ac), I8{});

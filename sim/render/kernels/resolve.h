@@ -7,6 +7,7 @@
 // the id nearest to the ray is believed although the ray just misses its triangle.
 #include "sim/render/kernels/kernels.h"
 #include "sim/render/kernels/simd.h"
+#include "sim/render/kernels/tilt.h"
 
 namespace bulletnav::sim {
 namespace {
@@ -51,6 +52,7 @@ class Resolver {
         {Load<FW>(frame_.x + column), Splat<FW>(grid_.y[row]), Load<FW>(frame_.z + column)},
         IdsAt(place + (nearest & 1) + (nearest >> 1) * picture_.width),
         grid_.area[row]};
+    MakeWorld(frame_, look.ray);
     BestHit best;
     best.miss = Splat<FW>(-1e30f);
     best.id = Splat<IW>(-1);
@@ -128,7 +130,7 @@ class Resolver {
     const FW sum = Magnitude(edge[0]) + Magnitude(edge[1]) + Magnitude(edge[2]);
     FW miss = Min(Min(edge[0], edge[1]), edge[2]) / Max(sum, Splat<FW>(1e-30f));
     const IW fine = 0.5f * facing * inverse_t * inverse_t < kFinePixels * look.area;
-    miss = fine & (look.nearest_id == id + 1) ? Max(miss, FW{}) : miss;
+    miss = (fine & (look.nearest_id == id + 1)) ? Max(miss, FW{}) : miss;
     const IW inside = miss >= 0.0f;
     const IW best_inside = best->miss >= 0.0f;
     const IW nearer = inside & (~best_inside | (inverse_t > best->inverse_t));

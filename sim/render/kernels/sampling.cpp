@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/base/check.h"
+#include <Eigen/Geometry>
+#include <fmt/core.h>
+
+#include "sim/base/error.h"
 #include "sim/math/pose.h"
 
 namespace bulletnav::sim {
@@ -22,19 +25,82 @@ double TurnsOfDiamond(double p) {
   return std::atan2(sine, cosine) / (2.0 * kPi) + 0.5;
 }
 
-/// Column position (0 at the left edge of the picture) of a heading.
-double ColumnOfTurns(const PanoramaSpec& spec, double turns) {
-  if (spec.projection != Projection::kCubeStrip) return turns * spec.cols;
-  const double side = std::min(3.0, std::floor(turns * 4.0));
-  const double off_centre = (turns * 4.0 - side - 0.5) * 0.5 * kPi;
-  return (side + 0.5 + 0.5 * std::tan(off_centre)) * spec.cols / 4.0;
+/// Where headings and slopes fall in a panorama.
+class PanoramaPlaces {
+ public:
+  explicit PanoramaPlaces(const PanoramaSpec& spec) : spec_(spec) {}
+
+  /// Columns around all headings. Opposite headings must be half of them apart.
+  int circle() const { return spec_.cols; }
+
+  /// Column position (0 at the left edge of the picture) of a heading, rising.
+  double ColumnOfTurns(double turns) const {
+    if (spec_.projection != Projection::kCubeStrip) return turns * spec_.cols;
+    const double side = std::min(3.0, std::floor(turns * 4.0));
+    const double off_centre = (turns * 4.0 - side - 0.5) * 0.5 * kPi;
+    return (side + 0.5 + 0.5 * std::tan(off_centre)) * spec_.cols / 4.0;
+  }
+
+  /// Row whose centre samples slope y.
+  double RowOfSlope(double y) const {
+    const bool angular = spec_.projection == Projection::kEquirectangular;
+    const double from_top = angular ? 0.5 - std::atan(y) / kPi : 0.5 - 0.5 * y;
+    return from_top * spec_.rows - 0.5;
+  }
+
+ private:
+  const PanoramaSpec& spec_;
+};
+
+/// The same for a pinhole picture. The headings outside its field of view have columns too: those
+/// behind are spread like those ahead, those to the sides evenly.
+class PinholePlaces {
+ public:
+  explicit PinholePlaces(const PinholeSpec& spec)
+      : spec_(spec), half_angle_(std::atan(spec.tan_x())) {
+    const double alike = spec.cols * (0.5 * kPi - half_angle_) / spec.tan_x();
+    side_ = std::clamp(static_cast<int>(alike), kLeastSide, 2 * spec.cols);
+  }
+
+  int circle() const { return 2 * (spec_.cols + side_); }
+
+  double ColumnOfTurns(double turns) const {
+    const double angle = 2.0 * kPi * (turns - 0.5);  // clockwise from ahead
+    const double half_circle = 0.5 * circle();
+    const double middle = 0.5 * spec_.cols;
+    if (angle > 0.5 * kPi) return middle + half_circle + OffCentre(angle - kPi);
+    if (angle < -0.5 * kPi) return middle - half_circle + OffCentre(angle + kPi);
+    return middle + OffCentre(angle);
+  }
+
+  double RowOfSlope(double y) const { return (0.5 - 0.5 * y / spec_.tan_y()) * spec_.rows - 0.5; }
+
+ private:
+  static constexpr int kLeastSide = 16;
+
+  double OffCentre(double angle) const {
+    const double size = std::abs(angle);
+    if (size <= half_angle_) return 0.5 * spec_.cols * std::tan(angle) / spec_.tan_x();
+    const double beyond = (size - half_angle_) / (0.5 * kPi - half_angle_);
+    return std::copysign(0.5 * (spec_.cols + beyond * side_), angle);
+  }
+
+  const PinholeSpec& spec_;
+  double half_angle_;
+  int side_ = 0;  // columns to each side of the picture, up to those behind
+};
+
+PanoramaPlaces PlacesOf(const PanoramaSpec& spec) {
+  return PanoramaPlaces(spec);
+}
+PinholePlaces PlacesOf(const PinholeSpec& spec) {
+  return PinholePlaces(spec);
 }
 
-/// Row whose centre samples slope y.
-double RowOfSlope(const PanoramaSpec& spec, double y) {
-  const bool angular = spec.projection == Projection::kEquirectangular;
-  const double from_top = angular ? 0.5 - std::atan(y) / kPi : 0.5 - 0.5 * y;
-  return std::clamp(from_top * spec.rows - 0.5, -1.0, static_cast<double>(spec.rows));
+/// The turn that makes a camera of this yaw and pitch level: tilt * world = level.
+Eigen::Matrix3f TiltOf(double yaw, double pitch) {
+  const Eigen::Vector3d right(std::cos(yaw), 0.0, -std::sin(yaw));
+  return Eigen::AngleAxisd(-pitch, right).toRotationMatrix().cast<float>();
 }
 
 /// The least shift, from `least` on, that fits `size` into `tiles`.
@@ -61,54 +127,64 @@ Sampling::Table Sampling::Tabulate(int cells, const Function& f) {
   return table;
 }
 
-Sampling::Sampling(const PanoramaSpec& spec) : spec_(spec), rays_(spec) {
+Sampling::Sampling(const CameraSpec& spec) : spec_(spec), rays_(spec) {
   for (const float y : rays_.y) y_squared_.push_back(y * y);
   FillGrid();
   const auto stride = static_cast<std::size_t>(grid_.stride);
   x_.resize(stride);
   z_.resize(stride);
   xz_squared_.resize(stride);
-  inverse_t_.resize(stride * static_cast<std::size_t>(spec.rows));
+  inverse_t_.resize(stride * static_cast<std::size_t>(grid_.rows));
   id_.resize(inverse_t_.size());
   hits_ = {inverse_t_.data(), id_.data()};
 }
 
-void Sampling::FillGrid() {
-  const int column_cells = std::max(16384, 32 * spec_.cols);
-  const int row_cells = std::max(8192, 64 * spec_.rows);
+template <class Places>
+void Sampling::FillTables(const Places& places) {
+  const PictureSize size = SizeOf(spec_);
+  const int column_cells = std::max(16384, 32 * size.cols);
+  const int row_cells = std::max(8192, 64 * size.rows);
   columns_ = Tabulate(column_cells, [&](double p) {
-    return ColumnOfTurns(spec_, TurnsOfDiamond(4.0 * p));
+    return places.ColumnOfTurns(TurnsOfDiamond(4.0 * p));
   });
   rows_ = Tabulate(row_cells, [&](double p) {
     const double s = 2.0 * p - 1.0;
-    return RowOfSlope(spec_, s / std::max(1e-9, 1.0 - std::abs(s)));
+    const double row = places.RowOfSlope(s / std::max(1e-9, 1.0 - std::abs(s)));
+    return std::clamp(row, -1.0, static_cast<double>(size.rows));
   });
+  grid_.circle = places.circle();
+  grid_.angle_scale = static_cast<float>(column_cells) / 4.0f;
+  grid_.slope_scale = static_cast<float>(row_cells) / 2.0f;
+}
+
+void Sampling::FillGrid() {
+  std::visit(
+      [this](const auto& spec) {
+        FillTables(PlacesOf(spec));
+      },
+      spec_);
+  const PictureSize size = SizeOf(spec_);
   float xz_max = 1.0f;
   for (std::size_t c = 0; c < rays_.x.size(); ++c) {
     xz_max = std::max(xz_max, std::hypot(rays_.x[c], rays_.z[c]));
   }
-  grid_ = {
-      .rows = spec_.rows,
-      .cols = spec_.cols,
-      .stride = (spec_.cols + kRowPadding - 1) / kRowPadding * kRowPadding,
-      .tile_row_shift = TileShift(spec_.rows, kTileRows, 2),
-      .tile_column_shift = TileShift(spec_.cols, kTileColumns, 4),
-      .y = rays_.y.data(),
-      .y_squared = y_squared_.data(),
-      .area = rays_.area.data(),
-      .xz_max = xz_max,
-      .max_depth = spec_.max_depth_m,
-      .column_of_angle = columns_.least.data(),
-      .row_of_slope = rows_.least.data(),
-      .angle_scale = static_cast<float>(column_cells) / 4.0f,
-      .slope_scale = static_cast<float>(row_cells) / 2.0f,
-      .column_slack = columns_.slack,
-      .row_slack = rows_.slack,
-  };
+  grid_.rows = size.rows;
+  grid_.cols = size.cols;
+  grid_.stride = (size.cols + kRowPadding - 1) / kRowPadding * kRowPadding;
+  grid_.tile_row_shift = TileShift(size.rows, kTileRows, 2);
+  grid_.tile_column_shift = TileShift(size.cols, kTileColumns, 4);
+  grid_.y = rays_.y.data();
+  grid_.y_squared = y_squared_.data();
+  grid_.area = rays_.area.data();
+  grid_.xz_max = xz_max;
+  grid_.max_depth = MaxDepthOf(spec_);
+  grid_.column_of_angle = columns_.least.data();
+  grid_.row_of_slope = rows_.least.data();
+  grid_.column_slack = columns_.slack;
+  grid_.row_slack = rows_.slack;
 }
 
 KernelFrame Sampling::Frame(const CameraPose& camera) {
-  CHECK(camera.position.allFinite() && std::isfinite(camera.yaw));
   const float c = std::cos(camera.yaw);
   const float s = std::sin(camera.yaw);
   for (std::size_t i = 0; i < rays_.x.size(); ++i) {
@@ -117,14 +193,36 @@ KernelFrame Sampling::Frame(const CameraPose& camera) {
     xz_squared_[i] = rays_.x[i] * rays_.x[i] + rays_.z[i] * rays_.z[i];
   }
   const Eigen::Vector3f& p = camera.position;
-  return {{p.x(), p.y(), p.z()}, c, s, x_.data(), z_.data(), xz_squared_.data()};
+  KernelFrame frame = {.origin = {p.x(), p.y(), p.z()},
+                       .cos_yaw = c,
+                       .sin_yaw = s,
+                       .x = x_.data(),
+                       .z = z_.data(),
+                       .xz_squared = xz_squared_.data(),
+                       .is_level = rays_.pitch == 0.0,
+                       .tilt = {}};
+  const Eigen::Matrix3f tilt = TiltOf(camera.yaw, rays_.pitch);
+  for (int row = 0; row < 3; ++row) {
+    for (int axis = 0; axis < 3; ++axis) frame.tilt[row][axis] = tilt(row, axis);
+  }
+  return frame;
 }
 
-PanoramaSlices::PanoramaSlices(const PanoramaSpec& spec, std::size_t cameras,
-                               std::span<std::uint8_t> color, std::span<float> depth)
-    : pixels_(spec.pixels()), color_(color), depth_(depth) {
-  CHECK(color.empty() || color.size() == 3 * pixels_ * cameras);
-  CHECK(depth.empty() || depth.size() == pixels_ * cameras);
+PictureSlices::PictureSlices(const CameraSpec& spec, std::span<const CameraPose> cameras,
+                             std::span<std::uint8_t> color, std::span<float> depth)
+    : pixels_(SizeOf(spec).pixels()), color_(color), depth_(depth) {
+  for (const CameraPose& camera : cameras) {
+    if (!camera.position.allFinite() || !std::isfinite(camera.yaw)) {
+      throw Error("Render: a camera's position or yaw is not a finite number");
+    }
+  }
+  const auto check = [](const char* name, std::size_t size, std::size_t wanted) {
+    if (size == 0 || size == wanted) return;
+    throw Error(fmt::format("Render: the span for {} has {} elements; it must be empty or have {}",
+                            name, size, wanted));
+  };
+  check("colour", color.size(), 3 * pixels_ * cameras.size());
+  check("depth", depth.size(), pixels_ * cameras.size());
 }
 
 }  // namespace bulletnav::sim

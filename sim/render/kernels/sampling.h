@@ -5,29 +5,30 @@
 #include <vector>
 
 #include "sim/render/kernels/kernels.h"
-#include "sim/render/panorama_renderer.h"
+#include "sim/render/renderer.h"
 
 namespace bulletnav::sim {
 
-/// A panorama's sampling pattern in the kernels' form, with the memory it points to, and the
+/// A camera's sampling pattern in the kernels' form, with the memory it points to, and the
 /// buffers that one renderer keeps from picture to picture. Not copyable: the kernels' structs
 /// point into it.
 class Sampling {
  public:
   /// Throws Error on a bad spec.
-  explicit Sampling(const PanoramaSpec& spec);
+  explicit Sampling(const CameraSpec& spec);
   Sampling(const Sampling&) = delete;
   Sampling& operator=(const Sampling&) = delete;
   Sampling(Sampling&&) = delete;
   Sampling& operator=(Sampling&&) = delete;
   ~Sampling() = default;
 
-  const PanoramaSpec& spec() const { return spec_; }
+  const CameraSpec& spec() const { return spec_; }
   const RayGrid& rays() const { return rays_; }
   const KernelGrid& grid() const { return grid_; }
   const KernelHits& hits() const { return hits_; }
 
-  /// Turns the rays to the camera; the result is valid until the next call.
+  /// Turns the rays to the camera; the result is valid until the next call. Expects: a
+  /// finite pose.
   KernelFrame Frame(const CameraPose& camera);
 
  private:
@@ -39,9 +40,11 @@ class Sampling {
   };
   template <class Function>
   static Table Tabulate(int cells, const Function& f);
+  template <class Places>
+  void FillTables(const Places& places);
   void FillGrid();
 
-  PanoramaSpec spec_;
+  CameraSpec spec_;
   RayGrid rays_;
   std::vector<float> y_squared_;
   Table columns_;
@@ -55,11 +58,12 @@ class Sampling {
   KernelHits hits_{};
 };
 
-/// A caller's output, checked, cut into pictures.
-class PanoramaSlices {
+/// A caller's request, checked, and its output cut into pictures. Throws Error if a pose is not
+/// finite, or a span neither is empty nor fits.
+class PictureSlices {
  public:
-  PanoramaSlices(const PanoramaSpec& spec, std::size_t cameras, std::span<std::uint8_t> color,
-                 std::span<float> depth);
+  PictureSlices(const CameraSpec& spec, std::span<const CameraPose> cameras,
+                std::span<std::uint8_t> color, std::span<float> depth);
   /// Null where that output is not wanted.
   std::uint8_t* color(std::size_t i) const {
     return color_.empty() ? nullptr : &color_[3 * pixels_ * i];

@@ -5,6 +5,7 @@
 // they see many, each lane reads a record of its own.
 #include "sim/render/kernels/kernels.h"
 #include "sim/render/kernels/simd.h"
+#include "sim/render/kernels/tilt.h"
 #include "sim/render/kernels/triangle_shadings.h"
 
 namespace bulletnav::sim {
@@ -145,9 +146,10 @@ class Shader {
 
   void WriteColor(int row, int column, FW t, int lanes, std::uint8_t* out) const {
     const IW ids = Load<IW>(hits_.id + row * grid_.stride + column);
-    const FW point[3] = {frame_.origin[0] + t * Load<FW>(frame_.x + column),
-                         frame_.origin[1] + t * grid_.y[row],
-                         frame_.origin[2] + t * Load<FW>(frame_.z + column)};
+    FW ray[3] = {Load<FW>(frame_.x + column), Splat<FW>(grid_.y[row]), Load<FW>(frame_.z + column)};
+    MakeWorld(frame_, ray);
+    const FW point[3] = {frame_.origin[0] + t * ray[0], frame_.origin[1] + t * ray[1],
+                         frame_.origin[2] + t * ray[2]};
     const FW footprint = t * t * t * grid_.area[row];
     Fragment fragment;
     if (__builtin_popcount(Bits(ids != Rotated(ids))) > kManyTriangles) {
@@ -163,9 +165,13 @@ class Shader {
   }
 
   static IW Rotated(IW v) {
-    IW place;
-    for (int i = 0; i < kWidth; ++i) place[i] = (i + 1) % kWidth;
-    return __builtin_shuffle(v, place);
+#if defined(__AVX512F__)
+    return __builtin_shufflevector(v, v, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 0);
+#elif defined(__AVX2__)
+    return __builtin_shufflevector(v, v, 1, 2, 3, 4, 5, 6, 7, 0);
+#else
+    return __builtin_shufflevector(v, v, 1, 2, 3, 0);
+#endif
   }
 
   /// One triangle after the other, for all lanes that see it.
@@ -220,12 +226,12 @@ class Shader {
 
   static void WriteRgb(UW rgb, int lanes, std::uint8_t* out) {
     using Bytes16 = std::uint8_t __attribute__((vector_size(16)));
-    constexpr Bytes16 kDropAlpha = {0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 3, 7, 11, 15};
     if (lanes == kWidth) {
       Bytes16 quads[kWidth / 4];
       std::memcpy(quads, &rgb, sizeof(rgb));
       for (int i = 0; i < kWidth / 4; ++i) {
-        const Bytes16 packed = __builtin_shuffle(quads[i], kDropAlpha);
+        const Bytes16 packed = __builtin_shufflevector(quads[i], quads[i], 0, 1, 2, 4, 5, 6, 8, 9,
+                                                       10, 12, 13, 14, 3, 7, 11, 15);
         std::memcpy(out + 12 * i, &packed, 12);
       }
       return;

@@ -141,8 +141,8 @@ inline UW Gather(const std::uint32_t* table, IW index) {
 
 /// The least of two vectors of half as many lanes, and so on.
 inline float SmallestLane(F8 v) {
-  v = Min(v, __builtin_shuffle(v, I8{4, 5, 6, 7, 0, 1, 2, 3}));
-  v = Min(v, __builtin_shuffle(v, I8{2, 3, 0, 1, 6, 7, 4, 5}));
+  v = Min(v, __builtin_shufflevector(v, v, 4, 5, 6, 7, 0, 1, 2, 3));
+  v = Min(v, __builtin_shufflevector(v, v, 2, 3, 0, 1, 6, 7, 4, 5));
   return v[0] < v[1] ? v[0] : v[1];
 }
 

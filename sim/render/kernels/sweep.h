@@ -8,6 +8,7 @@
 #include "sim/render/kernels/leaf_painter.h"
 #include "sim/render/kernels/pixel_bounds.h"
 #include "sim/render/kernels/simd.h"
+#include "sim/render/kernels/tilt.h"
 
 namespace bulletnav::sim {
 namespace {
@@ -125,12 +126,15 @@ class Sweep {
 
   /// Puts the node's children that may be seen into their buckets.
   void Expand(const BvhNode& node, int bucket) {
-    const F8 lx = Load<F8>(node.low[0]) - frame_.origin[0];
-    const F8 ly = Load<F8>(node.low[1]) - frame_.origin[1];
-    const F8 lz = Load<F8>(node.low[2]) - frame_.origin[2];
-    const F8 hx = Load<F8>(node.high[0]) - frame_.origin[0];
-    const F8 hy = Load<F8>(node.high[1]) - frame_.origin[1];
-    const F8 hz = Load<F8>(node.high[2]) - frame_.origin[2];
+    F8 low[3];
+    F8 high[3];
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] = Load<F8>(node.low[axis]) - frame_.origin[axis];
+      high[axis] = Load<F8>(node.high[axis]) - frame_.origin[axis];
+    }
+    MakeBoxLevel(frame_, low, high);
+    const auto [lx, ly, lz] = low;
+    const auto [hx, hy, hz] = high;
     const F8 dx = Max(Max(lx, -hx), F8{});
     const F8 dz = Max(Max(lz, -hz), F8{});
     const F8 near = Sqrt(dx * dx + dz * dz);

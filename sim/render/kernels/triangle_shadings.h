@@ -21,14 +21,14 @@ class TriangleShadings {
         const F4 b = Quad(from[1], quad);
         const F4 c = Quad(from[2], quad);
         const F4 d = Quad(from[3], quad);
-        const F4 ab_low = __builtin_shuffle(a, b, I4{0, 4, 1, 5});
-        const F4 ab_high = __builtin_shuffle(a, b, I4{2, 6, 3, 7});
-        const F4 cd_low = __builtin_shuffle(c, d, I4{0, 4, 1, 5});
-        const F4 cd_high = __builtin_shuffle(c, d, I4{2, 6, 3, 7});
-        Store(&field_[4 * quad][lane], __builtin_shuffle(ab_low, cd_low, I4{0, 1, 4, 5}));
-        Store(&field_[4 * quad + 1][lane], __builtin_shuffle(ab_low, cd_low, I4{2, 3, 6, 7}));
-        Store(&field_[4 * quad + 2][lane], __builtin_shuffle(ab_high, cd_high, I4{0, 1, 4, 5}));
-        Store(&field_[4 * quad + 3][lane], __builtin_shuffle(ab_high, cd_high, I4{2, 3, 6, 7}));
+        const F4 ab_low = __builtin_shufflevector(a, b, 0, 4, 1, 5);
+        const F4 ab_high = __builtin_shufflevector(a, b, 2, 6, 3, 7);
+        const F4 cd_low = __builtin_shufflevector(c, d, 0, 4, 1, 5);
+        const F4 cd_high = __builtin_shufflevector(c, d, 2, 6, 3, 7);
+        Store(&field_[4 * quad][lane], __builtin_shufflevector(ab_low, cd_low, 0, 1, 4, 5));
+        Store(&field_[4 * quad + 1][lane], __builtin_shufflevector(ab_low, cd_low, 2, 3, 6, 7));
+        Store(&field_[4 * quad + 2][lane], __builtin_shufflevector(ab_high, cd_high, 0, 1, 4, 5));
+        Store(&field_[4 * quad + 3][lane], __builtin_shufflevector(ab_high, cd_high, 2, 3, 6, 7));
       }
     }
   }

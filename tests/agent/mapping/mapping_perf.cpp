@@ -7,6 +7,7 @@
 #include <benchmark/benchmark.h>
 
 #include "agent/mapping/map_navigator.h"
+#include "agent/models/goal_estimator.h"
 #include "agent/registry.h"
 #include "sim/simulator.h"
 #include "tests/support/houses.h"

@@ -72,8 +72,8 @@ TEST(Environment, ASuccessIsAStopNearTheGoal) {
   EXPECT_TRUE(lanes.Step(Action::kStop).terminated);
   ASSERT_TRUE(lanes.environment.is_over(0));
   const EpisodeTrajectory trajectory = lanes.environment.Finish(0, {});
-  EXPECT_TRUE(trajectory.result.goals[0].success);
-  EXPECT_NEAR(trajectory.result.goals[0].spl, 1.0, 1e-3);
+  EXPECT_TRUE(trajectory.result.goals[0].success());
+  EXPECT_NEAR(trajectory.result.goals[0].Value("spl"), 1.0, 1e-3);
   EXPECT_EQ(trajectory.steps.size(), 7u);
   EXPECT_EQ(trajectory.result.failure, "");
 }
@@ -86,7 +86,7 @@ TEST(Environment, StepsRunOutWithoutAStop) {
   EXPECT_TRUE(last.truncated);
   EXPECT_FALSE(last.terminated);
   EXPECT_TRUE(lanes.environment.is_over(0));
-  EXPECT_FALSE(lanes.environment.Finish(0, {}).result.goals[0].success);
+  EXPECT_FALSE(lanes.environment.Finish(0, {}).result.goals[0].success());
 }
 
 TEST(Environment, WithoutStopBeingNearIsEnough) {
@@ -98,7 +98,7 @@ TEST(Environment, WithoutStopBeingNearIsEnough) {
   EXPECT_FALSE(lanes.Step(Action::kMoveForward).terminated);
   EXPECT_FALSE(lanes.Step(Action::kMoveForward).terminated);
   EXPECT_TRUE(lanes.Step(Action::kMoveForward).terminated);  // 0.75 m are left
-  EXPECT_TRUE(lanes.environment.Finish(0, {}).result.goals[0].success);
+  EXPECT_TRUE(lanes.environment.Finish(0, {}).result.goals[0].success());
 }
 
 TEST(Environment, RewardsAddUpToProgressAndSuccess) {
@@ -114,9 +114,9 @@ TEST(Environment, RewardsAddUpToProgressAndSuccess) {
   }
   sum += lanes.Step(Action::kStop).reward;
   const GoalMetrics goal = lanes.environment.Finish(0, {}).result.goals[0];
-  EXPECT_TRUE(goal.success);
-  const double gained = goal.start_distance - goal.distance_to_goal;
-  EXPECT_NEAR(sum, 2.0 * gained - 0.5 * 6 + 10.0 * goal.spl, 1e-9);
+  EXPECT_TRUE(goal.success());
+  const double gained = goal.Value("start_distance") - goal.Value("distance_to_goal");
+  EXPECT_NEAR(sum, 2.0 * gained - 0.5 * 6 + 10.0 * goal.Value("spl"), 1e-9);
 }
 
 TEST(Environment, AFailureIsWorthItsStepsAlone) {
@@ -151,7 +151,7 @@ TEST(Environment, GoalsOfASequenceBeginWhereTheLastOneEnded) {
   EXPECT_NEAR(lanes.truths[0].goal.position.z(), -4.0, 1e-9);
   environment.Fail(0, "gave up");
   const EpisodeResult result = environment.Finish(0, {}).result;
-  EXPECT_NEAR(result.goals[1].start_distance, 2.5, 0.1);
+  EXPECT_NEAR(result.goals[1].Value("start_distance"), 2.5, 0.1);
   EXPECT_EQ(result.failure, "gave up");
 }
 

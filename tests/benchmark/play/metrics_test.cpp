@@ -2,7 +2,10 @@
 #include "benchmark/play/metrics.h"
 
 #include <cmath>
+#include <filesystem>
 #include <limits>
+#include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 
@@ -22,90 +25,150 @@ GoalRecord StoppedAt(double distance) {
 }
 
 TEST(Measure, StopJustInsideAMetreSucceeds) {
-  const GoalMetrics m = Measure(StoppedAt(0.999), kStop);
-  EXPECT_TRUE(m.success);
-  EXPECT_TRUE(m.success_euclidean);
-  EXPECT_DOUBLE_EQ(m.spl, 4.0 / 5.0);
-  EXPECT_DOUBLE_EQ(m.soft_spl, (1.0 - 0.999 / 4.0) * 4.0 / 5.0);
-  EXPECT_EQ(m.distance_to_goal, 0.999);
-  EXPECT_EQ(m.steps, 40);
-  EXPECT_EQ(m.collisions, 2);
+  const GoalMetrics m = MeasureGoal(StoppedAt(0.999), kStop);
+  EXPECT_TRUE(m.success());
+  EXPECT_EQ(m.Value("success_euclidean"), 1.0);
+  EXPECT_DOUBLE_EQ(m.Value("spl"), 4.0 / 5.0);
+  EXPECT_DOUBLE_EQ(m.Value("soft_spl"), (1.0 - 0.999 / 4.0) * 4.0 / 5.0);
+  EXPECT_EQ(m.Value("distance_to_goal"), 0.999);
+  EXPECT_EQ(m.Whole("steps"), 40);
+  EXPECT_EQ(m.Whole("collisions"), 2);
 }
 
 TEST(Measure, StopAtAMetreOrBeyondFails) {
   for (const double distance : {1.0, 1.001}) {
-    const GoalMetrics m = Measure(StoppedAt(distance), kStop);
-    EXPECT_FALSE(m.success);
-    EXPECT_FALSE(m.success_euclidean);
-    EXPECT_EQ(m.spl, 0.0);
-    EXPECT_DOUBLE_EQ(m.soft_spl, (1.0 - distance / 4.0) * 4.0 / 5.0);
+    const GoalMetrics m = MeasureGoal(StoppedAt(distance), kStop);
+    EXPECT_FALSE(m.success());
+    EXPECT_EQ(m.Value("success_euclidean"), 0.0);
+    EXPECT_EQ(m.Value("spl"), 0.0);
+    EXPECT_DOUBLE_EQ(m.Value("soft_spl"), (1.0 - distance / 4.0) * 4.0 / 5.0);
   }
 }
 
 TEST(Measure, StopBehindAWallCountsByTheStraightLineOnly) {
   GoalRecord record = StoppedAt(3.0);
   record.euclidean_distance = 0.4;
-  const GoalMetrics m = Measure(record, kStop);
-  EXPECT_FALSE(m.success);
-  EXPECT_TRUE(m.success_euclidean);
-  EXPECT_EQ(m.spl, 0.0);
+  const GoalMetrics m = MeasureGoal(record, kStop);
+  EXPECT_FALSE(m.success());
+  EXPECT_EQ(m.Value("success_euclidean"), 1.0);
+  EXPECT_EQ(m.Value("spl"), 0.0);
 }
 
 TEST(Measure, WithoutAStopNothingSucceeds) {
   GoalRecord record = StoppedAt(0.0);
   record.stopped = false;
-  const GoalMetrics m = Measure(record, kStop);
-  EXPECT_FALSE(m.success);
-  EXPECT_FALSE(m.success_euclidean);
-  EXPECT_EQ(m.spl, 0.0);
-  EXPECT_DOUBLE_EQ(m.soft_spl, 0.8);
+  const GoalMetrics m = MeasureGoal(record, kStop);
+  EXPECT_FALSE(m.success());
+  EXPECT_EQ(m.Value("success_euclidean"), 0.0);
+  EXPECT_EQ(m.Value("spl"), 0.0);
+  EXPECT_DOUBLE_EQ(m.Value("soft_spl"), 0.8);
 }
 
 TEST(Measure, NoStopConditionAsksForNoStop) {
   GoalRecord record = StoppedAt(0.9);
   record.stopped = false;
-  EXPECT_TRUE(Measure(record, kNoStop).success);
-  EXPECT_DOUBLE_EQ(Measure(record, kNoStop).spl, 0.8);
+  EXPECT_TRUE(MeasureGoal(record, kNoStop).success());
+  EXPECT_DOUBLE_EQ(MeasureGoal(record, kNoStop).Value("spl"), 0.8);
   record.distance_to_goal = 1.5;
-  EXPECT_FALSE(Measure(record, kNoStop).success);
+  EXPECT_FALSE(MeasureGoal(record, kNoStop).success());
 }
 
 TEST(Measure, WayNoLongerThanTheShortestIsWorthOne) {
   // Shorter than the geodesic: the metre that success leaves over.
   GoalRecord record = StoppedAt(0.5);
   record.path_length = 3.5;
-  EXPECT_EQ(Measure(record, kStop).spl, 1.0);
+  EXPECT_EQ(MeasureGoal(record, kStop).Value("spl"), 1.0);
   record.path_length = 4.0;
-  EXPECT_EQ(Measure(record, kStop).spl, 1.0);
+  EXPECT_EQ(MeasureGoal(record, kStop).Value("spl"), 1.0);
 }
 
 TEST(Measure, StartWithinAMetre) {
   // Stopping at once is right and costs nothing; walking about first costs its length.
   const GoalRecord at_once = {0.6, 0.6, 0.6, 0.0, true, 1, 0};
-  EXPECT_TRUE(Measure(at_once, kStop).success);
-  EXPECT_EQ(Measure(at_once, kStop).spl, 1.0);
-  EXPECT_EQ(Measure(at_once, kStop).soft_spl, 0.0);
+  EXPECT_TRUE(MeasureGoal(at_once, kStop).success());
+  EXPECT_EQ(MeasureGoal(at_once, kStop).Value("spl"), 1.0);
+  EXPECT_EQ(MeasureGoal(at_once, kStop).Value("soft_spl"), 0.0);
   const GoalRecord about = {0.6, 0.6, 0.6, 2.4, true, 12, 0};
-  EXPECT_DOUBLE_EQ(Measure(about, kStop).spl, 0.25);
+  EXPECT_DOUBLE_EQ(MeasureGoal(about, kStop).Value("spl"), 0.25);
 }
 
 TEST(Measure, StartOnTheGoal) {
   const GoalRecord still = {0.0, 0.0, 0.0, 0.0, true, 1, 0};
-  EXPECT_EQ(Measure(still, kStop).spl, 1.0);
-  EXPECT_EQ(Measure(still, kStop).soft_spl, 1.0);
+  EXPECT_EQ(MeasureGoal(still, kStop).Value("spl"), 1.0);
+  EXPECT_EQ(MeasureGoal(still, kStop).Value("soft_spl"), 1.0);
   const GoalRecord moved = {0.0, 0.25, 0.25, 0.25, true, 2, 0};
-  EXPECT_TRUE(Measure(moved, kStop).success);
-  EXPECT_EQ(Measure(moved, kStop).spl, 0.0);
-  EXPECT_EQ(Measure(moved, kStop).soft_spl, 0.0);
+  EXPECT_TRUE(MeasureGoal(moved, kStop).success());
+  EXPECT_EQ(MeasureGoal(moved, kStop).Value("spl"), 0.0);
+  EXPECT_EQ(MeasureGoal(moved, kStop).Value("soft_spl"), 0.0);
 }
 
 TEST(Measure, EndOffTheGoalsIslandIsInfinitelyFar) {
   GoalRecord record = StoppedAt(kInfinity);
   record.euclidean_distance = 0.3;
-  const GoalMetrics m = Measure(record, kStop);
-  EXPECT_FALSE(m.success);
-  EXPECT_EQ(m.soft_spl, 0.0);
-  EXPECT_EQ(m.distance_to_goal, kInfinity);
+  const GoalMetrics m = MeasureGoal(record, kStop);
+  EXPECT_FALSE(m.success());
+  EXPECT_EQ(m.Value("soft_spl"), 0.0);
+  EXPECT_EQ(m.Value("distance_to_goal"), kInfinity);
+}
+
+TEST(Measure, OfAnAgentThatWasTakenOffIsNoSuccess) {
+  GoalRecord record = StoppedAt(0.5);
+  record.failed = true;
+  for (const SuccessRule& rule : {kStop, kNoStop}) {
+    const GoalMetrics m = MeasureGoal(record, rule);
+    EXPECT_FALSE(m.success());
+    EXPECT_EQ(m.Value("success_euclidean"), 0.0);
+    EXPECT_EQ(m.Value("spl"), 0.0);
+    EXPECT_DOUBLE_EQ(m.Value("soft_spl"), (1.0 - 0.5 / 4.0) * 4.0 / 5.0);
+  }
+}
+
+TEST(Measures, AreTheFilesOfTheirFolder) {
+  std::vector<std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(BULLETNAV_MEASURES)) {
+    if (entry.path().extension() == ".cpp") files.push_back(entry.path().stem().string());
+  }
+  std::vector<std::string> names;
+  for (const Measure& measure : AllMeasures()) names.emplace_back(measure.name);
+  EXPECT_THAT(names, testing::UnorderedElementsAreArray(files));
+}
+
+TEST(Measures, UnknownNamesAreRefusedWithTheKnownOnes) {
+  try {
+    FindMeasure("sucess");
+    FAIL();
+  } catch (const sim::Error& e) {
+    EXPECT_THAT(e.what(), testing::AllOf(testing::HasSubstr("'sucess'"),
+                                         testing::HasSubstr("success, success_euclidean, spl")));
+  }
+}
+
+TEST(EpisodeValue, GoesOverTheGoalsAsTheMeasureSays) {
+  const std::vector<GoalMetrics> goals = {
+      {{"success", 1.0}, {"steps", 10.0}, {"distance_to_goal", 0.5}},
+      {{"success", 0.0},
+       {"steps", 20.0},
+       {"distance_to_goal", kInfinity},
+       {"euclidean_distance", 4.5}}};
+  EXPECT_EQ(EpisodeValue(FindMeasure("success"), goals), 0.5);
+  EXPECT_EQ(EpisodeValue(FindMeasure("steps"), goals), 30.0);
+  EXPECT_EQ(EpisodeValue(FindMeasure("distance_to_goal"), goals), 2.5) << "the straight line";
+  EXPECT_EQ(EpisodeValue(FindMeasure("collisions"), goals), std::nullopt) << "not measured";
+  Measure steps = FindMeasure("steps");
+  steps.over_goals = OverGoals::kMeanOfReached;
+  EXPECT_EQ(EpisodeValue(steps, goals), 10.0);
+  EXPECT_EQ(EpisodeValue(steps, {&goals[1], 1}), std::nullopt);
+}
+
+TEST(GoalMetrics, WhatIsMissingIsNamed) {
+  const GoalMetrics m = {{"success", 1.0}};
+  EXPECT_EQ(m.Find("spl"), std::nullopt);
+  try {
+    m.Value("spl");
+    FAIL();
+  } catch (const sim::Error& e) {
+    EXPECT_THAT(e.what(), testing::HasSubstr("no 'spl'"));
+  }
 }
 
 /// A room of 6 x 6 m cut by a wall of 0.1 m along z = -3, with a gap of a metre at x > 5.
@@ -126,12 +189,12 @@ TEST_F(GoalWatchTest, AddsUpStepsWayAndCollisions) {
   watch.Step({1.25, 0, -1}, true);
   watch.Step({1.25, 0, -1.5}, true);
   const GoalMetrics m = watch.Finish(true);
-  EXPECT_EQ(m.steps, 3);
-  EXPECT_EQ(m.collisions, 2);
-  EXPECT_DOUBLE_EQ(m.path_length, 0.75);
-  EXPECT_NEAR(m.start_distance, 1.5, 0.02);
-  EXPECT_NEAR(m.distance_to_goal, std::hypot(0.25, 1.0), 0.02);
-  EXPECT_FALSE(m.success);
+  EXPECT_EQ(m.Whole("steps"), 3);
+  EXPECT_EQ(m.Whole("collisions"), 2);
+  EXPECT_DOUBLE_EQ(m.Value("path_length"), 0.75);
+  EXPECT_NEAR(m.Value("start_distance"), 1.5, 0.02);
+  EXPECT_NEAR(m.Value("distance_to_goal"), std::hypot(0.25, 1.0), 0.02);
+  EXPECT_FALSE(m.success());
 }
 
 TEST_F(GoalWatchTest, SeesThroughNoWall) {
@@ -140,10 +203,10 @@ TEST_F(GoalWatchTest, SeesThroughNoWall) {
   watch.Step({1, 0, -2.7}, false);
   EXPECT_FALSE(watch.Reached());
   const GoalMetrics m = watch.Finish(true);
-  EXPECT_FALSE(m.success);
-  EXPECT_TRUE(m.success_euclidean);
-  EXPECT_NEAR(m.euclidean_distance, 0.6, 1e-9);
-  EXPECT_GT(m.distance_to_goal, 8.0);
+  EXPECT_FALSE(m.success());
+  EXPECT_EQ(m.Value("success_euclidean"), 1.0);
+  EXPECT_NEAR(m.Value("euclidean_distance"), 0.6, 1e-9);
+  EXPECT_GT(m.Value("distance_to_goal"), 8.0);
 }
 
 TEST_F(GoalWatchTest, NoStopIsOverAsSoonAsTheGoalIsNear) {
@@ -156,17 +219,40 @@ TEST_F(GoalWatchTest, NoStopIsOverAsSoonAsTheGoalIsNear) {
   }
   EXPECT_GT(x, 2.99);
   EXPECT_LT(x, 3.30);
-  EXPECT_TRUE(watch.Finish(false).success);
-  EXPECT_EQ(watch.Finish(false).spl, 1.0);
+  EXPECT_TRUE(watch.Finish(false).success());
+  EXPECT_EQ(watch.Finish(false).Value("spl"), 1.0);
 }
 
 TEST_F(GoalWatchTest, StartNearTheGoalIsReachedWithoutAStep) {
   const GoalWatch watch(query_, {1, 0, -1}, {1.5, 0, -1}, kNoStop);
   EXPECT_TRUE(watch.Reached());
   const GoalMetrics m = watch.Finish(false);
-  EXPECT_TRUE(m.success);
-  EXPECT_EQ(m.spl, 1.0);
-  EXPECT_EQ(m.steps, 0);
+  EXPECT_TRUE(m.success());
+  EXPECT_EQ(m.Value("spl"), 1.0);
+  EXPECT_EQ(m.Whole("steps"), 0);
+}
+
+TEST_F(GoalWatchTest, FailureKeepsWhatWasWalked) {
+  for (const SuccessRule& rule : {kStop, kNoStop}) {
+    GoalWatch watch(query_, {1, 0, -1}, {1.5, 0, -1}, rule);
+    watch.Step({1.25, 0, -1}, true);
+    const GoalMetrics m = watch.Fail();
+    EXPECT_FALSE(m.success());
+    EXPECT_EQ(m.Value("spl"), 0.0);
+    EXPECT_EQ(m.Whole("steps"), 1);
+    EXPECT_EQ(m.Whole("collisions"), 1);
+    EXPECT_NEAR(m.Value("path_length"), 0.25, 1e-9);
+  }
+}
+
+TEST_F(GoalWatchTest, UntriedGoalsAreAsFarAsTheyWere) {
+  const GoalMetrics near = UntriedGoal(query_, {1, 0, -1}, {1.5, 0, -1}, 7.0);
+  EXPECT_FALSE(near.success()) << "though it is near";
+  EXPECT_NEAR(near.Value("start_distance"), 0.5, 0.02);
+  EXPECT_EQ(near.Whole("steps"), 0);
+  const GoalMetrics cut_off = UntriedGoal(query_, {1, 0, -1}, {100, 0, -1}, 7.0);
+  EXPECT_EQ(cut_off.Value("start_distance"), 7.0);
+  EXPECT_EQ(cut_off.Value("distance_to_goal"), kInfinity);
 }
 
 TEST_F(GoalWatchTest, RefusesGoalsThatCannotBeReached) {

@@ -16,9 +16,9 @@ EpisodeResult Result(const std::string& agent, double distance, bool success, in
   EpisodeResult result;
   result.key = {agent, "rgbd", "noise", 0, "house.glb", "0"};
   GoalMetrics metrics;
-  metrics.start_distance = distance;
-  metrics.success = success;
-  metrics.spl = success ? 0.5 : 0.0;
+  metrics["start_distance"] = distance;
+  metrics["success"] = success;
+  metrics["spl"] = success ? 0.5 : 0.0;
   result.goals.assign(static_cast<std::size_t>(goals), metrics);
   return result;
 }

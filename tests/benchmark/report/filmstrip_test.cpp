@@ -24,9 +24,9 @@ TEST(Filmstrip, KnowsThePresentGoal) {
   trajectory.steps.resize(5);
   trajectory.steps[1].action = sim::Action::kStop;
   trajectory.goals.resize(3, trajectory.goals[0]);
-  trajectory.result.goals.assign(3, {});
-  trajectory.result.goals[0].steps = 1;
-  trajectory.result.goals[1].steps = 3;
+  trajectory.result.goals.assign(3, GoalMetrics{{"success", 0.0}, {"steps", 0.0}});
+  trajectory.result.goals[0]["steps"] = 1;
+  trajectory.result.goals[1]["steps"] = 3;
   EXPECT_EQ(GoalAt(trajectory, 0), 0u);
   EXPECT_EQ(GoalAt(trajectory, 1), 0u);
   EXPECT_EQ(GoalAt(trajectory, 2), 1u) << "the stop ended the first";

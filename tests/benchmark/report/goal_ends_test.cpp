@@ -36,8 +36,8 @@ EpisodeTrajectory Trajectory(const std::string& condition, const std::string& ac
 
 GoalMetrics Goal(bool success, int steps) {
   GoalMetrics metrics;
-  metrics.success = success;
-  metrics.steps = steps;
+  metrics["success"] = success;
+  metrics["steps"] = steps;
   return metrics;
 }
 

@@ -21,7 +21,7 @@ EpisodeResult Of(const std::string& agent, const std::string& scene, int number,
   result.key.scene = scene;
   result.key.episode = std::to_string(number);
   result.goals.resize(1);
-  result.goals[0].soft_spl = soft_spl;
+  result.goals[0] = {{"success", 0.0}, {"soft_spl", soft_spl}};
   return result;
 }
 

@@ -72,7 +72,7 @@ TEST(Replay, AgentsWalkTheSameUnderTheRecorder) {
   const auto noise = sim::NoiseMode::kAnsReleased;
   const auto one = tests::RecordAgent(world, trial, "random", noise);
   EXPECT_EQ(ToJson(one), ToJson(tests::RecordAgent(world, trial, "random", noise)));
-  EXPECT_EQ(one.result.goals[0].steps + 1, static_cast<int>(one.steps.size()));
+  EXPECT_EQ(one.result.goals[0].Whole("steps") + 1, static_cast<int>(one.steps.size()));
 }
 
 }  // namespace

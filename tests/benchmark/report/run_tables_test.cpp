@@ -18,9 +18,9 @@ EpisodeResult Result(const std::string& agent, const std::string& condition, int
   result.key = {agent, "rgbd", condition, 0, "house.glb", std::to_string(i)};
   result.difficulty = kDifficulties[static_cast<std::size_t>(i) % 3];
   GoalMetrics metrics;
-  metrics.success = i % 2 == 0;
-  metrics.success_euclidean = i % 4 != 1;
-  metrics.spl = metrics.success ? 0.5 : 0.0;
+  metrics["success"] = i % 2 == 0;
+  metrics["success_euclidean"] = i % 4 != 1;
+  metrics["spl"] = metrics.success() ? 0.5 : 0.0;
   result.goals = {metrics};
   return result;
 }

@@ -69,7 +69,7 @@ TEST(TrajectoryLegend, LeavesOutWhatTheGraphLacks) {
 TEST(TrajectoryLegend, SpeaksOfStopsOnlyWhereTheyCount) {
   EpisodeTrajectory trajectory = tests::MadeUpTrajectory();
   trajectory.steps.pop_back();
-  trajectory.result.goals[0].success = false;
+  trajectory.result.goals[0]["success"] = false;
   EXPECT_THAT(Texts(trajectory, false), Contains("end without stop"));
   trajectory.result.key.condition = "no_stop";
   EXPECT_THAT(Texts(trajectory, false), Contains("goal not reached in time"));

@@ -151,10 +151,10 @@ TEST(TrajectoryPlot, OutcomeSaysWhatBecameOfIt) {
   EXPECT_THAT(OutcomeLines(trajectory), Contains("success, SPL 0.62"));
   EXPECT_THAT(OutcomeLines(trajectory), Contains("25 steps, 1 collision"));
   EXPECT_THAT(OutcomeLines(trajectory), Contains("walked 4.0 m, shortest 2.5 m"));
-  trajectory.result.goals[0].success = false;
+  trajectory.result.goals[0]["success"] = false;
   EXPECT_THAT(OutcomeLines(trajectory), Contains("failed, 0.2 m from the goal"));
   trajectory.result.goals.push_back(trajectory.result.goals[0]);
-  trajectory.result.goals[1].success = true;
+  trajectory.result.goals[1]["success"] = true;
   EXPECT_THAT(OutcomeLines(trajectory), Contains(HasSubstr("1 of 2 goals")));
   EXPECT_THAT(OutcomeLines(trajectory), Contains("walked 8.0 m in all"));
   EXPECT_THAT(OutcomeLines(trajectory), Contains("to goals reached 4.0 m, shortest 2.5 m"));

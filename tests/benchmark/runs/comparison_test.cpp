@@ -21,8 +21,9 @@ std::vector<EpisodeResult> MakeRun(const std::string& agent, int successes, int 
     result.key = {agent, "rgbd", "noise", 0, "house.glb", std::to_string(i)};
     result.difficulty = i % 2 == 0 ? Difficulty::kEasy : Difficulty::kHard;
     result.goals.resize(1);
-    result.goals[0].success = i < successes;
-    result.goals[0].spl = i < successes ? 0.5 : 0.0;
+    result.goals[0]["success"] = i < successes;
+    result.goals[0]["start_distance"] = 0.0;
+    result.goals[0]["spl"] = i < successes ? 0.5 : 0.0;
     results.push_back(result);
   }
   return results;
@@ -34,13 +35,13 @@ TEST(CompareRuns, PairsEpisodesOfOneAgent) {
   EXPECT_EQ(comparison.rows[0].difficulty, "easy");
   const ComparisonRow& all = comparison.rows[2];
   EXPECT_EQ(all.difficulty, "overall");
-  EXPECT_DOUBLE_EQ(all.success_a, 0.2);
-  EXPECT_DOUBLE_EQ(all.success_b, 0.7);
-  EXPECT_DOUBLE_EQ(all.success.mean, 0.5);
-  EXPECT_DOUBLE_EQ(all.spl.mean, 0.25);
-  EXPECT_EQ(all.success.pairs, 20);
-  EXPECT_EQ(all.success.better, 10);
-  EXPECT_TRUE(all.success.significant());
+  EXPECT_DOUBLE_EQ(all.measures[0].a, 0.2);
+  EXPECT_DOUBLE_EQ(all.measures[0].b, 0.7);
+  EXPECT_DOUBLE_EQ(all.measures[0].difference.mean, 0.5);
+  EXPECT_DOUBLE_EQ(all.measures[1].difference.mean, 0.25);
+  EXPECT_EQ(all.measures[0].difference.pairs, 20);
+  EXPECT_EQ(all.measures[0].difference.better, 10);
+  EXPECT_TRUE(all.measures[0].difference.significant());
   EXPECT_EQ(comparison.only_a + comparison.only_b, 0);
 }
 
@@ -59,13 +60,13 @@ TEST(CompareRuns, PairsTwoAgentsByName) {
   Pairing pairing;
   pairing.agents = {"y", "x"};
   const Comparison comparison = CompareRuns(run, run, pairing);
-  EXPECT_DOUBLE_EQ(comparison.rows[2].success.mean, -0.5);
+  EXPECT_DOUBLE_EQ(comparison.rows[2].measures[0].difference.mean, -0.5);
   EXPECT_THAT(ToText(comparison), HasSubstr("y -> x, rgbd, noise"));
 }
 
 TEST(CompareRuns, LeavesOutWhatHasNoPartnerAndSaysSo) {
   const Comparison comparison = CompareRuns(MakeRun("x", 4), MakeRun("x", 4, 12), {});
-  EXPECT_EQ(comparison.rows[2].success.pairs, 12);
+  EXPECT_EQ(comparison.rows[2].measures[0].difference.pairs, 12);
   EXPECT_EQ(comparison.only_a, 8);
   EXPECT_EQ(comparison.only_b, 0);
   EXPECT_THAT(ToText(comparison), HasSubstr("8 results of the first"));
@@ -89,13 +90,13 @@ TEST(CompareRuns, PairsTwoConditions) {
   Pairing pairing;
   pairing.conditions = {"noise", "no_noise"};
   const Comparison comparison = CompareRuns(noise, exact, pairing);
-  EXPECT_DOUBLE_EQ(comparison.rows[2].success.mean, 0.5);
+  EXPECT_DOUBLE_EQ(comparison.rows[2].measures[0].difference.mean, 0.5);
   EXPECT_THAT(ToText(comparison), HasSubstr("x, rgbd, noise -> no_noise\n"));
 }
 
 TEST(CompareRuns, RefusesOtherEpisodesOfTheSameName) {
   auto other = MakeRun("x", 14);
-  other[3].goals[0].start_distance = 1.5;
+  other[3].goals[0]["start_distance"] = 1.5;
   try {
     CompareRuns(MakeRun("x", 4), other, {});
     ADD_FAILURE();

@@ -31,15 +31,15 @@ EpisodeResult MakeResult(int i, std::size_t goals = 1) {
   result.difficulty = Difficulty::kHard;
   for (std::size_t k = 0; k < goals; ++k) {
     GoalMetrics metrics;
-    metrics.success = i % 2 == 0;
-    metrics.spl = 0.1 / (i + 1);
-    metrics.soft_spl = 1.0 / 3.0;
-    metrics.start_distance = 7.125;
-    metrics.distance_to_goal = i % 3 == 0 ? std::numeric_limits<double>::infinity() : 1e-17;
-    metrics.euclidean_distance = 4;
-    metrics.path_length = 12.3;
-    metrics.steps = 500;
-    metrics.collisions = static_cast<int>(k);
+    metrics["success"] = i % 2 == 0;
+    metrics["spl"] = 0.1 / (i + 1);
+    metrics["soft_spl"] = 1.0 / 3.0;
+    metrics["start_distance"] = 7.125;
+    metrics["distance_to_goal"] = i % 3 == 0 ? std::numeric_limits<double>::infinity() : 1e-17;
+    metrics["euclidean_distance"] = 4;
+    metrics["path_length"] = 12.3;
+    metrics["steps"] = 500;
+    metrics["collisions"] = static_cast<int>(k);
     result.goals.push_back(metrics);
   }
   return result;

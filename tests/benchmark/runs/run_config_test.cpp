@@ -63,7 +63,7 @@ TEST(RunConfig, ErrorsNameThePlace) {
   EXPECT_THAT(ErrorOf(With("conditions:", "condition:")),
               AllOf(StartsWith("c.yaml:2:1: "), HasSubstr("did you mean 'conditions'?")));
   EXPECT_THAT(ErrorOf(With("no_stop", "nostop")),
-              AllOf(StartsWith("c.yaml:2:21: "), HasSubstr("noise, no_noise, no_stop")));
+              AllOf(StartsWith("c.yaml:2:21: "), HasSubstr("noise, no_stop, no_noise")));
   EXPECT_THAT(ErrorOf(With("agent: random", "agent: randm")),
               AllOf(StartsWith("c.yaml:4:13: "), HasSubstr("did you mean 'random'?"),
                     HasSubstr("shortest_path")));

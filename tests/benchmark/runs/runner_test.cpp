@@ -195,8 +195,8 @@ TEST_F(RunnerTest, TroubledAgentsFailTheirEpisodesAndNothingElse) {
       }
       ++failed;
       EXPECT_EQ(result.failure, reason);
-      EXPECT_FALSE(result.goals[0].success);
-      EXPECT_EQ(result.goals[0].steps, agent == "no_action" ? 8 : 4);
+      EXPECT_FALSE(result.goals[0].success());
+      EXPECT_EQ(result.goals[0].Whole("steps"), agent == "no_action" ? 8 : 4);
     }
   }
   EXPECT_GE(failed, 2);
@@ -260,9 +260,9 @@ TEST_F(RunnerTest, WithoutStopNoAgentDoesWorse) {
       return candidate.key == key;
     });
     ASSERT_NE(other, results.end());
-    EXPECT_GE(other->goals[0].success, result.goals[0].success);
-    stop += result.goals[0].success ? 1 : 0;
-    no_stop += other->goals[0].success ? 1 : 0;
+    EXPECT_GE(other->goals[0].success(), result.goals[0].success());
+    stop += result.goals[0].success() ? 1 : 0;
+    no_stop += other->goals[0].success() ? 1 : 0;
   }
   EXPECT_GE(no_stop, stop);
   EXPECT_GT(stop, 0);
@@ -278,9 +278,9 @@ TEST_F(RunnerTest, SequencesGoOnFromGoalToGoal) {
         ReadTrajectory(TrajectoryPath(folder("sequence"), result.key));
     EXPECT_EQ(trajectory.result, result);
     if (result.key.agent == "shortest_path") {
-      for (const GoalMetrics& goal : result.goals) EXPECT_TRUE(goal.success);
+      for (const GoalMetrics& goal : result.goals) EXPECT_TRUE(goal.success());
     } else if (!result.failure.empty()) {
-      EXPECT_FALSE(result.goals[2].success);
+      EXPECT_FALSE(result.goals[2].success());
     }
   }
 }
@@ -403,8 +403,9 @@ TEST_F(RunnerTest, GoldenRun) {
             "golden")) {
     const GoalMetrics& goal = result.goals[0];
     text += fmt::format("{} {} {}: success {:d}, spl {:.3f}, {} steps, {} collisions, {:.3f} m\n",
-                        result.key.agent, result.key.condition, result.key.episode, goal.success,
-                        goal.spl, goal.steps, goal.collisions, goal.path_length);
+                        result.key.agent, result.key.condition, result.key.episode, goal.success(),
+                        goal.Value("spl"), goal.Whole("steps"), goal.Whole("collisions"),
+                        goal.Value("path_length"));
   }
   if (std::getenv("BULLETNAV_WRITE_GOLDEN") != nullptr) sim::WriteFileAtomically(golden, text);
   EXPECT_EQ(text, sim::ReadTextFile(golden));

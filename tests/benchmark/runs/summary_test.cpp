@@ -21,14 +21,14 @@ EpisodeResult Result(const std::string& agent, Difficulty difficulty, int episod
                 "house.glb", std::string(DifficultyName(difficulty)) + std::to_string(episode)};
   result.difficulty = difficulty;
   GoalMetrics metrics;
-  metrics.success = success;
-  metrics.success_euclidean = success;
-  metrics.spl = spl;
-  metrics.soft_spl = spl / 2;
-  metrics.distance_to_goal = success ? 0.25 : std::numeric_limits<double>::infinity();
-  metrics.euclidean_distance = success ? 0.125 : 4.0;
-  metrics.steps = 10 * (episode + 1);
-  metrics.collisions = episode;
+  metrics["success"] = success;
+  metrics["success_euclidean"] = success;
+  metrics["spl"] = spl;
+  metrics["soft_spl"] = spl / 2;
+  metrics["distance_to_goal"] = success ? 0.25 : std::numeric_limits<double>::infinity();
+  metrics["euclidean_distance"] = success ? 0.125 : 4.0;
+  metrics["steps"] = 10 * (episode + 1);
+  metrics["collisions"] = episode;
   result.goals = {metrics};
   return result;
 }
@@ -59,29 +59,29 @@ TEST(Summarize, MeansByHand) {
   ASSERT_EQ(rows.size(), 6u);
   const SummaryRow& easy = Find(rows, "nts", "easy");
   EXPECT_EQ(easy.episodes, 4);
-  EXPECT_DOUBLE_EQ(easy.success, 0.75);
-  EXPECT_EQ(easy.success_ci, WilsonInterval(3, 4));
-  EXPECT_DOUBLE_EQ(easy.spl, 0.6);
-  EXPECT_DOUBLE_EQ(easy.soft_spl, 0.3);
-  EXPECT_DOUBLE_EQ(easy.steps_mean, 25.0);
-  EXPECT_DOUBLE_EQ(easy.collisions_mean, 1.5);
+  EXPECT_DOUBLE_EQ(*easy.Of("success").mean, 0.75);
+  EXPECT_EQ(easy.Of("success").interval, WilsonInterval(3, 4));
+  EXPECT_DOUBLE_EQ(*easy.Of("spl").mean, 0.6);
+  EXPECT_DOUBLE_EQ(*easy.Of("soft_spl").mean, 0.3);
+  EXPECT_DOUBLE_EQ(*easy.Of("steps").mean, 25.0);
+  EXPECT_DOUBLE_EQ(*easy.Of("collisions").mean, 1.5);
   EXPECT_EQ(easy.frames_trained, 25'000'000);
   EXPECT_EQ(easy.note, "oracle");
-  EXPECT_DOUBLE_EQ(easy.distance_to_goal_mean, (4.0 + 3 * 0.25) / 4);
-  EXPECT_EQ(easy.paper_success, 0.87);
-  EXPECT_EQ(easy.paper_spl, 0.65);
+  EXPECT_DOUBLE_EQ(*easy.Of("distance_to_goal").mean, (4.0 + 3 * 0.25) / 4);
+  EXPECT_EQ(easy.Of("success").paper, 0.87);
+  EXPECT_EQ(easy.Of("spl").paper, 0.65);
   const SummaryRow& overall = Find(rows, "nts", "overall");
   EXPECT_EQ(overall.episodes, 8);
-  EXPECT_DOUBLE_EQ(overall.success, 0.5);
-  EXPECT_DOUBLE_EQ(overall.spl, 0.35);
-  EXPECT_EQ(Find(rows, "alpha", "hard").paper_success, std::nullopt);
+  EXPECT_DOUBLE_EQ(*overall.Of("success").mean, 0.5);
+  EXPECT_DOUBLE_EQ(*overall.Of("spl").mean, 0.35);
+  EXPECT_EQ(Find(rows, "alpha", "hard").Of("success").paper, std::nullopt);
   EXPECT_EQ(Find(rows, "alpha", "hard").frames_trained, std::nullopt);
 }
 
 TEST(Summarize, OrderOfResultsDoesNotMatter) {
   std::vector<EpisodeResult> results = SomeResults();
   sim::Rng rng(1, "values");
-  for (EpisodeResult& result : results) result.goals[0].spl = rng.Uniform();
+  for (EpisodeResult& result : results) result.goals[0]["spl"] = rng.Uniform();
   const std::string one = SummaryToJson(Summarize(results, {}));
   rng.Shuffle(results);
   EXPECT_EQ(SummaryToJson(Summarize(results, {})), one);
@@ -100,17 +100,17 @@ TEST(Summarize, SequencesByNumberOfGoals) {
   for (EpisodeResult& result : results) {
     result.difficulty.reset();
     result.goals.push_back(result.goals[0]);
-    result.goals.back().success = true;
-    result.goals.back().spl = 1.0;
+    result.goals.back()["success"] = true;
+    result.goals.back()["spl"] = 1.0;
   }
   const auto rows = Summarize(results, {});
   ASSERT_EQ(rows.size(), 3u);
-  EXPECT_DOUBLE_EQ(Find(rows, "nts", "goals_1").success, 0.5);
-  EXPECT_DOUBLE_EQ(Find(rows, "nts", "goals_2").success, 0.75);
-  EXPECT_DOUBLE_EQ(Find(rows, "nts", "goals_2").spl, 0.625);
-  EXPECT_DOUBLE_EQ(Find(rows, "nts", "goals_2").steps_mean, 30.0);
-  EXPECT_DOUBLE_EQ(Find(rows, "nts", "overall").success, 0.75);
-  EXPECT_EQ(Find(rows, "nts", "overall").paper_success, std::nullopt);  // of single goals
+  EXPECT_DOUBLE_EQ(*Find(rows, "nts", "goals_1").Of("success").mean, 0.5);
+  EXPECT_DOUBLE_EQ(*Find(rows, "nts", "goals_2").Of("success").mean, 0.75);
+  EXPECT_DOUBLE_EQ(*Find(rows, "nts", "goals_2").Of("spl").mean, 0.625);
+  EXPECT_DOUBLE_EQ(*Find(rows, "nts", "goals_2").Of("steps").mean, 30.0);
+  EXPECT_DOUBLE_EQ(*Find(rows, "nts", "overall").Of("success").mean, 0.75);
+  EXPECT_EQ(Find(rows, "nts", "overall").Of("success").paper, std::nullopt);  // of single goals
 }
 
 TEST(Summarize, AllGoalsOfASequenceAreExactlyOne) {
@@ -118,10 +118,10 @@ TEST(Summarize, AllGoalsOfASequenceAreExactlyOne) {
   result.goals.resize(10, result.goals[0]);
   const auto rows = Summarize({result, result}, {});
   for (const SummaryRow& row : rows) {
-    EXPECT_EQ(row.success, 1.0) << row.difficulty;
-    EXPECT_EQ(row.success_ci.high, 1.0) << row.difficulty;
-    EXPECT_LE(row.success_ci.low, 1.0) << row.difficulty;
-    EXPECT_EQ(row.spl_ci, (Interval{1.0, 1.0})) << row.difficulty;
+    EXPECT_EQ(*row.Of("success").mean, 1.0) << row.difficulty;
+    EXPECT_EQ(row.Of("success").interval->high, 1.0) << row.difficulty;
+    EXPECT_LE(row.Of("success").interval->low, 1.0) << row.difficulty;
+    EXPECT_EQ(row.Of("spl").interval, (Interval{1.0, 1.0})) << row.difficulty;
   }
 }
 
@@ -152,14 +152,14 @@ TEST(Summarize, CsvHasAColumnForEveryValue) {
 }
 
 TEST(Published, FiguresOfThePaper) {
-  EXPECT_EQ(FindPublished("nts", "rgb", "noise", "overall").success, 0.55);
-  EXPECT_EQ(FindPublished("nts", "rgb", "noise", "overall").spl, 0.38);
-  EXPECT_EQ(FindPublished("metric_map_fbe", "rgbd", "no_noise", "hard").success, 0.23);
-  EXPECT_EQ(FindPublished("metric_map_fbe", "rgbd", "no_noise", "hard").spl, std::nullopt);
-  EXPECT_EQ(FindPublished("metric_map_fbe", "rgb", "noise", "easy").success, std::nullopt);
-  EXPECT_EQ(FindPublished("nts", "rgb", "no_stop", "easy").success, std::nullopt);
-  EXPECT_EQ(FindPublished("random", "rgbd", "noise", "easy").success, std::nullopt);
-  EXPECT_EQ(FindPublished("nts", "rgbd", "noise", "goals_1").success, std::nullopt);
+  EXPECT_EQ(FindPublished("success", "nts", "rgb", "noise", "overall"), 0.55);
+  EXPECT_EQ(FindPublished("spl", "nts", "rgb", "noise", "overall"), 0.38);
+  EXPECT_EQ(FindPublished("success", "metric_map_fbe", "rgbd", "no_noise", "hard"), 0.23);
+  EXPECT_EQ(FindPublished("spl", "metric_map_fbe", "rgbd", "no_noise", "hard"), std::nullopt);
+  EXPECT_EQ(FindPublished("success", "metric_map_fbe", "rgb", "noise", "easy"), std::nullopt);
+  EXPECT_EQ(FindPublished("success", "nts", "rgb", "no_stop", "easy"), std::nullopt);
+  EXPECT_EQ(FindPublished("success", "random", "rgbd", "noise", "easy"), std::nullopt);
+  EXPECT_EQ(FindPublished("success", "nts", "rgbd", "noise", "goals_1"), std::nullopt);
 }
 
 /// The paper's overall column is the mean of the three before it, to its two digits.
@@ -168,16 +168,18 @@ TEST(Published, OverallIsTheMeanOfTheDifficulties) {
                             "active_neural_slam", "nts"}) {
     for (const char* setting : {"rgb", "rgbd"}) {
       for (const char* condition : {"noise", "no_stop", "no_noise"}) {
-        const auto figure = [&](const char* difficulty) {
-          return FindPublished(agent, setting, condition, difficulty);
+        const auto figure = [&](const char* measure, const char* difficulty) {
+          return FindPublished(measure, agent, setting, condition, difficulty);
         };
-        if (!figure("easy").success) continue;
-        const double mean =
-            (*figure("easy").success + *figure("medium").success + *figure("hard").success) / 3;
-        EXPECT_NEAR(*figure("overall").success, mean, 0.0101) << agent << setting << condition;
-        if (!figure("easy").spl) continue;
-        const double spl = (*figure("easy").spl + *figure("medium").spl + *figure("hard").spl) / 3;
-        EXPECT_NEAR(*figure("overall").spl, spl, 0.0101) << agent << setting << condition;
+        if (!figure("success", "easy")) continue;
+        const double mean = (*figure("success", "easy") + *figure("success", "medium") +
+                             *figure("success", "hard")) /
+                            3;
+        EXPECT_NEAR(*figure("success", "overall"), mean, 0.0101) << agent << setting << condition;
+        if (!figure("spl", "easy")) continue;
+        const double spl =
+            (*figure("spl", "easy") + *figure("spl", "medium") + *figure("spl", "hard")) / 3;
+        EXPECT_NEAR(*figure("spl", "overall"), spl, 0.0101) << agent << setting << condition;
       }
     }
   }

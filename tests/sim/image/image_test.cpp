@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/base/error.h"
 #include "sim/math/rng.h"
 
 namespace bulletnav::sim {
@@ -123,6 +124,13 @@ TEST(Image, ResizeKeepsTheMeanAndFlatColours) {
   Image flat(10, 10, 4);
   std::fill(flat.pixels.begin(), flat.pixels.end(), std::uint8_t{77});
   for (const std::uint8_t p : Resize(flat, 31, 17).pixels) EXPECT_EQ(p, 77);
+}
+
+TEST(Image, WhatNoFormatHoldsIsRefused) {
+  EXPECT_THROW(EncodePng(Image(2, 2, 2)), Error);
+  EXPECT_THROW(EncodeJpeg(Image(2, 2, 4), 90), Error);
+  EXPECT_THROW(EncodePng16(std::vector<std::uint16_t>(3), 2, 2), Error);
+  EXPECT_THROW(Resize(Image(2, 2, 3), 0, 2), Error);
 }
 
 }  // namespace

@@ -132,6 +132,8 @@ TEST(Navmesh, RandomPointsAreEvenOverTheIslandAsked) {
   for (int i = 0; i < 4000; ++i) near += query.RandomPoint(&rng).z() > -2.0f ? 1 : 0;
   const float share = navmesh.islands()[1].area / navmesh.area();
   EXPECT_NEAR(near / 4000.0, share, 0.03);
+  EXPECT_THROW(query.RandomPoint(&rng, 2), Error);
+  EXPECT_THROW(query.RandomPoint(&rng, -2), Error);
 }
 
 TEST(Navmesh, FloorsThatFaceDownStillCount) {

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/base/error.h"
 #include "sim/math/rng.h"
 #include "tests/support/scenes.h"
 
@@ -100,6 +101,10 @@ TEST(PhysicsWorld, ManyThreadsGetTheSameAnswers) {
   first.join();
   second.join();
   EXPECT_EQ(a, b);
+}
+
+TEST(PhysicsWorld, AnEmptyMeshIsRefused) {
+  EXPECT_THROW(PhysicsWorld(SceneMesh{}), Error);
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
 #include <thread>
+#include <variant>
 
 #include <gtest/gtest.h>
 
@@ -10,8 +12,9 @@
 #include "sim/render/cpu/cpu_scene.h"
 #include "sim/render/cpu/raycaster.h"
 #include "sim/render/egl/egl_scene.h"
-#include "sim/render/panorama_renderer.h"
+#include "sim/render/egl_backend.h"
 #include "sim/render/render_mesh.h"
+#include "sim/render/renderer.h"
 #include "tests/support/panoramas.h"
 #include "tests/support/scenes.h"
 
@@ -46,15 +49,77 @@ PanoramaSpec Spec(Projection projection, int rows = 64, int cols = 256) {
 constexpr std::array kProjections = {Projection::kCylindrical, Projection::kEquirectangular,
                                      Projection::kCubeStrip};
 
+PinholeSpec Pinhole(double hfov_deg, double pitch_deg, int rows = 96, int cols = 128) {
+  PinholeSpec spec;
+  spec.hfov_deg = hfov_deg;
+  spec.pitch_deg = pitch_deg;
+  spec.rows = rows;
+  spec.cols = cols;
+  return spec;
+}
+
+/// Every kind of camera: panoramas, pinholes level, looking up and down, narrow, wide and upright.
+std::vector<CameraSpec> AllCameras(int rows = 64, int cols = 256) {
+  std::vector<CameraSpec> cameras;
+  for (const Projection projection : kProjections) cameras.push_back(Spec(projection, rows, cols));
+  const int side = std::min(2 * rows, cols);
+  for (const PinholeSpec& spec :
+       {Pinhole(90, 0, rows, side), Pinhole(90, -30, rows, side), Pinhole(60, 45, rows, side),
+        Pinhole(20, -10, rows, side), Pinhole(150, 15, rows, side), Pinhole(79, -90, rows, side),
+        Pinhole(90, 90, rows, side), Pinhole(50, -65, side, rows)}) {
+    cameras.push_back(spec);
+  }
+  return cameras;
+}
+
+std::string Describe(const CameraSpec& camera) {
+  if (const auto* pinhole = std::get_if<PinholeSpec>(&camera)) {
+    return "pinhole of " + std::to_string(pinhole->hfov_deg) + " pitch " +
+           std::to_string(pinhole->pitch_deg);
+  }
+  return "panorama " + std::to_string(static_cast<int>(std::get<PanoramaSpec>(camera).projection));
+}
+
+CameraSpec WithDepthLimit(CameraSpec camera, float metres) {
+  std::visit(
+      [&](auto& spec) {
+        spec.max_depth_m = metres;
+      },
+      camera);
+  return camera;
+}
+
+/// A room full of random boxes, slivers and specks.
+SceneMesh Clutter(std::uint64_t seed) {
+  Rng rng(seed, "clutter");
+  SceneMesh mesh = BoxRoom(6, 2.6f, 8);
+  const auto point = [&rng] {
+    const auto z = static_cast<float>(-rng.Uniform(0, 8));
+    const auto y = static_cast<float>(rng.Uniform(0, 2.6));
+    const auto x = static_cast<float>(rng.Uniform(0, 6));
+    return Vec(x, y, z);
+  };
+  for (int i = 0; i < 150; ++i) {
+    const Vec p = point();
+    const auto s = static_cast<float>(rng.Chance(0.3) ? 0.6 : rng.Uniform(0.01, 0.2));
+    const Rgb8 color = {static_cast<std::uint8_t>(rng.Below(256)),
+                        static_cast<std::uint8_t>(rng.Below(256)),
+                        static_cast<std::uint8_t>(rng.Below(256))};
+    AddBox(p, p + Vec(s, 0.7f * s, 1.3f * s), color, &mesh);
+    tests::AddQuad(p, p + Vec(1, 0, 0), p + Vec(1, 0.01f, 0), p + Vec(0, 0.01f, 0.5f), color,
+                   &mesh);
+  }
+  return mesh;
+}
+
 TEST(Render, DepthOfABoxRoomIsTheClosedForm) {
   const Vec size(4, 2.6f, 6);
   const CameraPose camera{{1.1f, 1.25f, -2.3f}, 0.6f};
   for (const auto& scene : AllScenes(BoxRoom(size.x(), size.y(), size.z()))) {
-    for (const Projection projection : kProjections) {
-      const PanoramaSpec spec = Spec(projection);
+    for (const CameraSpec& spec : AllCameras()) {
       const Panorama picture = RenderPanorama(*scene, spec, camera);
-      for (int r = 0; r < spec.rows; ++r) {
-        for (int c = 0; c < spec.cols; ++c) {
+      for (int r = 0; r < picture.rows; ++r) {
+        for (int c = 0; c < picture.cols; ++c) {
           const Vec d = tests::RayDirection(spec, r, c, camera.yaw);
           float range = 100.0f;
           for (int axis = 0; axis < 3; ++axis) {
@@ -66,7 +131,7 @@ TEST(Render, DepthOfABoxRoomIsTheClosedForm) {
             }
           }
           ASSERT_NEAR(picture.depth_at(r, c), range, 2e-3f * range)
-              << scene->description() << " row " << r << " column " << c;
+              << scene->description() << " " << Describe(spec) << " row " << r << " column " << c;
         }
       }
     }
@@ -116,6 +181,72 @@ TEST(Render, TexturesStandUprightAndReadFromLeftToRight) {
   }
 }
 
+TEST(Render, APinholePictureShowsWhatIsAheadUprightAndFromLeftToRight) {
+  // BoxRoom: ahead (-z) red, behind green, left blue, right yellow.
+  const CameraPose camera{{2, 1.3f, -3}, 0.0f};
+  for (const auto& scene : AllScenes(BoxRoom(4, 2.6f, 6))) {
+    const Panorama level = RenderPanorama(*scene, Pinhole(120, 0), camera);
+    const int middle = level.rows / 2;
+    EXPECT_EQ(level.color_at(middle, level.cols / 2), (Rgb8{200, 60, 60}));
+    EXPECT_EQ(level.color_at(middle, 0), (Rgb8{60, 60, 200}));
+    EXPECT_EQ(level.color_at(middle, level.cols - 1), (Rgb8{200, 200, 60}));
+    const Panorama turned = RenderPanorama(*scene, Pinhole(60, 0), {camera.position, float(kPi)});
+    EXPECT_EQ(turned.color_at(middle, turned.cols / 2), (Rgb8{60, 200, 60}));
+    const Rgb8 floor = level.color_at(level.rows - 1, level.cols / 2);
+    const Rgb8 ceiling = level.color_at(0, level.cols / 2);
+    EXPECT_NE(floor, ceiling);
+    const Panorama down = RenderPanorama(*scene, Pinhole(60, -90), camera);
+    EXPECT_EQ(down.color_at(middle, down.cols / 2), floor);
+    const Panorama up = RenderPanorama(*scene, Pinhole(60, 90), camera);
+    EXPECT_EQ(up.color_at(middle, up.cols / 2), ceiling);
+  }
+}
+
+TEST(Render, ThePictureOfAPinholeIsAsWideAsItsFieldOfView) {
+  // A wall 3 m ahead of the eye, 3 m above and below it: 90 degrees end where it does.
+  SceneMesh mesh;
+  tests::AddQuad({-3, -3, -3}, {3, -3, -3}, {3, 3, -3}, {-3, 3, -3}, {80, 90, 100}, &mesh);
+  const CameraPose camera{Vec::Zero(), 0.0f};
+  for (const auto& scene : AllScenes(mesh)) {
+    const Panorama fits = RenderPanorama(*scene, Pinhole(89.9, 0, 128, 128), camera);
+    EXPECT_EQ(std::count(fits.depth.begin(), fits.depth.end(), 0.0f), 0);
+    EXPECT_NEAR(fits.depth_at(63, 63), 3.0f, 0.01f);
+    EXPECT_NEAR(fits.depth_at(0, 0), 3.0f * std::sqrt(3.0f), 0.08f);
+    const Panorama wide = RenderPanorama(*scene, Pinhole(100, 0, 128, 128), camera);
+    const float half = 64.0f / std::tan(0.5f * 100.0f * float(kPi) / 180.0f);
+    for (int c = 0; c < 128; ++c) {
+      const float off = std::abs(static_cast<float>(c) + 0.5f - 64.0f);
+      EXPECT_EQ(wide.depth_at(64, c) > 0.0f, off < half) << scene->description() << " " << c;
+      EXPECT_EQ(wide.depth_at(c, 64) > 0.0f, off < half) << scene->description() << " " << c;
+    }
+    // Turned up by 45 degrees, the wall's upper edge is in the middle.
+    const Panorama up = RenderPanorama(*scene, Pinhole(60, 45, 128, 128), camera);
+    EXPECT_EQ(up.depth_at(60, 64), 0.0f);
+    EXPECT_NEAR(up.depth_at(66, 64), 3.0f * std::sqrt(2.0f), 0.2f);
+  }
+}
+
+TEST(Render, APinholePictureAndAPanoramaAgreeAboutColours) {
+  // The same texture seen the same way: a cube strip's side and a 90-degree pinhole.
+  const SceneMesh mesh = Clutter(9);
+  for (const auto& scene : AllScenes(mesh)) {
+    const CameraPose camera{{3, 1.25f, -4}, 0.7f};
+    const Panorama strip = RenderPanorama(*scene, Spec(Projection::kCubeStrip, 64, 256), camera);
+    const float side_yaw = camera.yaw + 0.25f * float(kPi);  // the second side of four
+    const Panorama flat =
+        RenderPanorama(*scene, Pinhole(90, 0, 64, 64), {camera.position, side_yaw});
+    int different = 0;
+    for (int r = 0; r < 64; ++r) {
+      for (int c = 0; c < 64; ++c) {
+        const bool same = std::abs(flat.depth_at(r, c) - strip.depth_at(r, 64 + c)) < 0.01f &&
+                          flat.color_at(r, c) == strip.color_at(r, 64 + c);
+        different += same ? 0 : 1;
+      }
+    }
+    EXPECT_LT(different, 40) << scene->description();
+  }
+}
+
 TEST(Render, VertexColoursBlendAcrossATriangle) {
   SceneMesh mesh = BoxRoom(4, 2.6f, 6);
   mesh.materials[2].base_color = kWhite;
@@ -147,39 +278,18 @@ TEST(Render, NothingIsBlackWithoutDepthAndFarIsClipped) {
   }
 }
 
-/// A room full of random boxes, slivers and specks.
-SceneMesh Clutter(std::uint64_t seed) {
-  Rng rng(seed, "clutter");
-  SceneMesh mesh = BoxRoom(6, 2.6f, 8);
-  const auto point = [&rng] {
-    return Vec(static_cast<float>(rng.Uniform(0, 6)), static_cast<float>(rng.Uniform(0, 2.6)),
-               static_cast<float>(-rng.Uniform(0, 8)));
-  };
-  for (int i = 0; i < 150; ++i) {
-    const Vec p = point();
-    const auto s = static_cast<float>(rng.Chance(0.3) ? 0.6 : rng.Uniform(0.01, 0.2));
-    const Rgb8 color = {static_cast<std::uint8_t>(rng.Below(256)),
-                        static_cast<std::uint8_t>(rng.Below(256)),
-                        static_cast<std::uint8_t>(rng.Below(256))};
-    AddBox(p, p + Vec(s, 0.7f * s, 1.3f * s), color, &mesh);
-    tests::AddQuad(p, p + Vec(1, 0, 0), p + Vec(1, 0.01f, 0), p + Vec(0, 0.01f, 0.5f), color,
-                   &mesh);
-  }
-  return mesh;
-}
-
 /// Pixels of a picture that are off the depth along Embree's rays.
-int WrongPixels(const SceneMesh& mesh, const RenderScene& scene, const PanoramaSpec& spec,
+int WrongPixels(const SceneMesh& mesh, const RenderScene& scene, const CameraSpec& spec,
                 const CameraPose& camera) {
   const RenderMesh triangles(mesh);
   const Raycaster raycaster(triangles.corners);
   const Panorama picture = RenderPanorama(scene, spec, camera);
   int wrong = 0;
-  for (int r = 0; r < spec.rows; ++r) {
-    for (int c = 0; c < spec.cols; ++c) {
+  for (int r = 0; r < picture.rows; ++r) {
+    for (int c = 0; c < picture.cols; ++c) {
       const RayHit hit =
           raycaster.Cast(camera.position, tests::RayDirection(spec, r, c, camera.yaw));
-      const float expected = hit.triangle < 0 ? 0.0f : std::min(hit.t, spec.max_depth_m);
+      const float expected = hit.triangle < 0 ? 0.0f : std::min(hit.t, MaxDepthOf(spec));
       const float error = std::abs(picture.depth_at(r, c) - expected);
       wrong += error > 1e-3f * expected + 1e-3f ? 1 : 0;
     }
@@ -191,9 +301,8 @@ TEST(Render, TheSweepFindsWhatEmbreesRaysFind) {
   const SceneMesh mesh = Clutter(1);
   const auto scene = MakeCpuScene(mesh);
   Rng rng(2, "cameras");
-  for (const Projection projection : kProjections) {
-    PanoramaSpec spec = Spec(projection, 96, 400);
-    spec.max_depth_m = 100.0f;
+  for (const CameraSpec& camera_spec : AllCameras(96, 400)) {
+    const CameraSpec spec = WithDepthLimit(camera_spec, 100.0f);
     int wrong = 0;
     for (int i = 0; i < 6; ++i) {
       const CameraPose camera{{static_cast<float>(rng.Uniform(0.1, 5.9)), 1.25f,
@@ -202,7 +311,7 @@ TEST(Render, TheSweepFindsWhatEmbreesRaysFind) {
       wrong += WrongPixels(mesh, *scene, spec, camera);
     }
     // Rays that graze an edge may fall on either side of it.
-    EXPECT_LT(wrong, 40) << "of " << 6 * spec.pixels();
+    EXPECT_LT(wrong, 40) << Describe(spec) << " of " << 6 * SizeOf(spec).pixels();
   }
 }
 
@@ -224,18 +333,18 @@ TEST(Render, AFloorOfOneTriangleIsSeenToTheFeet) {
   // Acute, with the camera over its middle: all of it is nearer than its edges.
   const SceneMesh mesh = Soup({{Vec(0, 0, -11), Vec(-10, 0, 6), Vec(10, 0, 6)}});
   for (const auto& scene : AllScenes(mesh)) {
-    for (const Projection projection : kProjections) {
-      const PanoramaSpec spec = Spec(projection);
-      EXPECT_LT(WrongPixels(mesh, *scene, spec, {{0, 1.25f, 0}, 0.3f}), 20) << scene->description();
+    for (const CameraSpec& spec : AllCameras()) {
+      EXPECT_LT(WrongPixels(mesh, *scene, spec, {{0, 1.25f, 0}, 0.3f}), 20)
+          << scene->description() << " " << Describe(spec);
     }
   }
 }
 
 TEST(Render, TheSweepFindsTrianglesOfAnySizeAndShape) {
   Rng rng(5, "soup");
-  for (int trial = 0; trial < 120; ++trial) {
+  for (int trial = 0; trial < 220; ++trial) {
     std::vector<std::array<Vec, 3>> triangles;
-    for (int t = 0; t <= trial / 2; ++t) {
+    for (int t = 0; t <= trial / 4; ++t) {
       const double size = std::exp(rng.Uniform(std::log(0.01), std::log(20.0)));
       // Half of them lie almost level, as floors and tables do.
       const double height = rng.Chance(0.5) ? 0.02 : 1.0;
@@ -252,11 +361,23 @@ TEST(Render, TheSweepFindsTrianglesOfAnySizeAndShape) {
       triangles.push_back({a, b, c});
     }
     const SceneMesh mesh = Soup(triangles);
-    const PanoramaSpec spec = Spec(kProjections[static_cast<std::size_t>(trial) % 3]);
+    const std::vector<CameraSpec> cameras = AllCameras();
+    const CameraSpec& spec = cameras[static_cast<std::size_t>(trial) % cameras.size()];
     const auto scene = MakeCpuScene(mesh);
     // Rays that graze an edge may fall on either side of it.
     EXPECT_LT(WrongPixels(mesh, *scene, spec, {Vec::Zero(), 0.1f * static_cast<float>(trial)}), 20)
-        << "trial " << trial;
+        << "trial " << trial << " " << Describe(spec);
+  }
+}
+
+/// A camera in Clutter that stays as far from everything as a body does.
+CameraPose RoomyPlace(const RenderScene& scene, Rng* rng) {
+  for (;;) {
+    const CameraPose camera{
+        {static_cast<float>(rng->Uniform(1, 5)), 1.25f, static_cast<float>(-rng->Uniform(1, 7))},
+        static_cast<float>(rng->Uniform(-3, 3))};
+    const Panorama around = RenderPanorama(scene, Spec(Projection::kEquirectangular), camera);
+    if (*std::min_element(around.depth.begin(), around.depth.end()) > 0.15f) return camera;
   }
 }
 
@@ -266,17 +387,14 @@ TEST(Render, BothBackendsDrawTheSamePicture) {
   Rng rng(4, "cameras");
   for (const ResolveOn resolve : {ResolveOn::kCpu, ResolveOn::kDevice}) {
     const auto egl = MakeEglScene(mesh, GlDevice::kAny, resolve);
-    for (const Projection projection : kProjections) {
+    for (const CameraSpec& spec : AllCameras(128, 512)) {
       tests::Agreement agreement;
       for (int i = 0; i < 4; ++i) {
-        const CameraPose camera{
-            {static_cast<float>(rng.Uniform(1, 5)), 1.25f, static_cast<float>(-rng.Uniform(1, 7))},
-            static_cast<float>(rng.Uniform(-3, 3))};
-        const PanoramaSpec spec = Spec(projection, 128, 512);
+        const CameraPose camera = RoomyPlace(*embree, &rng);
         agreement.Add(RenderPanorama(*embree, spec, camera), RenderPanorama(*egl, spec, camera));
       }
-      EXPECT_GE(agreement.depth(), 0.995);
-      EXPECT_GE(agreement.color(), 0.99);
+      EXPECT_GE(agreement.depth(), 0.995) << egl->description() << " " << Describe(spec);
+      EXPECT_GE(agreement.color(), 0.99) << egl->description() << " " << Describe(spec);
     }
   }
 }
@@ -284,9 +402,8 @@ TEST(Render, BothBackendsDrawTheSamePicture) {
 TEST(Render, AllKernelsDrawTheSameBits) {
   const SceneMesh mesh = Clutter(5);
   const CameraPose camera{{3, 1.25f, -4}, 1.0f};
-  for (const Projection projection : kProjections) {
-    // An odd size: the last vector of a row is only partly used.
-    const PanoramaSpec spec = Spec(projection, 50, 204);
+  // An odd size: the last vector of a row is only partly used.
+  for (const CameraSpec& spec : AllCameras(50, 204)) {
     const Panorama best = RenderPanorama(*MakeCpuScene(mesh), spec, camera);
     for (const Kernels* kernels : SupportedKernels()) {
       const Panorama other = RenderPanorama(*MakeCpuScene(mesh, *kernels), spec, camera);
@@ -296,28 +413,34 @@ TEST(Render, AllKernelsDrawTheSameBits) {
   }
 }
 
+void CompareWithSinglePictures(const RenderScene& scene, const CameraSpec& spec,
+                               const std::vector<CameraPose>& cameras) {
+  const std::size_t pixels = SizeOf(spec).pixels();
+  std::vector<std::uint8_t> color(3 * pixels * cameras.size());
+  std::vector<float> depth(pixels * cameras.size());
+  std::thread elsewhere([&] {
+    scene.MakeRenderer(spec)->Render(cameras, color, depth);
+  });
+  std::vector<Panorama> single;
+  for (const CameraPose& camera : cameras) single.push_back(RenderPanorama(scene, spec, camera));
+  elsewhere.join();
+  for (std::size_t i = 0; i < cameras.size(); ++i) {
+    const std::vector<float> part(depth.begin() + long(pixels * i),
+                                  depth.begin() + long(pixels * (i + 1)));
+    EXPECT_EQ(part, single[i].depth) << scene.description() << " " << Describe(spec);
+    const std::vector<std::uint8_t> colors(color.begin() + long(3 * pixels * i),
+                                           color.begin() + long(3 * pixels * (i + 1)));
+    EXPECT_EQ(colors, single[i].color) << scene.description() << " " << Describe(spec);
+  }
+}
+
 TEST(Render, ABatchIsTheSameAsOneByOneAndThreadsDoNotMatter) {
   const SceneMesh mesh = Clutter(6);
-  const PanoramaSpec spec = Spec(Projection::kCylindrical);
   std::vector<CameraPose> cameras;
   for (int i = 0; i < 5; ++i) cameras.push_back({{1.0f + 0.8f * float(i), 1.25f, -4}, 0.3f});
   for (const auto& scene : AllScenes(mesh)) {
-    std::vector<std::uint8_t> color(3 * spec.pixels() * cameras.size());
-    std::vector<float> depth(spec.pixels() * cameras.size());
-    std::thread elsewhere([&] {
-      scene->MakeRenderer(spec)->Render(cameras, color, depth);
-    });
-    std::vector<Panorama> single;
-    for (const CameraPose& camera : cameras) single.push_back(RenderPanorama(*scene, spec, camera));
-    elsewhere.join();
-    for (std::size_t i = 0; i < cameras.size(); ++i) {
-      const std::vector<float> part(depth.begin() + long(spec.pixels() * i),
-                                    depth.begin() + long(spec.pixels() * (i + 1)));
-      EXPECT_EQ(part, single[i].depth) << scene->description();
-      const std::vector<std::uint8_t> colors(color.begin() + long(3 * spec.pixels() * i),
-                                             color.begin() + long(3 * spec.pixels() * (i + 1)));
-      EXPECT_EQ(colors, single[i].color) << scene->description();
-    }
+    CompareWithSinglePictures(*scene, Spec(Projection::kCylindrical), cameras);
+    CompareWithSinglePictures(*scene, Pinhole(90, -20, 51, 67), cameras);
   }
 }
 
@@ -343,6 +466,24 @@ TEST(Render, BadSizesAreRefused) {
     EXPECT_THROW(scene->MakeRenderer(Spec(Projection::kCylindrical, rows, cols)), Error);
   }
   EXPECT_THROW(scene->MakeRenderer(Spec(Projection::kCubeStrip, 128, 510)), Error);
+  for (const PinholeSpec& bad :
+       {Pinhole(90, 0, 0, 640), Pinhole(180, 0), Pinhole(0, 0), Pinhole(std::nan(""), 0),
+        Pinhole(90, 91), Pinhole(90, -91), Pinhole(150, 0, 4096, 128)}) {
+    EXPECT_THROW(scene->MakeRenderer(bad), Error) << Describe(bad);
+  }
+  EXPECT_THROW(scene->MakeRenderer(WithDepthLimit(Pinhole(90, 0), 0.0f)), Error);
+}
+
+TEST(Render, SpansThatDoNotFitAndPosesThatAreNoneAreRefused) {
+  const PanoramaSpec spec = Spec(Projection::kCylindrical);
+  std::vector<float> depth(spec.pixels());
+  const CameraPose good{{2, 1.25f, -3}, 0.0f};
+  const CameraPose bad{{2, std::nanf(""), -3}, 0.0f};
+  for (const auto& scene : AllScenes(BoxRoom(4, 2.6f, 6))) {
+    const auto renderer = scene->MakeRenderer(spec);
+    EXPECT_THROW(renderer->Render({&good, 1}, {}, std::span(depth).first(9)), Error);
+    EXPECT_THROW(renderer->Render({&bad, 1}, {}, depth), Error) << scene->description();
+  }
 }
 
 TEST(Render, AutoWorksWithoutAGraphicsProcessor) {

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/training/core/checkpoint.h"
+
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <system_error>
+#include <utility>
+
+#include "agent/perception/weights.h"
+#include "sim/base/error.h"
+
+namespace bulletnav::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kWeights = "model.";
+
+/// An integer that was written into the file's metadata.
+template <class T>
+T Number(const agent::TensorFile& content, const std::string& key, const fs::path& file) {
+  const auto found = content.metadata.find(key);
+  T value{};
+  if (found != content.metadata.end()) {
+    const char* end = found->second.data() + found->second.size();
+    const auto [stop, error] = std::from_chars(found->second.data(), end, value);
+    if (error == std::errc() && stop == end) return value;
+  }
+  throw sim::FileError(file, key, "is missing: this is not a checkpoint; remove it");
+}
+
+agent::TensorFile ReadCheckpoint(const fs::path& file) {
+  try {
+    return agent::ReadTensorFile(file);
+  } catch (const sim::FileError& e) {
+    throw sim::Error(std::string(e.what()) + ", or remove the folder's checkpoints to begin anew");
+  }
+}
+
+}  // namespace
+
+Checkpoints::Checkpoints(const fs::path& folder, std::string essence)
+    : newest_(folder / "checkpoint.safetensors"),
+      previous_(folder / "checkpoint_previous.safetensors"),
+      essence_(std::move(essence)) {}
+
+void Checkpoints::Write(const TrainState& state, const torch::nn::Module& net,
+                        const Adam& adam) const {
+  agent::TensorFile content;
+  content.metadata["config"] = essence_;
+  content.metadata["step"] = std::to_string(state.step);
+  content.metadata["seconds"] = std::to_string(std::llround(state.seconds));
+  content.metadata["best_loss_bits"] =
+      std::to_string(std::bit_cast<std::uint64_t>(state.best_loss));
+  agent::AppendWeights(net, kWeights, &content);
+  adam.Append(&content);
+  std::error_code none_yet;
+  fs::rename(newest_, previous_, none_yet);
+  agent::WriteTensorFile(newest_, content);
+}
+
+std::optional<TrainState> Checkpoints::Read(torch::nn::Module* net, Adam* adam) const {
+  if (!fs::exists(newest_) && !fs::exists(previous_)) return std::nullopt;
+  if (fs::exists(newest_)) {
+    std::optional<agent::TensorFile> content;
+    try {
+      content = ReadCheckpoint(newest_);
+    } catch (const sim::Error&) {
+      if (!fs::exists(previous_)) throw;
+    }
+    if (content) return Restore(newest_, *content, net, adam);
+  }
+  return Restore(previous_, ReadCheckpoint(previous_), net, adam);
+}
+
+TrainState Checkpoints::Restore(const fs::path& file, const agent::TensorFile& content,
+                                torch::nn::Module* net, Adam* adam) const {
+  const auto config = content.metadata.find("config");
+  if (config == content.metadata.end() || config->second != essence_) {
+    throw sim::FileError(file, "", "is of a training by another config; change out or remove it");
+  }
+  TrainState state;
+  state.step = Number<int>(content, "step", file);
+  state.best_loss = std::bit_cast<double>(Number<std::uint64_t>(content, "best_loss_bits", file));
+  if (content.metadata.contains("seconds")) {
+    state.seconds = static_cast<double>(Number<std::int64_t>(content, "seconds", file));
+  }
+  agent::SetWeights(content, kWeights, file, net);
+  adam->Set(content, file, state.step);
+  return state;
+}
+
+}  // namespace bulletnav::bench

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/training/core/train_lanes.h"
+
+#include <numeric>
+
+#include "agent/perception/one_thread.h"
+#include "sim/math/rng.h"
+
+namespace bulletnav::bench {
+
+TrainLanes::TrainLanes(const TrainTask& task, torch::nn::Module* net, sim::WorkerPool* pool)
+    : plan_(task.plan), batches_(task.batches), net_(net), pool_(pool) {
+  for (int i = 0; i < plan_.lanes; ++i) {
+    lanes_.push_back(task.make());
+    const std::vector<torch::Tensor> shared = net->parameters();
+    const std::vector<torch::Tensor> own = lanes_.back()->net().parameters();
+    for (std::size_t k = 0; k < own.size(); ++k) torch::Tensor(own[k]).set_data(shared[k].data());
+    lanes_.back()->net().train();
+  }
+}
+
+double TrainLanes::Pass(int step) {
+  SpreadBuffers();
+  std::vector<double> losses(lanes_.size());
+  pool_->ForEach(plan_.lanes, [&](int lane, int) {
+    losses[static_cast<std::size_t>(lane)] = PassOne(step, lane);
+  });
+  Gather();
+  return std::accumulate(losses.begin(), losses.end(), 0.0) / plan_.lanes;
+}
+
+double TrainLanes::PassOne(int step, int lane) {
+  agent::StayInThisThread();
+  const auto at = static_cast<std::uint64_t>(step);
+  LaneWork work;
+  work.step = step;
+  work.count = batches_ / plan_.lanes;
+  work.first =
+      at * static_cast<std::uint64_t>(batches_) + static_cast<std::uint64_t>(lane * work.count);
+  work.seed = sim::MixSeed(
+      plan_.seed, at * static_cast<std::uint64_t>(plan_.lanes) + static_cast<std::uint64_t>(lane));
+  const torch::Tensor loss = lanes_[static_cast<std::size_t>(lane)]->Loss(work);
+  loss.backward();
+  return loss.item<double>();
+}
+
+void TrainLanes::SpreadBuffers() {
+  const torch::NoGradGuard no_grad;
+  const std::vector<torch::Tensor> from = net_->buffers();
+  for (const auto& lane : lanes_) {
+    const std::vector<torch::Tensor> to = lane->net().buffers();
+    for (std::size_t k = 0; k < to.size(); ++k) to[k].copy_(from[k]);
+  }
+}
+
+void TrainLanes::Gather() {
+  const torch::NoGradGuard no_grad;
+  const double share = 1.0 / plan_.lanes;
+  const std::vector<torch::Tensor> buffers = net_->buffers();
+  for (const torch::Tensor& buffer : buffers) buffer.zero_();
+  const std::vector<torch::Tensor> parameters = net_->parameters();
+  for (const auto& lane : lanes_) {
+    const std::vector<torch::Tensor> means = lane->net().buffers();
+    for (std::size_t k = 0; k < means.size(); ++k) buffers[k].add_(means[k], share);
+    const std::vector<torch::Tensor> own = lane->net().parameters();
+    for (std::size_t k = 0; k < own.size(); ++k) {
+      torch::Tensor& part = own[k].mutable_grad();
+      if (!part.defined()) continue;
+      torch::Tensor& sum = parameters[k].mutable_grad();
+      sum = sum.defined() ? sum.add_(part, share) : part.mul_(share);
+      part.reset();
+    }
+  }
+}
+
+}  // namespace bulletnav::bench

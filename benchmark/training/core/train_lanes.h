@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "benchmark/training/core/learner.h"
+#include "benchmark/training/core/train_task.h"
+#include "sim/threads/worker_pool.h"
+
+namespace bulletnav::bench {
+
+/// The parts that a step of training falls into, which threads take side by side. Each has the
+/// parameters of the trained net and gradients and running means of its own, so that what a step
+/// comes to depends on the number of lanes and not on that of threads.
+class TrainLanes {
+ public:
+  /// `task` and `net` must outlive it, the net's parameters stay where they are.
+  TrainLanes(const TrainTask& task, torch::nn::Module* net, sim::WorkerPool* pool);
+
+  /// Takes the batches of step 0, 1, ... forth and back. The net's gradients and running means
+  /// become the means over the lanes. Returns the loss.
+  double Pass(int step);
+
+ private:
+  double PassOne(int step, int lane);
+  /// Lets the lanes start from the net's running means, or the net go on from theirs.
+  void SpreadBuffers();
+  void Gather();
+
+  const TrainPlan& plan_;
+  int batches_;  // a step
+  torch::nn::Module* net_;
+  sim::WorkerPool* pool_;
+  std::vector<std::unique_ptr<Learner>> lanes_;
+};
+
+}  // namespace bulletnav::bench

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/training/core/train_plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/base/error.h"
+#include "sim/math/pose.h"
+
+namespace bulletnav::bench {
+namespace {
+
+void RequireAtLeast(int low, int value, const std::string& name) {
+  if (value < low) throw sim::Error(name + " must be at least " + std::to_string(low));
+}
+
+}  // namespace
+
+double OptimiserSpec::RateAt(int step, int steps) const {
+  const double warm = warmup_steps > 0 ? std::min(1.0, (step + 1.0) / warmup_steps) : 1.0;
+  if (schedule == Schedule::kConstant) return learning_rate * warm;
+  return learning_rate * warm * 0.5 * (1.0 + std::cos(sim::kPi * step / steps));
+}
+
+void OptimiserSpec::Validate() const {
+  if (!(learning_rate > 0.0 && learning_rate < 1.0)) {
+    throw sim::Error("learning_rate must be in (0, 1)");
+  }
+  if (!(weight_decay >= 0.0 && weight_decay < 1.0)) {
+    throw sim::Error("weight_decay must be in [0, 1)");
+  }
+  RequireAtLeast(0, warmup_steps, "warmup_steps");
+}
+
+void TrainPlan::Validate() const {
+  if (out.empty()) throw sim::Error("out must name a folder");
+  RequireAtLeast(1, steps, "steps");
+  RequireAtLeast(1, validate_every, "validate_every");
+  RequireAtLeast(1, lanes, "lanes");
+}
+
+}  // namespace bulletnav::bench

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+#include "sim/import/assimp_scene.h"
+
+#include <cmath>
+#include <map>
+#include <new>
+#include <optional>
+
+#include <assimp/Importer.hpp>
+#include <assimp/material.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include "sim/base/error.h"
+#include "sim/base/files.h"
+#include "sim/import/cpu_time.h"
+#include "sim/import/mesh_file_check.h"
+#include "sim/import/mesh_io.h"
+#include "sim/import/texture_files.h"
+
+namespace bulletnav::sim {
+namespace {
+
+constexpr const char* kNoTriangles =
+    "holds no triangles; is it a point cloud? Export the scene's surfaces as a mesh";
+constexpr std::size_t kMaxTriangles = 100'000'000;
+
+std::uint8_t ToByte(float value) {
+  return static_cast<std::uint8_t>(std::lround(255.0f * std::min(std::max(value, 0.0f), 1.0f)));
+}
+
+/// glTF's factors and vertex colours are linear light, the older formats' are display values.
+std::uint8_t EncodeSrgb(float linear) {
+  const float x = std::min(std::max(linear, 0.0f), 1.0f);
+  return ToByte(x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1.0f / 2.4f) - 0.055f);
+}
+
+/// Converts one assimp scene; materials and textures first, then the meshes node by node.
+class Converter {
+ public:
+  Converter(const aiScene& scene, const std::filesystem::path& file, ImportReport* report)
+      : scene_(scene), file_(file), report_(*report), is_linear_(IsGltfFile(file)) {}
+
+  SceneMesh Convert() {
+    for (unsigned i = 0; i < scene_.mNumMaterials; ++i) AddMaterial(*scene_.mMaterials[i]);
+    if (mesh_.materials.empty()) mesh_.materials.push_back({"default", kWhite, -1});
+    report_.textures_found = mesh_.textures.size();
+    AddNode(*scene_.mRootNode, aiMatrix4x4(), 0);
+    if (other_primitives_ > 0) {
+      report_.skipped.push_back(std::to_string(other_primitives_) + " points or lines");
+    }
+    return std::move(mesh_);
+  }
+
+ private:
+  Rgb8 ToRgb(const aiColor4D& color) const {
+    if (is_linear_) return {EncodeSrgb(color.r), EncodeSrgb(color.g), EncodeSrgb(color.b)};
+    return {ToByte(color.r), ToByte(color.g), ToByte(color.b)};
+  }
+
+  void AddMaterial(const aiMaterial& source) {
+    Material material;
+    material.name = source.GetName().C_Str();
+    aiColor4D color(1.0f, 1.0f, 1.0f, 1.0f);
+    if (source.Get(AI_MATKEY_BASE_COLOR, color) != AI_SUCCESS) {
+      source.Get(AI_MATKEY_COLOR_DIFFUSE, color);
+    }
+    material.base_color = ToRgb(color);
+    for (const aiTextureType type : {aiTextureType_BASE_COLOR, aiTextureType_DIFFUSE}) {
+      aiString name;
+      if (source.GetTexture(type, 0, &name) != AI_SUCCESS || name.length == 0) continue;
+      material.texture = AddTexture(name.C_Str());
+      // A black factor under a picture is an exporter's habit, not a wish; and where the picture is
+      // missing, grey is easier to live with than a white hole.
+      const bool is_black = material.base_color == Rgb8{0, 0, 0};
+      if (material.texture >= 0 && is_black) material.base_color = kWhite;
+      if (material.texture < 0) material.base_color = {160, 160, 160};
+      break;
+    }
+    mesh_.materials.push_back(material);
+  }
+
+  int AddTexture(const std::string& name) {
+    const auto [place, is_new] = texture_of_name_.try_emplace(name, -1);
+    if (!is_new) return place->second;
+    try {
+      Texture texture{name, LoadTexture(name)};
+      place->second = static_cast<int>(mesh_.textures.size());
+      mesh_.textures.push_back(std::move(texture));
+    } catch (const std::runtime_error& e) {
+      report_.textures_missing.push_back(name + ": " + e.what());
+    }
+    return place->second;
+  }
+
+  Image LoadTexture(const std::string& name) const {
+    if (const aiTexture* embedded = scene_.GetEmbeddedTexture(name.c_str())) {
+      return DecodeEmbedded(*embedded);
+    }
+    const auto path = FindTextureFile(file_, name);
+    if (!path) throw ImageError("file not found");
+    AllowCpuSeconds(SecondsToRead(*path));
+    return DecodeImage(ReadFile(*path));
+  }
+
+  static Image DecodeEmbedded(const aiTexture& texture) {
+    if (texture.mHeight == 0) {
+      const auto* bytes = reinterpret_cast<const std::uint8_t*>(texture.pcData);
+      return DecodeImage(std::span(bytes, texture.mWidth));
+    }
+    const std::size_t pixels = static_cast<std::size_t>(texture.mWidth) * texture.mHeight;
+    if (pixels > 64'000'000) throw ImageError("more than 64 million pixels");
+    Image image(static_cast<int>(texture.mWidth), static_cast<int>(texture.mHeight), 4);
+    for (std::size_t i = 0; i < pixels; ++i) {
+      const aiTexel& t = texture.pcData[i];
+      const std::array<std::uint8_t, 4> rgba = {t.r, t.g, t.b, t.a};
+      std::copy(rgba.begin(), rgba.end(), &image.pixels[4 * i]);
+    }
+    return image;
+  }
+
+  void AddNode(const aiNode& node, const aiMatrix4x4& parent, int depth) {
+    if (depth > kMaxNodeDepth) {
+      throw FileError(file_, std::string("node '") + node.mName.C_Str() + "'",
+                      std::string("is ").append(kTooDeep));
+    }
+    const aiMatrix4x4 transform = parent * node.mTransformation;
+    for (unsigned i = 0; i < node.mNumMeshes; ++i) {
+      if (node.mMeshes[i] < scene_.mNumMeshes) AddMesh(*scene_.mMeshes[node.mMeshes[i]], transform);
+    }
+    for (unsigned i = 0; i < node.mNumChildren; ++i) {
+      AddNode(*node.mChildren[i], transform, depth + 1);
+    }
+  }
+
+  void AddMesh(const aiMesh& source, const aiMatrix4x4& transform) {
+    const auto base = static_cast<std::uint32_t>(mesh_.positions.size());
+    if (mesh_.triangles.size() + source.mNumFaces > kMaxTriangles) {
+      throw FileError(file_, "", "has more than 100 million triangles; cut it up");
+    }
+    AddVertices(source, transform);
+    const std::uint32_t material = std::min<std::uint32_t>(
+        source.mMaterialIndex, static_cast<std::uint32_t>(mesh_.materials.size()) - 1);
+    for (unsigned f = 0; f < source.mNumFaces; ++f) {
+      const aiFace& face = source.mFaces[f];
+      if (face.mNumIndices != 3) {
+        ++other_primitives_;
+        continue;
+      }
+      for (unsigned k = 0; k < 3; ++k) {
+        if (face.mIndices[k] < source.mNumVertices) continue;
+        throw FileError(file_, std::string("mesh '") + source.mName.C_Str() + "'",
+                        "triangle " + std::to_string(f) + " uses vertex " +
+                            std::to_string(face.mIndices[k]) + " of " +
+                            std::to_string(source.mNumVertices) + "; export the mesh again");
+      }
+      mesh_.triangles.push_back(
+          {base + face.mIndices[0], base + face.mIndices[1], base + face.mIndices[2]});
+      mesh_.triangle_materials.push_back(material);
+    }
+  }
+
+  void AddVertices(const aiMesh& source, const aiMatrix4x4& transform) {
+    for (unsigned i = 0; i < source.mNumVertices; ++i) {
+      const aiVector3D p = transform * source.mVertices[i];
+      mesh_.positions.emplace_back(p.x, p.y, p.z);
+      const bool has_uv = source.HasTextureCoords(0);
+      const aiVector3D uv = has_uv ? source.mTextureCoords[0][i] : aiVector3D();
+      mesh_.uvs.emplace_back(uv.x, 1.0f - uv.y);
+      const bool has_color = source.HasVertexColors(0);
+      mesh_.colors.push_back(has_color ? ToRgb(source.mColors[0][i]) : kWhite);
+    }
+  }
+
+  const aiScene& scene_;
+  const std::filesystem::path& file_;
+  ImportReport& report_;
+  const bool is_linear_;
+  SceneMesh mesh_;
+  std::map<std::string, int> texture_of_name_;
+  std::size_t other_primitives_ = 0;
+};
+
+/// assimp's reason, with a remedy.
+std::string WhyNoScene(std::string reason) {
+  if (reason.find("No meshes remaining") != std::string::npos) return kNoTriangles;
+  while (reason.ends_with('.') || reason.ends_with('\n')) reason.pop_back();
+  return "cannot be read as a mesh: " + reason +
+         "; export or download it again, best as glTF 2.0 (.glb)";
+}
+
+}  // namespace
+
+SceneMesh ReadWithAssimp(const std::filesystem::path& file, std::span<const std::uint8_t> content,
+                         ImportReport* report) {
+  Assimp::Importer importer;
+  importer.SetIOHandler(
+      new MeshIo(file, content));  // NOLINT(cppcoreguidelines-owning-memory): it takes it
+  importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
+                              aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+  const aiScene* scene = nullptr;
+  try {
+    scene = importer.ReadFile(file.string(), aiProcess_Triangulate | aiProcess_SortByPType);
+  } catch (const std::bad_alloc&) {
+    throw FileError(file, "", "asks for more memory than there is; the file is damaged");
+  } catch (const std::exception& e) {
+    throw FileError(file, "", std::string("is damaged: ") + e.what());
+  }
+  if (scene == nullptr) {
+    throw FileError(file, "", WhyNoScene(importer.GetErrorString()));
+  }
+  if (scene->mRootNode == nullptr || scene->mNumMeshes == 0) {
+    throw FileError(file, "", kNoTriangles);
+  }
+  return Converter(*scene, file, report).Convert();
+}
+
+}  // namespace bulletnav::sim
