@@ -2,8 +2,9 @@
 #include "benchmark/runs/merge_shards.h"
 
 #include <algorithm>
-#include <iterator>
+#include <map>
 #include <set>
+#include <string>
 #include <system_error>
 #include <utility>
 
@@ -73,6 +74,7 @@ std::vector<Part> ReadParts(const fs::path& folder) {
   });
   RequireComplete(folder, shards);
   std::vector<Part> parts;
+  parts.reserve(shards.size());
   for (const Shard& shard : shards) {
     const fs::path place = ShardFolder(folder, shard);
     parts.push_back({place, ReadShardRecord(place), sim::ReadTextFile(place / "config.yaml"),
@@ -81,20 +83,44 @@ std::vector<Part> ReadParts(const fs::path& folder) {
   return parts;
 }
 
-/// Throws for weights first: that is what differs most easily.
+using Hashes = std::map<std::string, std::string>;  // by file, or what stands for it
+
+/// Which files differ, the first of them by name: ", as house_003.glb".
+std::string FirstOther(const Hashes& here, const Hashes& there) {
+  const auto differs = [](const Hashes& of) {
+    return [&of](const auto& entry) {
+      const auto found = of.find(entry.first);
+      return found == of.end() || found->second != entry.second;
+    };
+  };
+  auto other = std::find_if(here.begin(), here.end(), differs(there));
+  if (other == here.end()) other = std::find_if(there.begin(), there.end(), differs(here));
+  return ", as " + other->first;
+}
+
+/// "other weights than FOLDER, as nts_rgbd", of two shards whose configs differ.
+std::string DifferenceOf(const Part& part, const Part& first) {
+  const auto found = [](const Part& of) {
+    return LoadSavedRunConfig(of.folder / "config.yaml").fingerprints.value_or(Fingerprints());
+  };
+  const Fingerprints here = found(part);
+  const Fingerprints there = found(first);
+  const std::string other = first.folder.string();
+  if (here.scenes != there.scenes) {
+    return "other scenes than " + other + FirstOther(here.scenes, there.scenes);
+  }
+  if (here.episodes != there.episodes) return "another file of episodes than " + other;
+  if (here.weights != there.weights) {
+    return "other weights than " + other + FirstOther(here.weights, there.weights);
+  }
+  return "another config than " + other + ": " + FirstDifference(first.config, part.config);
+}
+
 void RequireSameConfig(const Part& part, const Part& first) {
   if (part.config == first.config) return;
-  const auto weights_of = [](const Part& of) {
-    const RunConfig config = LoadSavedRunConfig(of.folder / "config.yaml");
-    return config.fingerprints ? config.fingerprints->weights
-                               : std::map<std::string, std::string>();
-  };
-  const bool same_weights = weights_of(part) == weights_of(first);
   throw FileError(part.folder, "",
-                  fmt::format("is of {} than {}: {}; delete the folder of the wrong one and play "
-                              "it again",
-                              same_weights ? "another config" : "other weights",
-                              first.folder.string(), FirstDifference(first.config, part.config)));
+                  fmt::format("is of {}; delete the folder of the wrong one and play it again",
+                              DifferenceOf(part, first)));
 }
 
 void RequireAlike(const std::vector<Part>& parts, bool has_learned_agents) {

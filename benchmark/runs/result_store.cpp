@@ -96,14 +96,20 @@ ResultStore::ResultStore(const fs::path& folder, const std::string& config,
   TakeConfig(config, can_go_on);
   const fs::path file = folder / kEpisodesFile;
   Lines lines;
-  if (fs::exists(file)) lines = ReadLines(file);
+  if (!fs::exists(file)) return;
+  lines = ReadLines(file);
   results_ = std::move(lines.results);
   fd_ = OpenToAppend(file, lines.bytes);
-  SyncFolder(folder);
 }
 
 ResultStore::~ResultStore() {
-  ::close(fd_);
+  if (fd_ >= 0) ::close(fd_);
+}
+
+void ResultStore::OpenFile() {
+  if (fd_ >= 0) return;
+  fd_ = OpenToAppend(folder_ / kEpisodesFile, 0);
+  SyncFolder(folder_);
 }
 
 void ResultStore::TakeConfig(const std::string& config,
@@ -140,6 +146,7 @@ std::size_t ResultStore::size() const {
 std::vector<EpisodeResult> ResultStore::results() const {
   const std::lock_guard lock(mutex_);
   std::vector<EpisodeResult> results;
+  results.reserve(results_.size());
   for (const auto& [key, result] : results_) results.push_back(result);
   return results;
 }
@@ -148,6 +155,7 @@ void ResultStore::Append(const EpisodeResult& result) {
   const std::string line = ToJsonLine(result) + "\n";
   const std::lock_guard lock(mutex_);
   BULLETNAV_CHECK(!results_.contains(result.key));
+  OpenFile();
   struct stat before = {};
   BULLETNAV_CHECK_EQ(::fstat(fd_, &before), 0);
   if (!WriteDurably(fd_, line)) {
@@ -164,6 +172,7 @@ void ResultStore::Append(const EpisodeResult& result) {
 
 int ResultStore::ForgetFailed() {
   const std::lock_guard lock(mutex_);
+  if (results_.empty()) return 0;
   const fs::path file = folder_ / kEpisodesFile;
   std::istringstream lines(sim::ReadTextFile(file));
   std::string kept;
@@ -186,16 +195,21 @@ void ResultStore::PutInOrder() {
 void ResultStore::Add(const ResultLines& lines) {
   const std::lock_guard lock(mutex_);
   const fs::path file = folder_ / kEpisodesFile;
-  ResultLines all = ReadLines(file).texts;
+  const bool is_new = fd_ < 0;
+  ResultLines all = is_new ? ResultLines() : ReadLines(file).texts;
   for (const auto& [key, line] : lines) {
-    if (all.try_emplace(key, line).first->second == line) continue;
-    throw FileError(file, "",
-                    fmt::format("holds another result of episode '{}' of agent {} than the one to "
-                                "be added; choose another folder or delete this one",
-                                key.episode, key.agent));
+    const auto [old, is_added] = all.try_emplace(key, line);
+    if (is_added || old->second == line) continue;
+    if (results_.at(key).failure.empty()) {
+      throw FileError(file, "",
+                      fmt::format("holds another result of episode '{}' of agent {} than the one "
+                                  "to be added; delete this file and add them again",
+                                  key.episode, key.agent));
+    }
+    old->second = line;  // it was played again
   }
   const std::string text = Joined(all);
-  if (text == sim::ReadTextFile(file)) return;
+  if (!is_new && text == sim::ReadTextFile(file)) return;
   Rewrite(text);
   results_ = ReadLines(file).results;
 }
@@ -204,14 +218,17 @@ void ResultStore::Rewrite(const std::string& text) {
   const fs::path file = folder_ / kEpisodesFile;
   sim::WriteFileAtomically(file, text);
   const int fd = OpenToAppend(file, text.size());
-  ::close(std::exchange(fd_, fd));
+  const int old = std::exchange(fd_, fd);
+  if (old >= 0) ::close(old);
 }
 
 std::vector<EpisodeResult> ReadResults(const fs::path& folder) {
+  const fs::path file = folder / kEpisodesFile;
+  if (!fs::exists(file) && fs::exists(folder / kConfigFile)) return {};
+  Lines lines = ReadLines(file);
   std::vector<EpisodeResult> results;
-  for (auto& [key, result] : ReadLines(folder / kEpisodesFile).results) {
-    results.push_back(std::move(result));
-  }
+  results.reserve(lines.results.size());
+  for (auto& [key, result] : lines.results) results.push_back(std::move(result));
   return results;
 }
 

@@ -19,7 +19,7 @@ using ResultLines = std::map<ResultKey, std::string>;
 /// The results of one run, in a folder that survives anything: config.yaml (resolved) and
 /// episodes.jsonl, one line a finished episode, on the disk before Append returns. After a kill at
 /// any moment a store opened on the same folder goes on: the line that was being written is gone,
-/// all others are there. Thread-safe.
+/// all others are there. episodes.jsonl is made with the first result, or by Add. Thread-safe.
 class ResultStore {
  public:
   /// `config`: everything that results depend on, as YAML text. `can_go_on`, if given, is asked
@@ -49,11 +49,13 @@ class ResultStore {
   /// Sorts the file, so that runs of the same results have the same bytes, in whatever order their
   /// episodes ended. The file is whole at any moment.
   void PutInOrder();
-  /// Adds results of other stores, and puts all in order. Throws sim::FileError if one that is
+  /// Adds results of other stores, and puts all in order, in a file that is whole at any moment.
+  /// Takes the place of an episode that failed; throws sim::FileError if anything else that is
   /// there already is another.
   void Add(const ResultLines& lines);
 
  private:
+  void OpenFile();
   void Rewrite(const std::string& text);
   void TakeConfig(const std::string& config,
                   const std::function<bool(const std::string&)>& can_go_on) const;
@@ -66,7 +68,8 @@ class ResultStore {
 };
 
 /// The results in a folder, ordered by key, also while a run writes there: an unfinished last line
-/// is left out. Throws sim::FileError for damaged lines and keys that appear twice.
+/// is left out, and there may be none yet. Throws sim::FileError for damaged lines and keys that
+/// appear twice.
 std::vector<EpisodeResult> ReadResults(const std::filesystem::path& folder);
 /// The same, as they are written; none if there is no file.
 ResultLines ReadResultLines(const std::filesystem::path& folder);

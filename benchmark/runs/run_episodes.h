@@ -30,8 +30,8 @@ struct RunTools {
 /// Stage "houses": generates those that the config describes and that are not there yet.
 void MakeRunHouses(const RunConfig& config, const RunTools& tools);
 
-/// Stage "episodes": draws the file of episodes that the config describes, if it is not there yet.
-/// Returns whether it had to. Throws as GenerateEpisodes.
+/// Stage "episodes": draws the file of episodes that the config describes, if it is not there yet;
+/// waits while another process does. Returns whether it had to. Throws as GenerateEpisodes.
 bool DrawRunEpisodes(const RunConfig& config, const RunTools& tools);
 /// Reads the file. Throws sim::Error if it is damaged, was drawn otherwise than the config says, or
 /// names scenes that are not there.

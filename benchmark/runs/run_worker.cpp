@@ -55,6 +55,7 @@ agent::BatchAgent& RunWorker::AgentFor(std::size_t row) {
   std::unique_ptr<agent::BatchAgent>& built = agents_[{of.agent, of.setting}];
   if (!built) {
     std::vector<const GroundTruth*> truths;
+    truths.reserve(truths_.size());
     for (int i = 0; i < agent_of(row).entry.lanes; ++i) {
       truths.push_back(&truths_[static_cast<std::size_t>(i)]);
     }
@@ -69,6 +70,7 @@ void RunWorker::Enter(std::size_t row) {
   row_ = row;
   const RunRow& of = plan_.rows[row];
   std::vector<GroundTruth*> truths;
+  truths.reserve(truths_.size());
   for (int i = 0; i < agent_of(row).entry.lanes; ++i) {
     truths.push_back(&truths_[static_cast<std::size_t>(i)]);
   }

@@ -137,7 +137,8 @@ RunOutcome RunBenchmark(RunConfig config, const fs::path& folder, const RunOptio
     return LacksOnlyWeights(saved, plan.config);
   });
   if (options.shard) {
-    BeginShard(place, MakeShardRecord(*options.shard, options.episodes), UsesWeights(plan.config));
+    BeginShard(place, MakeShardRecord(*options.shard, options.episodes, plan.config.backend),
+               UsesWeights(plan.config));
   }
   if (options.retry_failed) store.ForgetFailed();
   PlayRest(plan, options.workers, hooks, &scenes, &store);

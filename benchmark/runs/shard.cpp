@@ -53,6 +53,7 @@ std::vector<Place> PlacesOf(const std::vector<Episode>& episodes) {
   std::map<std::string, std::size_t> scenes;
   using Kind = std::pair<std::size_t, int>;  // of one scene
   std::vector<Kind> kinds;
+  kinds.reserve(episodes.size());
   std::map<Kind, int> counts;
   for (const Episode& episode : episodes) {
     const std::size_t scene = scenes.try_emplace(episode.scene, scenes.size()).first->second;
@@ -60,6 +61,7 @@ std::vector<Place> PlacesOf(const std::vector<Episode>& episodes) {
     ++counts[kinds.back()];
   }
   std::vector<Place> places;
+  places.reserve(episodes.size());
   std::map<Kind, int> before;
   for (std::size_t i = 0; i < episodes.size(); ++i) {
     const double middle = before[kinds[i]]++ + 0.5;
@@ -120,6 +122,7 @@ std::vector<Episode> ShareOf(const std::vector<Episode>& episodes, const Shard& 
            static_cast<std::size_t>(shard.of);
   };
   std::vector<Episode> share;
+  share.reserve(begin_of(shard.number + 1) - begin_of(shard.number));
   for (std::size_t i = begin_of(shard.number); i < begin_of(shard.number + 1); ++i) {
     share.push_back(episodes[places[i].episode]);
   }

@@ -25,8 +25,23 @@ std::string EpisodesText(const std::optional<int>& episodes) {
 
 }  // namespace
 
-ShardRecord MakeShardRecord(const Shard& shard, std::optional<int> episodes) {
-  return {shard.number, shard.of, episodes, ProgramVersion(), ProcessorKind()};
+std::string RendererName(sim::Backend backend) {
+  // Which backend it is to be is only known when a scene is made for it: a triangle will do.
+  sim::SceneMesh triangle;
+  triangle.positions = {{0.0f, 0.0f, 0.0f}, {1.0f, 0.0f, 0.0f}, {0.0f, 0.0f, -1.0f}};
+  triangle.uvs.resize(triangle.positions.size(), Eigen::Vector2f::Zero());
+  triangle.colors.resize(triangle.positions.size(), sim::kWhite);
+  triangle.triangles = {{0, 1, 2}};
+  triangle.triangle_materials = {0};
+  triangle.materials.emplace_back();
+  const auto scene = sim::MakeRenderScene(triangle, backend);
+  const std::string name(sim::NameOf(scene->backend()));
+  return scene->backend() == sim::Backend::kEmbree ? name : name + ", " + scene->description();
+}
+
+ShardRecord MakeShardRecord(const Shard& shard, std::optional<int> episodes, sim::Backend backend) {
+  return {shard.number,     shard.of,        episodes,
+          ProgramVersion(), ProcessorKind(), RendererName(backend)};
 }
 
 ShardRecord ReadShardRecord(const fs::path& shard_folder) {
@@ -46,6 +61,9 @@ std::string DifferenceOf(const ShardRecord& a, const ShardRecord& b, bool has_le
   if (has_learned_agents && a.processor != b.processor) {
     return other("another kind of processor, on which learned agents differ", b.processor,
                  a.processor);
+  }
+  if (a.renderer != b.renderer) {
+    return other("another renderer, whose pictures differ", b.renderer, a.renderer);
   }
   return "";
 }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "benchmark/runs/shard.h"
+#include "sim/render/renderer.h"
 
 namespace bulletnav::bench {
 
@@ -16,6 +17,7 @@ struct ShardRecord {
   std::optional<int> episodes;  // only the first so many of the run were split
   std::string program;          // ProgramVersion
   std::string processor;        // ProcessorKind
+  std::string renderer;         // RendererName
 
   template <class V>
   void Visit(V& v) {
@@ -24,11 +26,16 @@ struct ShardRecord {
     v("episodes", episodes);
     v.Required("program", program);
     v.Required("processor", processor);
+    v.Required("renderer", renderer);
   }
 };
 
+/// What draws in this process: "embree", whose pictures are the same bits on every processor, or
+/// "egl, " and its GL_RENDERER. Throws sim::RenderError if there is no such backend.
+std::string RendererName(sim::Backend backend);
+
 /// Of this process.
-ShardRecord MakeShardRecord(const Shard& shard, std::optional<int> episodes);
+ShardRecord MakeShardRecord(const Shard& shard, std::optional<int> episodes, sim::Backend backend);
 /// Throws sim::FileError.
 ShardRecord ReadShardRecord(const std::filesystem::path& shard_folder);
 

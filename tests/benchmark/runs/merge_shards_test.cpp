@@ -17,6 +17,7 @@
 #include "benchmark/runs/shard_record.h"
 #include "sim/base/error.h"
 #include "sim/base/files.h"
+#include "sim/base/folder_lock.h"
 #include "sim/config/yaml_writer.h"
 #include "tests/support/houses.h"
 #include "tests/support/temporary_folder.h"
@@ -129,6 +130,33 @@ TEST_F(MergeShardsTest, AShardThatIsKilledGoesOnToTheSameBytes) {
   EXPECT_EQ(Files("killed"), Files("whole"));
 }
 
+TEST_F(MergeShardsTest, KilledWhileItMergesItCanBeRepeated) {
+  Play("whole");
+  const std::map<std::string, std::string> whole = Files("whole");
+  for (const int number : {1, 2}) Play("run", Shard{number, 2});
+  int kills = 0;
+  for (int delay_us = 500;; delay_us += 500) {
+    const pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+      MergeShards(folder("run"));
+      std::_Exit(0);
+    }
+    std::this_thread::sleep_for(std::chrono::microseconds(delay_us));
+    ::kill(child, SIGKILL);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    if (WIFEXITED(status)) break;
+    const std::map<std::string, std::string> files = Files("run");
+    if (files.contains("episodes.jsonl")) {
+      for (const auto& [file, text] : whole) EXPECT_EQ(files.at(file), text) << file;
+    }
+    ++kills;
+  }
+  EXPECT_GT(kills, 2);
+  for (const auto& [file, text] : whole) EXPECT_EQ(Files("run").at(file), text) << file;
+}
+
 TEST_F(MergeShardsTest, TheFirstEpisodesCanBeSplitToo) {
   Play("whole", {}, 4);
   for (const int number : {1, 2}) Play("split", Shard{number, 2}, 4);
@@ -152,6 +180,12 @@ TEST_F(MergeShardsTest, NamesWhatIsMissing) {
   sim::WriteFileAtomically(lines, whole);
   fs::remove(TrajectoryPath(lines.parent_path(), gone));
   EXPECT_THAT(Complaint("run"), HasSubstr(".json: is missing; play the shard again"));
+  EXPECT_FALSE(fs::exists(folder("run") / "episodes.jsonl")) << "which comes last";
+  EXPECT_THAT(
+      [&] {
+        Play("run");
+      },
+      testing::ThrowsMessage<sim::Error>(HasSubstr("holds shards of 3")));
 }
 
 TEST_F(MergeShardsTest, RefusesShardsThatAreNoPartsOfOneRun) {
@@ -175,6 +209,10 @@ TEST_F(MergeShardsTest, RefusesShardsThatAreNoPartsOfOneRun) {
                 record->episodes = 4;
               }),
               HasSubstr("2-of-2: is of other episodes (the first 4, not all)"));
+  EXPECT_THAT(complaint([](ShardRecord* record) {
+                record->renderer = "egl, X1";
+              }),
+              HasSubstr("2-of-2: is of another renderer, whose pictures differ (egl, X1, not "));
   // Without learned agents all kinds of processor give the same results.
   EXPECT_EQ(complaint([](ShardRecord* record) {
               record->processor = "AVX2";
@@ -188,9 +226,102 @@ TEST_F(MergeShardsTest, RefusesShardsThatAreNoPartsOfOneRun) {
                                       HasSubstr("1-of-2: line"), HasSubstr("delete the folder")));
 }
 
+TEST_F(MergeShardsTest, NamesWhichFilesAreOthers) {
+  Play("run", Shard{1, 2});
+  Play("run", Shard{2, 2});
+  const fs::path file = ShardFolder(folder("run"), {2, 2}) / "config.yaml";
+  const RunConfig config = LoadSavedRunConfig(file);
+  const auto complaint = [&](const std::function<void(Fingerprints*)>& change) {
+    RunConfig other = config;
+    change(&other.fingerprints.value());
+    sim::WriteFileAtomically(file, sim::ToYaml(other));
+    return Complaint("run");
+  };
+  EXPECT_THAT(
+      complaint([](Fingerprints* found) {
+        found->scenes.begin()->second = "0123";
+      }),
+      AllOf(HasSubstr("2-of-2: is of other scenes than"), HasSubstr("house_000.glb; delete")));
+  EXPECT_THAT(complaint([](Fingerprints* found) {
+                found->episodes = "0123";
+              }),
+              HasSubstr("2-of-2: is of another file of episodes than"));
+  EXPECT_THAT(
+      complaint([](Fingerprints* found) {
+        found->weights["nts_rgbd"] = "0123";
+      }),
+      AllOf(HasSubstr("2-of-2: is of other weights than"), HasSubstr(", as nts_rgbd; delete")));
+  EXPECT_EQ(complaint([](Fingerprints* /*found*/) {}), "nothing");
+}
+
+TEST_F(MergeShardsTest, TheRendererIsTheOneThatIsTaken) {
+  EXPECT_EQ(RendererName(sim::Backend::kEmbree), "embree");
+  EXPECT_THAT(RendererName(sim::Backend::kAuto),
+              testing::AnyOf(testing::Eq("embree"), testing::StartsWith("egl, ")));
+  Play("run", Shard{1, 1});
+  EXPECT_EQ(ReadShardRecord(ShardFolder(folder("run"), {1, 1})).renderer,
+            RendererName(sim::Backend::kAuto));
+}
+
+TEST_F(MergeShardsTest, ShardsThatBeginAtOneTimeDrawTheEpisodesOnce) {
+  Play("whole");
+  RunConfig config = Config();
+  const std::string drawn = config.episodes.file;
+  const std::string kept = sim::ReadTextFile(drawn);
+  fs::remove(drawn);
+  std::vector<pid_t> children;
+  for (const int number : {1, 2, 3}) {
+    children.push_back(::fork());
+    ASSERT_GE(children.back(), 0);
+    if (children.back() != 0) continue;
+    try {
+      Play("run", Shard{number, 3});
+    } catch (const sim::Error& e) {
+      fmt::print(stderr, "shard {}: {}\n", number, e.what());
+      std::_Exit(1);
+    }
+    std::_Exit(0);
+  }
+  for (const pid_t child : children) {
+    int status = -1;
+    ::waitpid(child, &status, 0);
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+  }
+  EXPECT_EQ(sim::ReadTextFile(drawn), kept);
+  MergeShards(folder("run"));
+  EXPECT_EQ(Files("run"), Files("whole"));
+}
+
+TEST_F(MergeShardsTest, WaitsForAnotherProcessThatDrawsTheEpisodes) {
+  Play("whole");
+  const fs::path drawn = Config().episodes.file;
+  const std::string kept = sim::ReadTextFile(drawn);
+  fs::remove(drawn);
+  std::optional<sim::FolderLock> other(drawn.parent_path());
+  std::vector<std::string> told;
+  std::thread release;
+  RunHooks hooks;
+  hooks.prepare = [&](const std::string& what, int /*total*/) {
+    told.push_back(what);
+    if (what.starts_with("waiting") && !release.joinable()) {
+      release = std::thread([&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        sim::WriteFileAtomically(drawn, kept);
+        other.reset();
+      });
+    }
+    return [] {};
+  };
+  RunBenchmark(Config(), folder("run"), {.episodes = {}, .workers = 2}, hooks);
+  release.join();
+  EXPECT_THAT(told, testing::ElementsAre(HasSubstr("waiting for a process that draws"),
+                                         HasSubstr("checking episodes")));
+  EXPECT_EQ(Files("run"), Files("whole"));
+}
+
 TEST_F(MergeShardsTest, LearnedAgentsAreOfOneKindOfProcessor) {
-  const ShardRecord here = MakeShardRecord({1, 2}, {});
-  ShardRecord there = MakeShardRecord({2, 2}, {});
+  const ShardRecord here = MakeShardRecord({1, 2}, {}, sim::Backend::kEmbree);
+  ShardRecord there = MakeShardRecord({2, 2}, {}, sim::Backend::kEmbree);
   there.processor = "AVX1";
   EXPECT_EQ(DifferenceOf(here, there, false), "");
   EXPECT_THAT(DifferenceOf(here, there, true),

@@ -289,6 +289,28 @@ TEST_F(ResultStoreTest, AddsResultsOfOthersButNoneThatDiffer) {
   EXPECT_EQ(ReadResultLines(folder()), others);
 }
 
+TEST_F(ResultStoreTest, AddsWhatWasPlayedAgainInPlaceOfFailures) {
+  ResultStore store(folder(), kConfig);
+  EpisodeResult failed = MakeResult(2);
+  failed.failure = "threw: lost";
+  store.Append(failed);
+  const std::string line = ToJsonLine(MakeResult(2));
+  store.Add({{failed.key, line}});
+  EXPECT_EQ(sim::ReadTextFile(lines()), line + "\n");
+  EXPECT_EQ(store.results(), std::vector{MakeResult(2)});
+}
+
+TEST_F(ResultStoreTest, MakesItsFileWithTheFirstResultOrAllAtOnce) {
+  ResultStore store(folder(), kConfig);
+  EXPECT_FALSE(std::filesystem::exists(lines()));
+  EXPECT_TRUE(ReadResults(folder()).empty()) << "of a run that has begun";
+  EXPECT_EQ(store.ForgetFailed(), 0);
+  store.PutInOrder();
+  EXPECT_TRUE(std::filesystem::exists(lines()));
+  store.Append(MakeResult(1));
+  EXPECT_EQ(ReadResults(folder()).size(), 1u);
+}
+
 TEST_F(ResultStoreTest, ForgetsFailedEpisodesAndGoesOn) {
   ResultStore store(folder(), kConfig);
   for (int i = 0; i < 6; ++i) {
