@@ -16,8 +16,8 @@
 #include "benchmark/cli/draw_run.h"
 #include "benchmark/cli/progress.h"
 #include "benchmark/cli/run_progress.h"
+#include "benchmark/cli/tell_outcome.h"
 #include "benchmark/report/run_tables.h"
-#include "benchmark/runs/merge_shards.h"
 #include "benchmark/runs/runner.h"
 #include "sim/base/error.h"
 
@@ -88,14 +88,6 @@ void DrawWorst(const fs::path& folder) {
   fmt::print("plots, the worst first: {} ({})\n", PlotFolder(options).string(), ToText(drawn));
 }
 
-void TellOutcome(const RunOutcome& outcome) {
-  fmt::print("{}\nresults: {}\n", WriteTables(outcome.folder, outcome.results, outcome.agents),
-             outcome.folder.string());
-  for (const std::string& failures : outcome.failures) {
-    fmt::print(stderr, "bulletnav: warning: {}\n", failures);
-  }
-}
-
 void PlayConfig(RunCommandOptions options) {
   options.run.shard = ShardOf(options);
   RunConfig config = LoadRunConfig(options.config);
@@ -152,17 +144,6 @@ void AddRunCommand(CLI::App* program) {
                     "Play episodes that failed (an agent threw, or took too long) again");
   command->callback([options] {
     PlayConfig(*options);
-  });
-}
-
-void AddMergeCommand(CLI::App* program) {
-  auto folder = std::make_shared<fs::path>();
-  CLI::App* command = program->add_subcommand(
-      "merge", "Join the shards of a run into what one process would have written");
-  command->add_option("folder", *folder, "Folder of results, as --out of the shards")->required();
-  command->callback([folder] {
-    TellOutcome(MergeShards(*folder));
-    fmt::print("to draw episodes: ./bulletnav plot {}\n", folder->string());
   });
 }
 
