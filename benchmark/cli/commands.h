@@ -12,6 +12,8 @@ void AddDatasetCommand(CLI::App* program);
 void AddTrainCommand(CLI::App* program);
 void AddEvaluatePerceptionCommand(CLI::App* program);
 void AddEpisodesCommand(CLI::App* program);
+/// Joins the shards of a run.
+void AddMergeCommand(CLI::App* program);
 void AddPlotCommand(CLI::App* program);
 void AddRenderCommand(CLI::App* program);
 /// Adds "generate" to the "scenes" command.

@@ -32,8 +32,9 @@ Pairing::Names NamesOf(const std::vector<std::string>& two) {
 void Compare(const CompareOptions& options) {
   const Pairing pairing = {NamesOf(options.agents), NamesOf(options.settings),
                            NamesOf(options.conditions)};
-  fmt::print("{}",
-             ToText(CompareRuns(ReadResults(options.first), ReadResults(options.second), pairing)));
+  const std::vector<EpisodeResult> first = ReadResults(options.first);
+  const std::vector<EpisodeResult> second = ReadResults(options.second);
+  fmt::print("{}", ToText(CompareRuns(first, second, pairing)));
 }
 
 }  // namespace

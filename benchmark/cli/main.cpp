@@ -14,6 +14,7 @@ int main(int argc, char** argv) {
     bulletnav::bench::AddDatasetCommand(program);
     bulletnav::bench::AddForwardedCommands(program, {argc, argv});
     bulletnav::bench::AddRunCommand(program);
+    bulletnav::bench::AddMergeCommand(program);
     bulletnav::bench::AddTableCommand(program);
     bulletnav::bench::AddCompareCommand(program);
     bulletnav::bench::AddPlotCommand(program);

@@ -5,6 +5,7 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <vector>
 
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
@@ -30,6 +31,14 @@ bool HasCommand(const CLI::App& program, const std::string& name) {
   return !found.empty();
 }
 
+/// What is missing is no use to hear where something else was taken for nothing.
+std::string Explain(const CLI::App& program, const CLI::ParseError& error) {
+  const std::vector<std::string> unknown = program.remaining(/*recurse=*/true);
+  if (unknown.empty() || error.get_name() != "RequiredError") return error.what();
+  const std::string& word = unknown.front();
+  return std::string("there is no ") + (word[0] == '-' ? "option" : "command") + " '" + word + "'";
+}
+
 int Run(int argc, char** argv, const std::function<void(CLI::App*)>& add_commands) {
   CLI::App program(
       "BulletNav: embodied navigation in indoor meshes, with physics, panoramas and noise",
@@ -47,7 +56,7 @@ int Run(int argc, char** argv, const std::function<void(CLI::App*)>& add_command
     if (!command.empty() && command[0] != '-' && !HasCommand(program, command)) {
       return Complain("there is no command '" + command + "'; see --help", kBadUse);
     }
-    return Complain(std::string(e.what()) + "; see --help", kBadUse);
+    return Complain(Explain(program, e) + "; see --help", kBadUse);
   }
   return 0;
 }

@@ -2,6 +2,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
+#include <optional>
+#include <string>
 #include <system_error>
 #include <vector>
 
@@ -14,8 +16,10 @@
 #include "benchmark/cli/draw_run.h"
 #include "benchmark/cli/progress.h"
 #include "benchmark/cli/run_progress.h"
+#include "benchmark/cli/tell_outcome.h"
 #include "benchmark/report/run_tables.h"
 #include "benchmark/runs/runner.h"
+#include "sim/base/error.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -28,8 +32,21 @@ struct RunCommandOptions {
   fs::path config;
   fs::path out;
   RunOptions run;
+  std::string shard;
   bool no_plots = false;
 };
+
+/// As asked for, or of the Slurm array that this is a task of.
+std::optional<Shard> ShardOf(const RunCommandOptions& options) {
+  if (!options.shard.empty()) return ParseShard(options.shard);
+  const auto shard = ShardOfArray([](const char* name) {
+    return std::getenv(name);
+  });
+  if (shard) {
+    fmt::print(stderr, "note: --shard {}/{}, from SLURM_ARRAY_TASK_ID\n", shard->number, shard->of);
+  }
+  return shard;
+}
 
 void TellVersions(const fs::path& folder) {
   const int versions = CountVersions(folder);
@@ -71,20 +88,23 @@ void DrawWorst(const fs::path& folder) {
   fmt::print("plots, the worst first: {} ({})\n", PlotFolder(options).string(), ToText(drawn));
 }
 
-void PlayConfig(const RunCommandOptions& options) {
+void PlayConfig(RunCommandOptions options) {
+  options.run.shard = ShardOf(options);
   RunConfig config = LoadRunConfig(options.config);
   const fs::path folder = options.out.empty() ? fs::path("results") / config.name : options.out;
+  const fs::path place = options.run.shard ? ShardFolder(folder, *options.run.shard) : folder;
   RunProgress progress;
   const RunOutcome outcome =
-      RunBenchmark(std::move(config), folder, options.run, MakeHooks(folder, &progress));
+      RunBenchmark(std::move(config), folder, options.run, MakeHooks(place, &progress));
   progress.End();
-  fmt::print("{}\nresults: {}\n", WriteTables(folder, outcome.results, outcome.agents),
-             folder.string());
-  for (const std::string& failures : outcome.failures) {
-    fmt::print(stderr, "bulletnav: warning: {}\n", failures);
-  }
+  TellOutcome(outcome);
   if (!outcome.failures.empty()) {
     fmt::print(stderr, "to play failed episodes again: the same command with --retry-failed\n");
+  }
+  if (options.run.shard) {
+    fmt::print("when all {} shards are done: ./bulletnav merge {}\n", options.run.shard->of,
+               folder.string());
+    return;
   }
   if (!options.no_plots) DrawWorst(folder);
   fmt::print("to draw others: ./bulletnav plot {}\n", folder.string());
@@ -104,6 +124,18 @@ void AddRunCommand(CLI::App* program) {
   command->add_option("--workers", options->run.workers, "Threads (default: one per processor)")
       ->check(CLI::Range(1, 1024));
   command->add_option("--out", options->out, "Folder of results (default: results/NAME)");
+  command
+      ->add_option("--shard", options->shard,
+                   "I/N: only the I-th of N shares of the episodes, into a folder of its own below "
+                   "that of results (default: of the Slurm array, in one)")
+      ->check([](const std::string& text) {
+        try {
+          ParseShard(text);
+        } catch (const sim::Error& e) {
+          return std::string(e.what());
+        }
+        return std::string();
+      });
   command->add_flag("--no-plots", options->no_plots,
                     "Draw no charts and worst episodes at the end");
   command->add_flag("--require-all", options->run.require_all,

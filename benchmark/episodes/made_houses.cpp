@@ -2,6 +2,7 @@
 #include "benchmark/episodes/made_houses.h"
 
 #include "sim/base/error.h"
+#include "sim/base/folder_lock.h"
 #include "sim/house/house_set.h"
 
 namespace bulletnav::bench {
@@ -23,11 +24,21 @@ void HousesSpec::Validate() const {
 void MakeHouses(const HousesSpec& houses, const std::string& made_by, int workers,
                 const StartProgress& start) {
   sim::HouseSetSpec set = SetOf(houses);
-  if (sim::HasHouseSet(houses.folder, set)) return;
   set.made_by = made_by;
   set.workers = workers;
-  const int unmade = sim::CountUnmade(houses.folder, set);
-  sim::WriteHouseSet(houses.folder, set, start("generating houses", unmade));
+  while (!sim::HasHouseSet(houses.folder, set)) {
+    try {
+      const int unmade = sim::CountUnmade(houses.folder, set);
+      sim::WriteHouseSet(houses.folder, set, start("generating houses", unmade));
+    } catch (const sim::FolderBusy&) {
+      const auto advance = start("waiting for a process that generates the houses, sets", 1);
+      sim::WaitForFolder(houses.folder);
+      advance();
+    } catch (const sim::FileError&) {
+      // What an unfinished call left goes away when another process has made the last house.
+      if (!sim::HasHouseSet(houses.folder, set)) throw;
+    }
+  }
 }
 
 std::vector<std::filesystem::path> FilesOf(const HousesSpec& houses) {

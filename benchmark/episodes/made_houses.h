@@ -28,7 +28,8 @@ struct HousesSpec {
 };
 
 /// Generates them unless the folder's index says that they are there; goes on with what a stopped
-/// call of the same version `made_by` left. Throws sim::FileError if the folder holds other houses.
+/// call of the same version `made_by` left. Waits while another process generates them.
+/// Throws sim::FileError if the folder holds other houses.
 void MakeHouses(const HousesSpec& houses, const std::string& made_by, int workers,
                 const StartProgress& start);
 

@@ -24,9 +24,13 @@ using sim::FileError;
 constexpr const char* kEpisodesFile = "episodes.jsonl";
 constexpr const char* kConfigFile = "config.yaml";
 
+constexpr const char* kIfBusy =
+    "share the work with --shard I/N, wait for it, or choose another --out";
+
 /// The whole lines of an episodes file, and how many bytes they are.
 struct Lines {
   std::map<ResultKey, EpisodeResult> results;
+  ResultLines texts;
   std::size_t bytes = 0;
 };
 
@@ -45,24 +49,16 @@ Lines ReadLines(const fs::path& file) {
                       fmt::format("episode '{}' of agent {} appears a second time; delete the line",
                                   key.episode, key.agent));
     }
+    lines.texts.emplace(key, line);
     lines.bytes = end + 1;
   }
   return lines;
 }
 
-/// Number and texts of the first lines that differ.
-std::string FirstDifference(const std::string& old_text, const std::string& new_text) {
-  std::istringstream old_lines(old_text);
-  std::istringstream new_lines(new_text);
-  for (int number = 1;; ++number) {
-    std::string old_line;
-    std::string new_line;
-    std::getline(old_lines, old_line);
-    std::getline(new_lines, new_line);
-    if (old_line != new_line || !old_lines || !new_lines) {
-      return fmt::format("line {} is '{}' there and '{}' here", number, old_line, new_line);
-    }
-  }
+std::string Joined(const ResultLines& lines) {
+  std::string text;
+  for (const auto& [key, line] : lines) text += line + "\n";
+  return text;
 }
 
 void SyncFolder(const fs::path& folder) {
@@ -96,18 +92,24 @@ int OpenToAppend(const fs::path& file, std::size_t bytes) {
 
 ResultStore::ResultStore(const fs::path& folder, const std::string& config,
                          const std::function<bool(const std::string&)>& can_go_on)
-    : folder_(folder), lock_(folder) {
+    : folder_(folder), lock_(folder, kIfBusy) {
   TakeConfig(config, can_go_on);
   const fs::path file = folder / kEpisodesFile;
   Lines lines;
-  if (fs::exists(file)) lines = ReadLines(file);
+  if (!fs::exists(file)) return;
+  lines = ReadLines(file);
   results_ = std::move(lines.results);
   fd_ = OpenToAppend(file, lines.bytes);
-  SyncFolder(folder);
 }
 
 ResultStore::~ResultStore() {
-  ::close(fd_);
+  if (fd_ >= 0) ::close(fd_);
+}
+
+void ResultStore::OpenFile() {
+  if (fd_ >= 0) return;
+  fd_ = OpenToAppend(folder_ / kEpisodesFile, 0);
+  SyncFolder(folder_);
 }
 
 void ResultStore::TakeConfig(const std::string& config,
@@ -144,6 +146,7 @@ std::size_t ResultStore::size() const {
 std::vector<EpisodeResult> ResultStore::results() const {
   const std::lock_guard lock(mutex_);
   std::vector<EpisodeResult> results;
+  results.reserve(results_.size());
   for (const auto& [key, result] : results_) results.push_back(result);
   return results;
 }
@@ -152,6 +155,7 @@ void ResultStore::Append(const EpisodeResult& result) {
   const std::string line = ToJsonLine(result) + "\n";
   const std::lock_guard lock(mutex_);
   BULLETNAV_CHECK(!results_.contains(result.key));
+  OpenFile();
   struct stat before = {};
   BULLETNAV_CHECK_EQ(::fstat(fd_, &before), 0);
   if (!WriteDurably(fd_, line)) {
@@ -168,6 +172,7 @@ void ResultStore::Append(const EpisodeResult& result) {
 
 int ResultStore::ForgetFailed() {
   const std::lock_guard lock(mutex_);
+  if (results_.empty()) return 0;
   const fs::path file = folder_ / kEpisodesFile;
   std::istringstream lines(sim::ReadTextFile(file));
   std::string kept;
@@ -179,18 +184,71 @@ int ResultStore::ForgetFailed() {
     return !entry.second.failure.empty();
   });
   if (forgotten == 0) return 0;
-  sim::WriteFileAtomically(file, kept);
-  const int fd = OpenToAppend(file, kept.size());
-  ::close(std::exchange(fd_, fd));
+  Rewrite(kept);
   return static_cast<int>(forgotten);
 }
 
-std::vector<EpisodeResult> ReadResults(const fs::path& folder) {
-  std::vector<EpisodeResult> results;
-  for (auto& [key, result] : ReadLines(folder / kEpisodesFile).results) {
-    results.push_back(std::move(result));
+void ResultStore::PutInOrder() {
+  Add({});
+}
+
+void ResultStore::Add(const ResultLines& lines) {
+  const std::lock_guard lock(mutex_);
+  const fs::path file = folder_ / kEpisodesFile;
+  const bool is_new = fd_ < 0;
+  ResultLines all = is_new ? ResultLines() : ReadLines(file).texts;
+  for (const auto& [key, line] : lines) {
+    const auto [old, is_added] = all.try_emplace(key, line);
+    if (is_added || old->second == line) continue;
+    if (results_.at(key).failure.empty()) {
+      throw FileError(file, "",
+                      fmt::format("holds another result of episode '{}' of agent {} than the one "
+                                  "to be added; delete this file and add them again",
+                                  key.episode, key.agent));
+    }
+    old->second = line;  // it was played again
   }
+  const std::string text = Joined(all);
+  if (!is_new && text == sim::ReadTextFile(file)) return;
+  Rewrite(text);
+  results_ = ReadLines(file).results;
+}
+
+void ResultStore::Rewrite(const std::string& text) {
+  const fs::path file = folder_ / kEpisodesFile;
+  sim::WriteFileAtomically(file, text);
+  const int fd = OpenToAppend(file, text.size());
+  const int old = std::exchange(fd_, fd);
+  if (old >= 0) ::close(old);
+}
+
+std::vector<EpisodeResult> ReadResults(const fs::path& folder) {
+  const fs::path file = folder / kEpisodesFile;
+  if (!fs::exists(file) && fs::exists(folder / kConfigFile)) return {};
+  Lines lines = ReadLines(file);
+  std::vector<EpisodeResult> results;
+  results.reserve(lines.results.size());
+  for (auto& [key, result] : lines.results) results.push_back(std::move(result));
   return results;
+}
+
+ResultLines ReadResultLines(const fs::path& folder) {
+  const fs::path file = folder / kEpisodesFile;
+  return fs::exists(file) ? ReadLines(file).texts : ResultLines();
+}
+
+std::string FirstDifference(const std::string& there, const std::string& here) {
+  std::istringstream old_lines(there);
+  std::istringstream new_lines(here);
+  for (int number = 1;; ++number) {
+    std::string old_line;
+    std::string new_line;
+    std::getline(old_lines, old_line);
+    std::getline(new_lines, new_line);
+    if (old_line != new_line || !old_lines || !new_lines) {
+      return fmt::format("line {} is '{}' there and '{}' here", number, old_line, new_line);
+    }
+  }
 }
 
 }  // namespace bulletnav::bench

@@ -12,16 +12,20 @@
 
 namespace bulletnav::bench {
 
+/// Lines of episodes.jsonl as they are, without their ends. Their order is the canonical one: by
+/// agent, setting, condition, seed, scene and episode.
+using ResultLines = std::map<ResultKey, std::string>;
+
 /// The results of one run, in a folder that survives anything: config.yaml (resolved) and
 /// episodes.jsonl, one line a finished episode, on the disk before Append returns. After a kill at
 /// any moment a store opened on the same folder goes on: the line that was being written is gone,
-/// all others are there. Thread-safe.
+/// all others are there. episodes.jsonl is made with the first result, or by Add. Thread-safe.
 class ResultStore {
  public:
   /// `config`: everything that results depend on, as YAML text. `can_go_on`, if given, is asked
   /// whether results of another config, which then is replaced, hold for this one. Throws
-  /// sim::Error if another run holds the folder, if its results are of another config, or if lines
-  /// of it are damaged.
+  /// sim::Error if another run holds the folder (with the remedy), if its results are of another
+  /// config, or if lines of it are damaged.
   ResultStore(const std::filesystem::path& folder, const std::string& config,
               const std::function<bool(const std::string& other)>& can_go_on = {});
   ~ResultStore();
@@ -30,6 +34,7 @@ class ResultStore {
   ResultStore(ResultStore&&) = delete;
   ResultStore& operator=(ResultStore&&) = delete;
 
+  const std::filesystem::path& folder() const { return folder_; }
   bool Has(const ResultKey& key) const;
   std::size_t size() const;
   /// Ordered by key.
@@ -41,8 +46,17 @@ class ResultStore {
   /// Takes out the episodes that failed (EpisodeResult::failure), to be played again; returns how
   /// many. The file is whole at any moment.
   int ForgetFailed();
+  /// Sorts the file, so that runs of the same results have the same bytes, in whatever order their
+  /// episodes ended. The file is whole at any moment.
+  void PutInOrder();
+  /// Adds results of other stores, and puts all in order, in a file that is whole at any moment.
+  /// Takes the place of an episode that failed; throws sim::FileError if anything else that is
+  /// there already is another.
+  void Add(const ResultLines& lines);
 
  private:
+  void OpenFile();
+  void Rewrite(const std::string& text);
   void TakeConfig(const std::string& config,
                   const std::function<bool(const std::string&)>& can_go_on) const;
 
@@ -54,7 +68,13 @@ class ResultStore {
 };
 
 /// The results in a folder, ordered by key, also while a run writes there: an unfinished last line
-/// is left out. Throws sim::FileError for damaged lines and keys that appear twice.
+/// is left out, and there may be none yet. Throws sim::FileError for damaged lines and keys that
+/// appear twice.
 std::vector<EpisodeResult> ReadResults(const std::filesystem::path& folder);
+/// The same, as they are written; none if there is no file.
+ResultLines ReadResultLines(const std::filesystem::path& folder);
+
+/// "line 3 is 'seed: 1' there and 'seed: 2' here", of the first lines that differ.
+std::string FirstDifference(const std::string& there, const std::string& here);
 
 }  // namespace bulletnav::bench

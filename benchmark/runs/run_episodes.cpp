@@ -7,6 +7,7 @@
 #include "benchmark/episodes/episode_file.h"
 #include "benchmark/runs/run_agents.h"
 #include "sim/base/error.h"
+#include "sim/base/folder_lock.h"
 #include "sim/threads/worker_pool.h"
 
 namespace bulletnav::bench {
@@ -32,14 +33,8 @@ void CheckOne(const Episode& episode, const Ground& ground, const RunConfig& con
   }
 }
 
-}  // namespace
-
-void MakeRunHouses(const RunConfig& config, const RunTools& tools) {
-  if (config.houses) MakeHouses(*config.houses, CommittedVersion(), tools.workers, tools.start);
-}
-
-bool DrawRunEpisodes(const RunConfig& config, const RunTools& tools) {
-  if (!config.episodes.draw || fs::exists(config.episodes.file)) return false;
+/// Expects a config that says how.
+void Draw(const RunConfig& config, const RunTools& tools) {
   const GeneratorSpec spec = config.generator();
   const std::vector<std::string> scenes = ScenesOf(spec);
   const auto advance = tools.start("drawing episodes, scenes", static_cast<int>(scenes.size()));
@@ -47,7 +42,34 @@ bool DrawRunEpisodes(const RunConfig& config, const RunTools& tools) {
   set.episodes = GenerateEpisodes(spec, scenes, tools.workers, advance, &tools.scenes);
   set.other = DrawRecord(spec, scenes);
   WriteEpisodes(spec.out, set);
-  return true;
+}
+
+/// The folder that a file is in.
+fs::path FolderOf(const fs::path& file) {
+  return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+}  // namespace
+
+void MakeRunHouses(const RunConfig& config, const RunTools& tools) {
+  if (config.houses) MakeHouses(*config.houses, CommittedVersion(), tools.workers, tools.start);
+}
+
+bool DrawRunEpisodes(const RunConfig& config, const RunTools& tools) {
+  const fs::path file = config.episodes.file;
+  while (config.episodes.draw && !fs::exists(file)) {
+    try {
+      const sim::FolderLock lock(FolderOf(file));
+      if (fs::exists(file)) return false;  // another process was quicker
+      Draw(config, tools);
+      return true;
+    } catch (const sim::FolderBusy&) {
+      const auto advance = tools.start("waiting for a process that draws the episodes, files", 1);
+      sim::WaitForFolder(FolderOf(file));
+      advance();
+    }
+  }
+  return false;
 }
 
 RunEpisodes ReadRunEpisodes(const RunConfig& config) {
@@ -112,15 +134,20 @@ void CheckRunEpisodes(const RunConfig& config, const RunEpisodes& episodes, cons
   });
 }
 
-RunEpisodes PrepareEpisodes(RunConfig* config, std::optional<int> first, const RunTools& tools) {
+std::vector<Episode> Choose(std::vector<Episode> episodes, const EpisodeChoice& choice) {
+  const auto count = static_cast<std::size_t>(choice.first.value_or(0));
+  if (choice.first && count < episodes.size()) episodes.resize(count);
+  return choice.shard ? ShareOf(episodes, *choice.shard) : episodes;
+}
+
+RunEpisodes PrepareEpisodes(RunConfig* config, const EpisodeChoice& choice, const RunTools& tools) {
   MakeRunHouses(*config, tools);
   const bool drawn = DrawRunEpisodes(*config, tools);
   RunEpisodes episodes = ReadRunEpisodes(*config);
   const Fingerprints found = TakeFingerprints(*config, episodes, &tools.scenes);
   CheckFingerprints(*config, found);
   config->fingerprints = found;
-  const auto count = static_cast<std::size_t>(first.value_or(0));
-  if (first && count < episodes.episodes.size()) episodes.episodes.resize(count);
+  episodes.episodes = Choose(std::move(episodes.episodes), choice);
   if (!drawn) CheckRunEpisodes(*config, episodes, tools);
   return episodes;
 }

@@ -10,6 +10,7 @@
 #include "benchmark/episodes/made_houses.h"
 #include "benchmark/episodes/scene_cache.h"
 #include "benchmark/runs/run_config.h"
+#include "benchmark/runs/shard.h"
 
 namespace bulletnav::bench {
 
@@ -22,15 +23,15 @@ struct RunEpisodes {
 /// What the stages of a run work with.
 struct RunTools {
   SceneCache& scenes;
-  int workers = 0;  // < 1: one a processor
+  int workers = 0;  // < 1: one per processor
   StartProgress start;
 };
 
 /// Stage "houses": generates those that the config describes and that are not there yet.
 void MakeRunHouses(const RunConfig& config, const RunTools& tools);
 
-/// Stage "episodes": draws the file of episodes that the config describes, if it is not there yet.
-/// Returns whether it had to. Throws as GenerateEpisodes.
+/// Stage "episodes": draws the file of episodes that the config describes, if it is not there yet;
+/// waits while another process does. Returns whether it had to. Throws as GenerateEpisodes.
 bool DrawRunEpisodes(const RunConfig& config, const RunTools& tools);
 /// Reads the file. Throws sim::Error if it is damaged, was drawn otherwise than the config says, or
 /// names scenes that are not there.
@@ -44,8 +45,15 @@ void CheckFingerprints(const RunConfig& config, const Fingerprints& found);
 /// Throws sim::Error for starts and goals where no body can stand.
 void CheckRunEpisodes(const RunConfig& config, const RunEpisodes& episodes, const RunTools& tools);
 
-/// These stages in turn. Puts the fingerprints into `config`. Episodes that were not drawn here are
-/// checked; `first`: only so many are, and are returned.
-RunEpisodes PrepareEpisodes(RunConfig* config, std::optional<int> first, const RunTools& tools);
+/// What of the episodes a process plays: of the first so many, if that is given, a share.
+struct EpisodeChoice {
+  std::optional<int> first;
+  std::optional<Shard> shard;
+};
+std::vector<Episode> Choose(std::vector<Episode> episodes, const EpisodeChoice& choice);
+
+/// These stages in turn. Puts the fingerprints into `config`. Returns the episodes of the choice;
+/// unless they were drawn here, they have been checked.
+RunEpisodes PrepareEpisodes(RunConfig* config, const EpisodeChoice& choice, const RunTools& tools);
 
 }  // namespace bulletnav::bench

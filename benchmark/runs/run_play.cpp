@@ -22,13 +22,13 @@ void PlayJobs(const RunPlan& plan, std::span<const RunJob> jobs, int workers, Sc
   }
   scenes->DropOthers();
   RunShared shared{plan, RunQueue({jobs.begin(), jobs.end()}), *scenes, finish};
-  std::vector<std::thread> threads;
-  for (std::size_t i = 0; i < std::min(WorkerCount(workers), jobs.size()); ++i) {
-    threads.emplace_back([&shared] {
+  std::vector<std::jthread> threads(std::min(WorkerCount(workers), jobs.size()));
+  for (std::jthread& thread : threads) {
+    thread = std::jthread([&shared] {
       RunWorker(&shared).Work();
     });
   }
-  for (std::thread& thread : threads) thread.join();
+  threads.clear();  // joins them
   shared.queue.Rethrow();
 }
 

@@ -11,6 +11,7 @@
 #include "benchmark/base/program_version.h"
 #include "benchmark/runs/result_store.h"
 #include "benchmark/runs/run_play.h"
+#include "benchmark/runs/shard_record.h"
 #include "sim/base/files.h"
 #include "sim/config/yaml_writer.h"
 
@@ -51,16 +52,14 @@ std::vector<EpisodeResult> TakeDone(const ResultStore& store, const RunPlan& pla
 /// Takes finished episodes to the disk and tells of them, from any thread.
 class Recorder {
  public:
-  Recorder(const RunPlan& plan, const fs::path& folder, ResultStore* store, const RunHooks& hooks)
-      : keeps_trajectories_(plan.config.trajectories),
-        folder_(folder),
-        store_(*store),
-        hooks_(hooks) {}
+  Recorder(const RunPlan& plan, ResultStore* store, const RunHooks& hooks)
+      : keeps_trajectories_(plan.config.trajectories), store_(*store), hooks_(hooks) {}
 
   void Record(const EpisodeTrajectory& trajectory) {
     // The trajectory first: whoever finds the result finds it too.
     if (keeps_trajectories_) {
-      sim::WriteFileAtomically(TrajectoryPath(folder_, trajectory.result.key), ToJson(trajectory));
+      sim::WriteFileAtomically(TrajectoryPath(store_.folder(), trajectory.result.key),
+                               ToJson(trajectory));
     }
     store_.Append(trajectory.result);
     const std::lock_guard lock(telling_);
@@ -69,24 +68,23 @@ class Recorder {
 
  private:
   bool keeps_trajectories_;
-  fs::path folder_;
   ResultStore& store_;
   const RunHooks& hooks_;
   std::mutex telling_;
 };
 
-/// Whether a saved config is this one but for weights that were not there yet: no agent that needs
-/// them has run.
-bool LacksOnlyWeights(const std::string& saved, const RunConfig& config) {
-  try {
-    RunConfig old = ParseRunConfig(saved, "config.yaml");
-    if (!old.fingerprints || !config.fingerprints) return false;
-    auto& weights = old.fingerprints->weights;
-    weights.insert(config.fingerprints->weights.begin(), config.fingerprints->weights.end());
-    return sim::ToYaml(old) == sim::ToYaml(config);
-  } catch (const sim::Error&) {
-    return false;  // of another version of the program
-  }
+/// Plays what there is no result of yet.
+void PlayRest(const RunPlan& plan, int workers, const RunHooks& hooks, SceneCache* scenes,
+              ResultStore* store) {
+  std::vector<RunJob> jobs = JobsOf(plan);
+  const std::vector<EpisodeResult> done = TakeDone(*store, plan, &jobs);
+  if (!jobs.empty()) NoteVersion(store->folder());
+  if (hooks.missing) hooks.missing(MissingAgents(plan.agents));
+  if (hooks.begin) hooks.begin(done.size() + jobs.size(), done);
+  Recorder recorder(plan, store, hooks);
+  PlayJobs(plan, jobs, workers, scenes, [&](const EpisodeTrajectory& trajectory) {
+    recorder.Record(trajectory);
+  });
 }
 
 std::vector<std::string> TellFailures(std::span<const EpisodeResult> results) {
@@ -105,8 +103,21 @@ std::vector<std::string> TellFailures(std::span<const EpisodeResult> results) {
 
 }  // namespace
 
-RunOutcome Summarise(const RunPlan& plan, std::vector<EpisodeResult> results) {
+bool LacksOnlyWeights(const std::string& saved, const RunConfig& config) {
+  try {
+    RunConfig old = ParseRunConfig(saved, "config.yaml");
+    if (!old.fingerprints || !config.fingerprints) return false;
+    auto& weights = old.fingerprints->weights;
+    weights.insert(config.fingerprints->weights.begin(), config.fingerprints->weights.end());
+    return sim::ToYaml(old) == sim::ToYaml(config);
+  } catch (const sim::Error&) {
+    return false;  // of another version of the program
+  }
+}
+
+RunOutcome Summarise(const RunPlan& plan, fs::path folder, std::vector<EpisodeResult> results) {
   RunOutcome outcome;
+  outcome.folder = std::move(folder);
   outcome.results = std::move(results);
   outcome.failures = TellFailures(outcome.results);
   outcome.agents = AgentRows(plan.agents);
@@ -115,25 +126,24 @@ RunOutcome Summarise(const RunPlan& plan, std::vector<EpisodeResult> results) {
 
 RunOutcome RunBenchmark(RunConfig config, const fs::path& folder, const RunOptions& options,
                         const RunHooks& hooks) {
+  RequireSplit(folder, options.shard);
   ResolvedRun run = ResolveRun(std::move(config), options.require_all);
   SceneCache scenes(run.config.world_options());
-  RunEpisodes episodes =
-      PrepareEpisodes(&run.config, options.episodes, {scenes, options.workers, StartOf(hooks)});
+  RunEpisodes episodes = PrepareEpisodes(&run.config, {options.episodes, options.shard},
+                                         {scenes, options.workers, StartOf(hooks)});
   const RunPlan plan = PlanRun(std::move(run), std::move(episodes));
-  std::vector<RunJob> jobs = JobsOf(plan);
-  ResultStore store(folder, sim::ToYaml(plan.config), [&](const std::string& saved) {
+  const fs::path place = options.shard ? ShardFolder(folder, *options.shard) : folder;
+  ResultStore store(place, sim::ToYaml(plan.config), [&](const std::string& saved) {
     return LacksOnlyWeights(saved, plan.config);
   });
+  if (options.shard) {
+    BeginShard(place, MakeShardRecord(*options.shard, options.episodes, plan.config.backend),
+               UsesWeights(plan.config));
+  }
   if (options.retry_failed) store.ForgetFailed();
-  const std::vector<EpisodeResult> done = TakeDone(store, plan, &jobs);
-  if (!jobs.empty()) NoteVersion(folder);
-  if (hooks.missing) hooks.missing(MissingAgents(plan.agents));
-  if (hooks.begin) hooks.begin(done.size() + jobs.size(), done);
-  Recorder recorder(plan, folder, &store, hooks);
-  PlayJobs(plan, jobs, options.workers, &scenes, [&](const EpisodeTrajectory& trajectory) {
-    recorder.Record(trajectory);
-  });
-  return Summarise(plan, store.results());
+  PlayRest(plan, options.workers, hooks, &scenes, &store);
+  store.PutInOrder();
+  return Summarise(plan, place, store.results());
 }
 
 std::vector<AgentRow> AgentRowsOf(const RunConfig& config) {

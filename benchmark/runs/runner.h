@@ -15,10 +15,11 @@
 namespace bulletnav::bench {
 
 struct RunOptions {
-  std::optional<int> episodes;  // only the first so many
-  int workers = 0;              // < 1: one a processor
-  bool require_all = false;     // agents that cannot run are errors, not remarks in the table
-  bool retry_failed = false;    // play episodes that failed again
+  std::optional<int> episodes;      // only the first so many
+  int workers = 0;                  // < 1: one per processor
+  bool require_all = false;         // agents that cannot run are errors, not remarks in the table
+  bool retry_failed = false;        // play episodes that failed again
+  std::optional<Shard> shard = {};  // only this share, into a folder of its own below the run's
 };
 
 /// What a run tells while it goes on; all may be empty.
@@ -33,24 +34,32 @@ struct RunHooks {
 };
 
 struct RunOutcome {
+  std::filesystem::path folder;        // where the results are
   std::vector<EpisodeResult> results;  // all of the folder's, those of earlier calls too
   std::vector<AgentRow> agents;        // how tables speak of the run's agents
   /// "3 episodes of NAME failed, as EPISODE: threw: ...", one an agent that failed any.
   std::vector<std::string> failures;
 };
 
-/// Stage "summarise".
-RunOutcome Summarise(const RunPlan& plan, std::vector<EpisodeResult> results);
+/// Stage "summarise", of the results that are in a folder.
+RunOutcome Summarise(const RunPlan& plan, std::filesystem::path folder,
+                     std::vector<EpisodeResult> results);
 
 /// All stages of a run: resolve, houses, episodes, verify (run_episodes.h), plan (run_plan.h), play
 /// (run_play.h), summarise. Plays every episode of a config that `folder` has no result of yet, and
-/// writes there config.yaml (everything that results depend on), episodes.jsonl and trajectories.
+/// writes there config.yaml (everything that results depend on), episodes.jsonl and trajectories;
+/// of a shard, those of its share into ShardFolder, to be joined by MergeShards.
 /// Results depend on the config alone: not on workers, on other episodes, or on how often the run
-/// was killed and started again. An agent that throws or answers with no action fails that episode,
-/// with the reason in its result; one that never answers is ended with the process. Throws
-/// sim::Error: see PrepareEpisodes, RequireSome, RequireAll and ResultStore.
+/// was killed and started again; at the end of a run, episodes.jsonl has the same bytes too. An
+/// agent that throws or answers with no action fails that episode, with the reason in its result;
+/// one that never answers is ended with the process.
+/// Throws sim::Error: see PrepareEpisodes, RequireSome, RequireAll, ResultStore and BeginShard.
 RunOutcome RunBenchmark(RunConfig config, const std::filesystem::path& folder,
                         const RunOptions& options, const RunHooks& hooks = {});
+
+/// Whether results of a saved config, its YAML text, hold for this one: all but weights that were
+/// not there yet is the same, so that no agent that needs them has run.
+bool LacksOnlyWeights(const std::string& saved, const RunConfig& config);
 
 /// How tables and charts speak of a run's agents.
 std::vector<AgentRow> AgentRowsOf(const RunConfig& config);

@@ -10,11 +10,12 @@
 #include <sys/file.h>
 #include <unistd.h>
 
-#include "sim/base/error.h"
 #include "sim/base/files.h"
 
 namespace bulletnav::sim {
 namespace {
+
+constexpr const char* kLockFile = "lock";
 
 /// The process that wrote itself into the lock file, as a part of a sentence.
 std::string Holder(int fd) {
@@ -25,9 +26,9 @@ std::string Holder(int fd) {
 
 }  // namespace
 
-FolderLock::FolderLock(const std::filesystem::path& folder) {
+FolderLock::FolderLock(const std::filesystem::path& folder, std::string_view remedy) {
   MakeFolder(folder);
-  const std::filesystem::path file = folder / "lock";
+  const std::filesystem::path file = folder / kLockFile;
   fd_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
   if (fd_ < 0) {
     throw FileError(file, "", std::string("cannot be created: ") + std::strerror(errno));
@@ -35,9 +36,8 @@ FolderLock::FolderLock(const std::filesystem::path& folder) {
   if (::flock(fd_, LOCK_EX | LOCK_NB) != 0) {
     const std::string holder = Holder(fd_);
     ::close(fd_);
-    throw FileError(
-        folder, "",
-        "another run" + holder + " is writing here; wait for it or choose another --out");
+    throw FolderBusy(folder, "",
+                     "another run" + holder + " is writing here; " + std::string(remedy));
   }
   RemoveLeftovers(folder);
   const std::string pid = std::to_string(::getpid());
@@ -48,6 +48,20 @@ FolderLock::FolderLock(const std::filesystem::path& folder) {
 
 FolderLock::~FolderLock() {
   ::close(fd_);
+}
+
+void WaitForFolder(const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / kLockFile;
+  const int fd = ::open(file.c_str(), O_RDWR | O_CLOEXEC);
+  int status = -1;
+  if (fd >= 0) {
+    do {
+      status = ::flock(fd, LOCK_EX);
+    } while (status != 0 && errno == EINTR);
+  }
+  const std::string reason = std::strerror(errno);
+  if (fd >= 0) ::close(fd);
+  if (status != 0) throw FileError(file, "", "cannot be locked: " + reason);
 }
 
 }  // namespace bulletnav::sim

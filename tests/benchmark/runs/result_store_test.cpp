@@ -160,7 +160,7 @@ TEST_F(ResultStoreTest, SurvivesBeingKilledAtAnyMoment) {
 TEST_F(ResultStoreTest, RefusesASecondRunUntilTheFirstIsOver) {
   auto first = std::make_unique<ResultStore>(folder(), kConfig);
   EXPECT_THAT(Complaint(), AllOf(HasSubstr("another run (process " + std::to_string(::getpid())),
-                                 HasSubstr("--out")));
+                                 HasSubstr("--shard I/N"), HasSubstr("another --out")));
   first.reset();
   EXPECT_EQ(Complaint(), "nothing");
 }
@@ -252,6 +252,63 @@ TEST_F(ResultStoreTest, ThreadsMayAppendTogether) {
 
 TEST_F(ResultStoreTest, NeedsResultsToRead) {
   EXPECT_THROW(ReadResults(folder()), sim::FileError);
+}
+
+TEST_F(ResultStoreTest, PutsLinesInOrderAndGoesOn) {
+  ResultStore store(folder(), kConfig);
+  std::map<ResultKey, std::string> sorted;
+  for (const int i : {4, 1, 3, 0}) {
+    store.Append(MakeResult(i));
+    sorted[MakeResult(i).key] = ToJsonLine(MakeResult(i));
+  }
+  store.PutInOrder();
+  std::string expected;
+  for (const auto& [key, line] : sorted) expected += line + "\n";
+  EXPECT_EQ(sim::ReadTextFile(lines()), expected);
+  EXPECT_EQ(ReadResultLines(folder()), sorted);
+  store.Append(MakeResult(2));
+  EXPECT_EQ(sim::ReadTextFile(lines()), expected + ToJsonLine(MakeResult(2)) + "\n");
+}
+
+TEST_F(ResultStoreTest, AddsResultsOfOthersButNoneThatDiffer) {
+  ResultStore store(folder(), kConfig);
+  store.Append(MakeResult(1));
+  ResultLines others;
+  for (const int i : {0, 1, 2}) others[MakeResult(i).key] = ToJsonLine(MakeResult(i));
+  store.Add(others);
+  EXPECT_EQ(store.size(), 3u);
+  EXPECT_EQ(ReadResultLines(folder()), others);
+  EpisodeResult other = MakeResult(2);
+  other.failure = "threw: lost";
+  try {
+    store.Add({{other.key, ToJsonLine(other)}});
+    FAIL() << "added";
+  } catch (const sim::FileError& e) {
+    EXPECT_THAT(e.what(), HasSubstr("holds another result of episode '" + other.key.episode));
+  }
+  EXPECT_EQ(ReadResultLines(folder()), others);
+}
+
+TEST_F(ResultStoreTest, AddsWhatWasPlayedAgainInPlaceOfFailures) {
+  ResultStore store(folder(), kConfig);
+  EpisodeResult failed = MakeResult(2);
+  failed.failure = "threw: lost";
+  store.Append(failed);
+  const std::string line = ToJsonLine(MakeResult(2));
+  store.Add({{failed.key, line}});
+  EXPECT_EQ(sim::ReadTextFile(lines()), line + "\n");
+  EXPECT_EQ(store.results(), std::vector{MakeResult(2)});
+}
+
+TEST_F(ResultStoreTest, MakesItsFileWithTheFirstResultOrAllAtOnce) {
+  ResultStore store(folder(), kConfig);
+  EXPECT_FALSE(std::filesystem::exists(lines()));
+  EXPECT_TRUE(ReadResults(folder()).empty()) << "of a run that has begun";
+  EXPECT_EQ(store.ForgetFailed(), 0);
+  store.PutInOrder();
+  EXPECT_TRUE(std::filesystem::exists(lines()));
+  store.Append(MakeResult(1));
+  EXPECT_EQ(ReadResults(folder()).size(), 1u);
 }
 
 TEST_F(ResultStoreTest, ForgetsFailedEpisodesAndGoesOn) {

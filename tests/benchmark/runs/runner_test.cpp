@@ -108,12 +108,11 @@ class RunnerTest : public testing::Test {
     RunBenchmark(config, folder(name), {.episodes = {}, .workers = workers, .require_all = false});
     return ReadResults(folder(name));
   }
-  /// The lines of episodes.jsonl, sorted, and after each its trajectory.
+  /// The lines of episodes.jsonl, and after each its trajectory.
   std::string Bytes(const std::string& name) const {
     std::istringstream file(sim::ReadTextFile(folder(name) / "episodes.jsonl"));
     std::vector<std::string> lines;
     for (std::string line; std::getline(file, line);) lines.push_back(line);
-    std::sort(lines.begin(), lines.end());
     std::string bytes;
     for (const std::string& line : lines) {
       bytes += line + "\n" +
@@ -331,7 +330,7 @@ TEST_F(RunnerTest, StagesCanBeCalledAloneAndImportEachSceneOnce) {
   });
   EXPECT_EQ(scenes.imports(), 2);
   EXPECT_EQ(scenes.kept_bytes(), 0u);
-  EXPECT_EQ(Summarise(plan, results).results.size(), 4u);
+  EXPECT_EQ(Summarise(plan, "x", results).results.size(), 4u);
 }
 
 TEST_F(RunnerTest, RefusesAFolderOfAnotherConfigOrRun) {
