@@ -2,6 +2,7 @@
 #include "sim/import/gltf_check.h"
 
 #include <deque>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -247,7 +248,7 @@ class GltfChecker {
 
   /// `parent` of a root is the number of nodes.
   void CheckDepths(const std::vector<std::size_t>& parent) const {
-    constexpr std::size_t kUnknown = -1;
+    constexpr auto kUnknown = std::numeric_limits<std::size_t>::max();
     const std::size_t count = parent.size();
     std::vector<std::size_t> depth(count, kUnknown);
     std::vector<std::size_t> path;

@@ -86,12 +86,12 @@ struct BookCheck {
 
 std::vector<StyleBook> ReadBooks() {
   std::vector<StyleBook> books;
-  for (const auto& [name, kind] : EnumNames<StyleKind>::kNames) {
+  for (const auto& style : EnumNames<StyleKind>::kNames) {
     const auto text =
         std::find_if(std::begin(kStyleTexts), std::end(kStyleTexts), [&](const auto& entry) {
-          return entry.first == name;
+          return entry.first == style.first;
         });
-    const std::string file = "assets/styles/" + std::string(name) + ".yaml";
+    const std::string file = "assets/styles/" + std::string(style.first) + ".yaml";
     if (text == std::end(kStyleTexts)) throw FileError(file, "", "is not there");
     books.push_back(ReadBook(std::string(text->second), file));
   }
