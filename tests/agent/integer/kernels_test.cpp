@@ -105,8 +105,8 @@ void Fill16(Values values, int longest, sim::Rng* rng, Dots* dots) {
   std::vector<std::int16_t> in(dots->in.size() / 2);
   std::vector<std::int16_t> weights(2 * dots->weights.size());
   for (auto& value : in) {
-    value = static_cast<std::int16_t>(values == Values::kRandom ? rng->Between(-32767, 32767)
-                                                                : 32767);
+    value =
+        static_cast<std::int16_t>(values == Values::kRandom ? rng->Between(-32767, 32767) : 32767);
   }
   for (std::size_t i = 0; i < weights.size(); ++i) {
     const int extreme = values == Values::kAlternating ? -largest : largest;
@@ -156,8 +156,7 @@ struct Scaling {
   Scaling(std::uint64_t seed, bool is_extreme) {
     sim::Rng rng(seed, "scaling");
     const auto draw = [&](std::int64_t largest) {
-      if (is_extreme)
-        return static_cast<std::int32_t>(rng.Between(0, 1) == 0 ? -largest : largest);
+      if (is_extreme) return static_cast<std::int32_t>(rng.Between(0, 1) == 0 ? -largest : largest);
       return static_cast<std::int32_t>(rng.Uniform(-1.0, 1.0) * static_cast<double>(largest));
     };
     for (int i = 0; i < kPixels * kOutputs; ++i) sums.push_back(draw(1'000'000'000));
