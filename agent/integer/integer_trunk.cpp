@@ -36,6 +36,32 @@ PictureShape Halved(const PictureShape& shape) {
 
 }  // namespace
 
+QuantisedTrunk TrunkOf(const QuantisedNet& net, const std::string& prefix, int rows) {
+  QuantisedTrunk trunk;
+  trunk.rows = rows;
+  trunk.in_scale = net.Scale(prefix + "input");
+  trunk.stem = net.Layer(prefix + "stem");
+  trunk.stem_scale = net.Scale(prefix + "stem");
+  const int halvings = rows == 128 ? 3 : rows == 64 ? 2 : 1;
+  for (int i = 0; i < kStages * static_cast<int>(kBlocksInStage); ++i) {
+    const int stage = i / 2;
+    const std::string name =
+        prefix + "stage" + std::to_string(stage + 1) + "_" + std::to_string(i % 2 + 1) + "_";
+    QuantisedTrunk::Block block;
+    block.first = net.Layer(name + "first");
+    block.second = net.Layer(name + "second");
+    block.stride = i % 2 == 0 && stage > 0 && stage <= halvings ? 2 : 1;
+    block.first_scale = net.Scale(name + "first");
+    block.second_scale = net.Scale(name + "second");
+    if (net.layers.contains(name + "shortcut")) {
+      block.shortcut = net.Layer(name + "shortcut");
+      block.shortcut_scale = net.Scale(name + "shortcut");
+    }
+    trunk.blocks.push_back(std::move(block));
+  }
+  return trunk;
+}
+
 std::size_t IntegerTrunk::IndexOf(int stage) {
   return kBlocksInStage * static_cast<std::size_t>(stage + 1);
 }

@@ -31,6 +31,10 @@ struct QuantisedTrunk {
   bool operator==(const QuantisedTrunk&) const = default;
 };
 
+/// From layers and scales named as in Trunk, after `prefix`: "stem", "stage1_1_first", and so on.
+/// Throws Error if some are missing.
+QuantisedTrunk TrunkOf(const QuantisedNet& net, const std::string& prefix, int rows);
+
 inline constexpr int kInputChannels = 4;  // red, green, blue, depth
 inline constexpr int kInputZero = 127;    // of 0 to 254
 inline constexpr int kStemBorder = 3;

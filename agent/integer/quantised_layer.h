@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
+#include <map>
+#include <string>
 #include <vector>
 
 namespace bulletnav::agent {
@@ -26,6 +28,17 @@ struct LayerScales {
   int zero = 0;       // the input that stands for 0
   int largest = 255;  // of |input|
   double out = 1.0;   // real value of one fine step of the outputs
+};
+
+/// A network in integers, as a file holds it: layers and scales of activations by name.
+struct QuantisedNet {
+  std::map<std::string, QuantisedLayer> layers;
+  std::map<std::string, float> scales;
+
+  bool operator==(const QuantisedNet&) const = default;
+  /// Throw Error if there is none of this name; scales are positive.
+  const QuantisedLayer& Layer(const std::string& name) const;
+  float Scale(const std::string& name) const;
 };
 
 }  // namespace bulletnav::agent
