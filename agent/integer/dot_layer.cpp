@@ -32,20 +32,25 @@ void RequireSizes(const QuantisedLayer& layer, LayerWidth width) {
   }
 }
 
-}  // namespace
-
-std::int32_t FactorOf(double real, double unit) {
-  const double factor = std::nearbyint(real / unit * (1 << kFactorBits));
-  if (!(std::abs(factor) <= kLargestInt)) throw sim::Error("a scale is out of range");
-  return static_cast<std::int32_t>(factor);
+/// The most bits that leave largest * 2^bits within 31 bits, of 1 to 32.
+int ShiftFor(double largest) {
+  if (!(largest > 0.0 && largest < 0.25 * kLargestInt)) throw sim::Error("a scale is out of range");
+  return std::min(32, 30 - std::ilogb(largest));
 }
+
+std::int32_t FactorOf(double ratio, int shift) {
+  return static_cast<std::int32_t>(std::min(kLargestInt, std::nearbyint(std::ldexp(ratio, shift))));
+}
+
+}  // namespace
 
 DotLayer::DotLayer(const QuantisedLayer& layer, LayerWidth width, const LayerScales& scales)
     : width_(width),
       segments_(layer.segments),
       steps_(0),
       blocks_((layer.outputs + kOutputBlock - 1) / kOutputBlock),
-      out_scale_(scales.out),
+      shift_(0),
+      kept_factor_(0),
       kernels_(SupportedIntegerKernels().front()) {
   RequireSizes(layer, width);
   const int per_word = width == LayerWidth::k8 ? 4 : 2;
@@ -80,6 +85,10 @@ void DotLayer::SetScales(const QuantisedLayer& layer, const LayerScales& scales)
   bias_.assign(static_cast<std::size_t>(padded_outputs()), 0);
   factor_.assign(bias_.size(), 0);
   const std::size_t values = layer.weights.size() / static_cast<std::size_t>(layer.outputs);
+  if (!(scales.kept >= 0.0)) throw sim::Error("a scale is not positive");
+  const double largest = *std::max_element(layer.scale.begin(), layer.scale.end());
+  shift_ = ShiftFor(std::max(scales.in * largest, scales.kept) / scales.out);
+  kept_factor_ = FactorOf(scales.kept / scales.out, shift_);
   for (std::size_t output = 0; output < layer.scale.size(); ++output) {
     std::int64_t sum = 0;
     std::int64_t size = 0;
@@ -95,9 +104,9 @@ void DotLayer::SetScales(const QuantisedLayer& layer, const LayerScales& scales)
     const double most = static_cast<double>(size) * scales.largest + std::abs(bias);
     if (!(most <= kLargestInt)) throw sim::Error("sums may not fit into 32 bits");
     bias_[output] = static_cast<std::int32_t>(bias);
-    factor_[output] = FactorOf(step, scales.out);
+    factor_[output] = FactorOf(step / scales.out, shift_);
     // Half of the range, so that there is room for what is kept.
-    if (!(most * factor_[output] / (1 << kFactorBits) <= 0.5 * kLargestInt)) {
+    if (!(most * step / scales.out <= 0.5 * kLargestInt)) {
       throw sim::Error("results may not fit into 32 bits");
     }
   }
@@ -123,7 +132,8 @@ void DotLayer::Run(const Input& input, const KeptValues& kept, const LayerOutput
   scale.factor = factor_.data();
   scale.kept = kept.values;
   scale.kept2 = kept.values2;
-  scale.kept_factor = kept.values == nullptr ? 0 : FactorOf(kept.scale, out_scale_);
+  scale.kept_factor = kept_factor_;
+  scale.shift = shift_;
   scale.low = output.low;
   scale.high = output.high;
   scale.out8 = output.bytes;

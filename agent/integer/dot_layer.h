@@ -11,13 +11,12 @@
 namespace bulletnav::agent {
 
 /// What is added to the sums of a layer before they are rounded: 16-bit values of a scale of their
-/// own, [outputs] from each pixel's offset on.
+/// own (LayerScales), [outputs] from each pixel's offset on.
 struct KeptValues {
   const std::int16_t* values = nullptr;   // null: nothing
   const std::int32_t* offsets = nullptr;  // [pixels] numbers
   const std::int16_t* values2 = nullptr;  // likewise; null: nothing
   const std::int32_t* offsets2 = nullptr;
-  double scale = 0.0;  // real value of one step of both
 };
 
 /// Where results go: either may be null. Rows of outputs are padded to whole blocks.
@@ -61,15 +60,13 @@ class DotLayer {
   int segments_;
   int steps_;  // words of a segment
   int blocks_;
-  double out_scale_;
+  std::int32_t shift_;
+  std::int32_t kept_factor_;
   std::vector<std::int32_t> weights_;
   std::vector<std::int32_t> bias_;
   std::vector<std::int32_t> factor_;
   std::vector<std::int32_t> sums_;  // of some pixels at a time
   const IntegerKernels* kernels_;
 };
-
-/// real / unit in units of 2^-kFactorBits, to the nearest. Throws Error unless it fits 32 bits.
-std::int32_t FactorOf(double real, double unit);
 
 }  // namespace bulletnav::agent

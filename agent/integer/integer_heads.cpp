@@ -21,6 +21,7 @@ constexpr int kWindow = 2 * kReach + 1;
 constexpr int kTorusRows = 2 * kDirections - 1;
 constexpr int kTorusCols = kDirections + 2 * kReach;
 constexpr int kProductZero = 128;
+constexpr int kProductBits = 40;
 constexpr int kMatchWords = IntegerHeads::kMatchSize / 2;
 constexpr double kFineSteps = 1 << kFineBits;
 constexpr int kLargestMean = 144 * 255 / 4;  // of sums of all turns and directions, over 4
@@ -63,6 +64,15 @@ const QuantisedLayer& LayerOf(const QuantisedNet& net, const std::string& name, 
   return layer;
 }
 
+/// Steps of products for one of sums, in units of 2^-kProductBits.
+std::int64_t ProductFactor(const QuantisedNet& net) {
+  const double step = double{net.Scale("heads.source_match")} * net.Scale("heads.goal_match") /
+                      std::sqrt(double{IntegerHeads::kMatchSize});
+  const double factor = std::ldexp(step / net.Scale("heads.product"), kProductBits);
+  if (!(factor < std::ldexp(1.0, 62 - 31))) throw sim::Error("scale heads.product is too small");
+  return std::llrint(factor);
+}
+
 }  // namespace
 
 IntegerAnswer::IntegerAnswer(const QuantisedNet& net, const std::string& name,
@@ -102,22 +112,19 @@ void IntegerAnswer::Use(const IntegerKernels& kernels) {
 
 IntegerHeads::IntegerHeads(const QuantisedNet& net, int code_size, double code_scale)
     : code_size_(code_size),
-      sum_scale_(net.Scale("heads.sum")),
       explorable_(net, "heads.explorable", {code_scale, 0, kLargest16}),
       source_sum_(LayerOf(net, "heads.source_sum", 1, kDirections * code_size), LayerWidth::k16,
-                  {code_scale, 0, kLargest16, sum_scale_}),
+                  {code_scale, 0, kLargest16, net.Scale("heads.sum")}),
       goal_sum_(LayerOf(net, "heads.goal_sum", 1, kDirections * code_size), LayerWidth::k16,
-                {code_scale, 0, kLargest16, sum_scale_}),
+                {code_scale, 0, kLargest16, net.Scale("heads.sum")}),
       source_match_(LayerOf(net, "heads.source_match", 1, code_size), LayerWidth::k16,
                     {code_scale, 0, kLargest16, net.Scale("heads.source_match")}),
       goal_match_(LayerOf(net, "heads.goal_match", 1, code_size), LayerWidth::k16,
                   {code_scale, 0, kLargest16, net.Scale("heads.goal_match")}),
-      product_factor_(FactorOf(double{net.Scale("heads.source_match")} *
-                                   net.Scale("heads.goal_match") / std::sqrt(double{kMatchSize}),
-                               net.Scale("heads.product"))),
-      matches_(
-          LayerOf(net, "heads.matches", kDirections, kWindow * kMatches), LayerWidth::k8,
-          {net.Scale("heads.product"), kProductZero, 255, net.Scale("heads.matches") / kFineSteps}),
+      product_factor_(ProductFactor(net)),
+      matches_(LayerOf(net, "heads.matches", kDirections, kWindow * kMatches), LayerWidth::k8,
+               {net.Scale("heads.product"), kProductZero, 255,
+                net.Scale("heads.matches") / kFineSteps, net.Scale("heads.sum")}),
       second_(LayerOf(net, "heads.second", 1, matches_.padded_outputs()), LayerWidth::k8,
               {net.Scale("heads.matches"), 0, 255, net.Scale("heads.second") / kFineSteps}),
       direction_(net, "heads.direction", {net.Scale("heads.second") / kTurns, 0, kTurns * 255}),
@@ -202,12 +209,12 @@ void IntegerHeads::MatchWithGoal(const IntegerParts& source) {
                      .sums = products_.data() + match * kBlock});
   }
   std::array<std::array<std::array<std::uint8_t, kMatches>, kDirections>, kDirections> bytes{};
-  constexpr std::int64_t kHalf = std::int64_t{1} << (kFactorBits - 1);
+  constexpr std::int64_t kHalf = std::int64_t{1} << (kProductBits - 1);
   for (std::size_t match = 0; match < kMatches; ++match) {
     for (std::size_t a = 0; a < kDirections; ++a) {
       for (std::size_t b = 0; b < kDirections; ++b) {
         const std::int64_t sum = products_[match * kBlock + a * kOutputBlock + b];
-        const std::int64_t steps = (sum * product_factor_ + kHalf) >> kFactorBits;
+        const std::int64_t steps = (sum * product_factor_ + kHalf) >> kProductBits;
         bytes[a][b][match] =
             static_cast<std::uint8_t>(std::clamp<std::int64_t>(steps + kProductZero, 0, 255));
       }
@@ -241,7 +248,6 @@ void IntegerHeads::SumTurns(const IntegerParts& source) {
   kept.offsets = of_source.data();
   kept.values2 = goal_sums_.data();
   kept.offsets2 = of_goal.data();
-  kept.scale = sum_scale_;
   LayerOutput output;
   output.bytes = sums_.data();
   output.byte_offsets = pairs.data();

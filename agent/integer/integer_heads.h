@@ -65,13 +65,12 @@ class IntegerHeads {
   PairPrediction Answer();
 
   int code_size_;
-  double sum_scale_;
   IntegerAnswer explorable_;
   DotLayer source_sum_;
   DotLayer goal_sum_;
   DotLayer source_match_;
   DotLayer goal_match_;
-  std::int32_t product_factor_;
+  std::int64_t product_factor_;
   DotLayer matches_;
   DotLayer second_;
   IntegerAnswer direction_;

@@ -111,10 +111,11 @@ void IntegerTrunk::AddBlock(const QuantisedTrunk::Block& block) {
   Block made = {
       MakeStep(block.first, in.out, block.stride, scales(in.scale, middle.scale / kFineSteps)),
       middle,
-      MakeStep(block.second, middle.out, 1, scales(middle.scale, end.scale / kFineSteps)),
+      MakeStep(block.second, middle.out, 1,
+               {middle.scale, 0, 255, end.scale / kFineSteps,
+                block.shortcut ? block.shortcut_scale : in.scale / kFineSteps}),
       std::nullopt,
-      {},
-      block.shortcut_scale};
+      {}};
   if (block.shortcut) {
     made.shortcut =
         MakeStep(*block.shortcut, in.out, block.stride, scales(in.scale, block.shortcut_scale));
@@ -152,7 +153,6 @@ void IntegerTrunk::RunBlock(std::size_t index, int count) {
   KeptValues kept;
   kept.values = in.fine.data();
   kept.offsets = end.fine_offsets.data();
-  kept.scale = in.scale / kFineSteps;
   if (block.shortcut) {
     LayerOutput output;
     output.fine = block.shortcut_fine.data();
@@ -162,7 +162,6 @@ void IntegerTrunk::RunBlock(std::size_t index, int count) {
     block.shortcut->layer.Run(
         {in.out.bytes.data(), std::span(block.shortcut->in_offsets).first(pixels), 0}, {}, output);
     kept.values = block.shortcut_fine.data();
-    kept.scale = block.shortcut_scale;
   }
   RunStep(&block.second, block.middle.out, count, kept, &end);
 }

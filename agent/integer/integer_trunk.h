@@ -82,7 +82,6 @@ class IntegerTrunk {
     Step second;
     std::optional<Step> shortcut;
     std::vector<std::int16_t> shortcut_fine;
-    double shortcut_scale;
   };
   static std::size_t IndexOf(int stage);
   static Step MakeStep(const QuantisedLayer& layer, const Pictures& in, int stride,

@@ -28,6 +28,7 @@ struct LayerScales {
   int zero = 0;       // the input that stands for 0
   int largest = 255;  // of |input|
   double out = 1.0;   // real value of one fine step of the outputs
+  double kept = 0.0;  // of one step of what is added; 0: nothing is
 };
 
 /// A network in integers, as a file holds it: layers and scales of activations by name.

@@ -96,8 +96,9 @@ inline Lanes Fine(const ScaleJob& job, Lanes sum, std::int32_t output, const std
                   const std::int16_t* kept2) {
   const Lanes value = Add(sum, Load(job.bias + output));
   const Lanes factor = Load(job.factor + output);
-  Wide even = AddWide(Multiply(value, factor), SplatWide(kHalf));
-  Wide odd = AddWide(Multiply(OddToEven(value), OddToEven(factor)), SplatWide(kHalf));
+  const Wide half = SplatWide(std::int64_t{1} << (job.shift - 1));
+  Wide even = AddWide(Multiply(value, factor), half);
+  Wide odd = AddWide(Multiply(OddToEven(value), OddToEven(factor)), half);
   if (kept != nullptr) {
     Lanes more = Load16(kept + output);
     if (kept2 != nullptr) more = Add(more, Load16(kept2 + output));
@@ -105,7 +106,7 @@ inline Lanes Fine(const ScaleJob& job, Lanes sum, std::int32_t output, const std
     even = AddWide(even, Multiply(more, kept_factor));
     odd = AddWide(odd, Multiply(OddToEven(more), kept_factor));
   }
-  return Min(Max(Interleave(even, odd), Splat(job.low)), Splat(job.high));
+  return Min(Max(Interleave(even, odd, job.shift), Splat(job.low)), Splat(job.high));
 }
 
 void Scale(const ScaleJob& job) {

@@ -11,8 +11,6 @@ namespace bulletnav::agent {
 
 /// Outputs come in blocks of so many: weights, factors and sums are padded to whole blocks.
 inline constexpr int kOutputBlock = 16;
-/// Factors count in units of 2^-24.
-inline constexpr int kFactorBits = 24;
 /// Eight-bit weights lie within +-this, so that a sum of two products of 255 fits into 16 bits.
 inline constexpr int kLargestWeight8 = 64;
 /// Fine values count 128 to a step of the eight-bit ones.
@@ -34,7 +32,7 @@ struct DotJob {
   std::int32_t* sums;  // [pixels, blocks * kOutputBlock]; exact if they fit into 32 bits
 };
 
-/// fine = (((sum + bias) * factor + (kept + kept2) * kept_factor) / 2^kFactorBits, to the nearest
+/// fine = ((sum + bias) * factor + (kept + kept2) * kept_factor) / 2^shift, to the nearest
 /// and halves up, clamped to [low, high]; eight-bit value: fine / 2^kFineBits, likewise, clamped
 /// to [0, 255]. Fine values must fit into 32 bits before they are clamped.
 struct ScaleJob {
@@ -48,7 +46,8 @@ struct ScaleJob {
   const std::int16_t* kept2;          // null: none; only beside `kept`
   const std::int32_t* kept2_offsets;  // likewise
   std::int32_t kept_factor;
-  std::int32_t low;  // within 16 bits
+  std::int32_t shift;  // 1 to 32
+  std::int32_t low;    // within 16 bits
   std::int32_t high;
   std::uint8_t* out8;                // null: not wanted
   const std::int32_t* out8_offsets;  // [pixels]

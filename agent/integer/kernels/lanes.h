@@ -14,8 +14,6 @@
 namespace bulletnav::agent {
 namespace {
 
-constexpr std::int64_t kHalf = std::int64_t{1} << (kFactorBits - 1);
-
 #if defined(__AVX512BW__)
 
 constexpr int kLanes = 16;
@@ -82,10 +80,10 @@ inline Wide Multiply(Lanes a, Lanes b) {
 inline Lanes OddToEven(Lanes v) {
   return _mm512_srli_epi64(v, 32);
 }
-/// Low words of both, shifted right by kFactorBits.
-inline Lanes Interleave(Wide even, Wide odd) {
-  return _mm512_mask_blend_epi32(0xAAAA, _mm512_srli_epi64(even, kFactorBits),
-                                 _mm512_slli_epi64(odd, 32 - kFactorBits));
+/// Low words of both, shifted right by `shift` of at most 32.
+inline Lanes Interleave(Wide even, Wide odd, int shift) {
+  return _mm512_mask_blend_epi32(0xAAAA, _mm512_srl_epi64(even, _mm_cvtsi32_si128(shift)),
+                                 _mm512_sll_epi64(odd, _mm_cvtsi32_si128(32 - shift)));
 }
 
 #elif defined(__AVX2__)
@@ -148,9 +146,9 @@ inline Wide Multiply(Lanes a, Lanes b) {
 inline Lanes OddToEven(Lanes v) {
   return _mm256_srli_epi64(v, 32);
 }
-inline Lanes Interleave(Wide even, Wide odd) {
-  return _mm256_blend_epi32(_mm256_srli_epi64(even, kFactorBits),
-                            _mm256_slli_epi64(odd, 32 - kFactorBits), 0xAA);
+inline Lanes Interleave(Wide even, Wide odd, int shift) {
+  return _mm256_blend_epi32(_mm256_srl_epi64(even, _mm_cvtsi32_si128(shift)),
+                            _mm256_sll_epi64(odd, _mm_cvtsi32_si128(32 - shift)), 0xAA);
 }
 
 #elif defined(__SSE4_1__)
@@ -210,9 +208,9 @@ inline Wide Multiply(Lanes a, Lanes b) {
 inline Lanes OddToEven(Lanes v) {
   return _mm_srli_epi64(v, 32);
 }
-inline Lanes Interleave(Wide even, Wide odd) {
-  return _mm_blend_epi16(_mm_srli_epi64(even, kFactorBits), _mm_slli_epi64(odd, 32 - kFactorBits),
-                         0xCC);
+inline Lanes Interleave(Wide even, Wide odd, int shift) {
+  return _mm_blend_epi16(_mm_srl_epi64(even, _mm_cvtsi32_si128(shift)),
+                         _mm_sll_epi64(odd, _mm_cvtsi32_si128(32 - shift)), 0xCC);
 }
 
 #else
@@ -281,8 +279,8 @@ inline Wide Multiply(Lanes a, Lanes b) {
 inline Lanes OddToEven(Lanes) {
   return 0;
 }
-inline Lanes Interleave(Wide even, Wide) {
-  return static_cast<Lanes>(even >> kFactorBits);
+inline Lanes Interleave(Wide even, Wide, int shift) {
+  return static_cast<Lanes>(even >> shift);
 }
 
 #endif

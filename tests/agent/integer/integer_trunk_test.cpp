@@ -38,8 +38,11 @@ struct Result {
 
 /// A convolution, what is kept and ReLU, one number after the other.
 Result Convolve(const QuantisedLayer& layer, Plain in, int stride, const LayerScales& scales,
-                const Plain* kept = nullptr, double kept_scale = 0.0, int low = 0) {
+                const Plain* kept = nullptr, int low = 0) {
   const int kernel = layer.segments;
+  double largest = scales.kept;
+  for (const float scale : layer.scale) largest = std::max(largest, scales.in * scale);
+  const int shift = std::min(32, 30 - std::ilogb(largest / scales.out));
   Plain fine = {in.rows / stride, in.cols / stride, layer.outputs};
   Plain bytes = fine;
   for (int row = 0; row < fine.rows; ++row) {
@@ -59,13 +62,13 @@ Result Convolve(const QuantisedLayer& layer, Plain in, int stride, const LayerSc
         const auto o = static_cast<std::size_t>(out);
         const double step = scales.in * layer.scale[o];
         sum += std::llrint(layer.bias[o] / step);
-        std::int64_t value = sum * std::llrint(step / scales.out * (1 << kFactorBits));
+        std::int64_t value = sum * std::llrint(std::ldexp(step / scales.out, shift));
         if (kept != nullptr) {
           value += kept->values[static_cast<std::size_t>((row * fine.cols + col) * fine.channels +
                                                          out)] *
-                   std::llrint(kept_scale / scales.out * (1 << kFactorBits));
+                   std::llrint(std::ldexp(scales.kept / scales.out, shift));
         }
-        value = (value + (1 << (kFactorBits - 1))) >> kFactorBits;
+        value = (value + (std::int64_t{1} << (shift - 1))) >> shift;
         fine.At(row, col, out) = static_cast<int>(std::clamp<std::int64_t>(value, low, 32767));
         bytes.At(row, col, out) = std::min((fine.At(row, col, out) + 64) >> kFineBits, 255);
       }
@@ -104,13 +107,13 @@ Plain RunPlainly(const QuantisedTrunk& trunk, Plain input) {
     double kept_scale = scale / 128.0;
     if (block.shortcut) {
       kept = Convolve(*block.shortcut, bytes, block.stride, {scale, 0, 255, block.shortcut_scale},
-                      nullptr, 0.0, -32767)
+                      nullptr, -32767)
                  .fine;
       kept_scale = block.shortcut_scale;
     }
     const Result end =
-        Convolve(block.second, middle, 1, {block.first_scale, 0, 255, block.second_scale / 128.0},
-                 &kept, kept_scale);
+        Convolve(block.second, middle, 1,
+                 {block.first_scale, 0, 255, block.second_scale / 128.0, kept_scale}, &kept);
     bytes = end.bytes;
     fine = end.fine;
     scale = block.second_scale;

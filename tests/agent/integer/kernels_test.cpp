@@ -146,6 +146,7 @@ TEST_P(EveryKernel, SumsSixteenBitsExactly) {
 /// As DotTest, of ScaleJob.
 struct Scaling {
   static constexpr int kPixels = 9;
+  static constexpr int kShift = 24;
   static constexpr int kOutputs = 3 * kOutputBlock;
   static constexpr int kStride = kOutputs + 5;
   std::vector<std::int32_t> sums, bias, factor, offsets, offsets2;
@@ -183,7 +184,8 @@ struct Scaling {
            .kept_offsets = offsets.data(),
            .kept2 = kept2.data(),
            .kept2_offsets = offsets2.data(),
-           .kept_factor = 3 << (kFactorBits - 1),
+           .kept_factor = 3 << (kShift - 1),
+           .shift = kShift,
            .low = -32767,
            .high = 32767,
            .out8 = out8.data(),
@@ -200,7 +202,7 @@ struct Scaling {
       if (job.kept2 != nullptr) more += job.kept2[job.kept2_offsets[pixel] + output];
       value += more * job.kept_factor;
     }
-    value = (value + (1 << (kFactorBits - 1))) >> kFactorBits;
+    value = (value + (std::int64_t{1} << (job.shift - 1))) >> job.shift;
     return std::clamp<std::int64_t>(value, job.low, job.high);
   }
 
@@ -227,6 +229,7 @@ TEST_P(EveryKernel, RoundsHalvesUpAndClamps) {
       if (parts / 3 % 2 == 0) scaling.job.out8 = nullptr;
       if (parts / 6 % 2 == 0) scaling.job.out16 = nullptr;
       if (parts / 12 % 2 == 0) scaling.job.low = 0;
+      if (parts % 4 == 1) scaling.job.shift = 32;
       GetParam()->scale(scaling.job);
       scaling.Check();
     }
@@ -237,7 +240,7 @@ TEST_P(EveryKernel, RoundsHalvesUp) {
   Scaling scaling(9, false);
   scaling.job.kept = scaling.job.kept2 = nullptr;
   std::fill(scaling.bias.begin(), scaling.bias.end(), 0);
-  std::fill(scaling.factor.begin(), scaling.factor.end(), 1 << (kFactorBits - 1));
+  std::fill(scaling.factor.begin(), scaling.factor.end(), 1 << (Scaling::kShift - 1));
   for (std::size_t i = 0; i < scaling.sums.size(); ++i) scaling.sums[i] = static_cast<int>(i) - 40;
   GetParam()->scale(scaling.job);
   scaling.Check();
