@@ -13,6 +13,7 @@ void AddTrainCommand(CLI::App* program);
 void AddEvaluatePerceptionCommand(CLI::App* program);
 void AddEpisodesCommand(CLI::App* program);
 void AddPlotCommand(CLI::App* program);
+void AddQuantiseCommand(CLI::App* program);
 void AddRenderCommand(CLI::App* program);
 /// Adds "generate" to the "scenes" command.
 void AddGenerateCommand(CLI::App* scenes);
