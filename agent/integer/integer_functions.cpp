@@ -37,7 +37,7 @@ std::int64_t SigmoidOf(std::int64_t logit) {
   return logit > 0 ? larger : kOne - larger;
 }
 
-void SoftmaxOf(std::span<const std::int16_t> logits, std::span<float> probabilities) {
+void SoftmaxOf(std::span<const std::int32_t> logits, std::span<float> probabilities) {
   BULLETNAV_CHECK_EQ(logits.size(), probabilities.size());
   const std::int64_t largest = *std::max_element(logits.begin(), logits.end());
   std::int64_t sum = 0;

@@ -6,7 +6,7 @@
 namespace bulletnav::agent {
 
 /// Logits count in units of 2^-kLogitBits.
-inline constexpr int kLogitBits = 10;
+inline constexpr int kLogitBits = 16;
 inline constexpr double kLogitStep = 1.0 / (1 << kLogitBits);
 /// Probabilities count in units of 2^-kShareBits.
 inline constexpr int kShareBits = 30;
@@ -17,7 +17,7 @@ std::int64_t ExpOf(std::int64_t logit);
 /// 1 / (1 + exp(-x)).
 std::int64_t SigmoidOf(std::int64_t logit);
 /// exp(x_i) over their sum; sums up to 1 but for rounding down.
-void SoftmaxOf(std::span<const std::int16_t> logits, std::span<float> probabilities);
+void SoftmaxOf(std::span<const std::int32_t> logits, std::span<float> probabilities);
 
 /// As a number in [0, 1].
 inline float ShareToFloat(std::int64_t share) {

@@ -22,6 +22,9 @@ constexpr int kTorusRows = 2 * kDirections - 1;
 constexpr int kTorusCols = kDirections + 2 * kReach;
 constexpr int kProductZero = 128;
 constexpr int kProductBits = 40;
+constexpr int kAnswerBits = 32;
+constexpr double kLargestFactor = 1u << 31;
+constexpr std::int64_t kLargestLogit = std::int64_t{1} << 30;
 constexpr int kMatchWords = IntegerHeads::kMatchSize / 2;
 constexpr double kFineSteps = 1 << kFineBits;
 constexpr int kLargestMean = 144 * 255 / 4;  // of sums of all turns and directions, over 4
@@ -69,7 +72,7 @@ std::int64_t ProductFactor(const QuantisedNet& net) {
   const double step = double{net.Scale("heads.source_match")} * net.Scale("heads.goal_match") /
                       std::sqrt(double{IntegerHeads::kMatchSize});
   const double factor = std::ldexp(step / net.Scale("heads.product"), kProductBits);
-  if (!(factor < std::ldexp(1.0, 62 - 31))) throw sim::Error("scale heads.product is too small");
+  if (!(factor < kLargestFactor)) throw sim::Error("scale heads.product is too small");
   return std::llrint(factor);
 }
 
@@ -79,35 +82,44 @@ IntegerAnswer::IntegerAnswer(const QuantisedNet& net, const std::string& name,
                              const LayerScales& in)
     : hidden_(net.Layer(name + "_hidden"), LayerWidth::k16,
               {in.in, in.zero, in.largest, net.Scale(name + "_hidden")}),
-      out_(net.Layer(name + "_out"), LayerWidth::k16,
-           {net.Scale(name + "_hidden"), 0, kLargest16, kLogitStep}) {
-  if (net.Layer(name + "_out").inputs != hidden_.padded_outputs() ||
-      net.Layer(name + "_out").outputs != 1) {
-    throw sim::Error("layer " + name + "_out is of another size");
-  }
+      bias_(0),
+      factor_(0) {
+  const QuantisedLayer& out = LayerOf(net, name + "_out", 1, hidden_.padded_outputs());
+  const LayerScales scales = {net.Scale(name + "_hidden"), 0, kLargest16, kLogitStep};
+  DotLayer(out, LayerWidth::k16, scales);  // checks that sums fit
+  if (out.outputs != 1) throw sim::Error("layer " + name + "_out is of another size");
+  weights_ = out.weights;
+  const double step = scales.in * out.scale.front();
+  bias_ = std::llrint(out.bias.front() / step);
+  const double factor = std::ldexp(step / kLogitStep, kAnswerBits);
+  if (!(factor < kLargestFactor)) throw sim::Error("layer " + name + "_out's scale is too large");
+  factor_ = std::llrint(factor);
 }
 
 void IntegerAnswer::Run(const std::int16_t* in, std::span<const std::int32_t> in_offsets,
-                        std::span<std::int16_t> logits) {
+                        std::span<std::int32_t> logits) {
   const int pixels = static_cast<int>(in_offsets.size());
-  const int size = hidden_.padded_outputs();
-  values_.resize(static_cast<std::size_t>(pixels * size));
-  logits_.resize(static_cast<std::size_t>(pixels * kOutputBlock));
+  const auto size = static_cast<std::size_t>(hidden_.padded_outputs());
+  values_.resize(in_offsets.size() * size);
   LayerOutput hidden;
   hidden.fine = values_.data();
   hidden.high = kLargest16;
-  const std::vector<std::int32_t> at = Regular(pixels, size);
+  const std::vector<std::int32_t> at = Regular(pixels, hidden_.padded_outputs());
   hidden.fine_offsets = at.data();
   hidden_.Run({in, in_offsets, 0}, {}, hidden);
-  const std::vector<std::int32_t> blocks = Regular(pixels, kOutputBlock);
-  out_.Run({values_.data(), Regular(pixels, 2 * size), 0}, {},
-           SignedOutput(&logits_, blocks.data(), 32767));
-  for (std::size_t i = 0; i < logits.size(); ++i) logits[i] = logits_[i * kOutputBlock];
+  for (std::size_t pixel = 0; pixel < logits.size(); ++pixel) {
+    const std::int16_t* values = values_.data() + pixel * size;
+    std::int32_t sum = 0;
+    for (std::size_t i = 0; i < size; ++i) sum += values[i] * weights_[i];
+    constexpr std::int64_t kHalf = std::int64_t{1} << (kAnswerBits - 1);
+    const std::int64_t logit = ((sum + bias_) * factor_ + kHalf) >> kAnswerBits;
+    logits[pixel] =
+        static_cast<std::int32_t>(std::clamp<std::int64_t>(logit, -kLargestLogit, kLargestLogit));
+  }
 }
 
 void IntegerAnswer::Use(const IntegerKernels& kernels) {
   hidden_.Use(kernels);
-  out_.Use(kernels);
 }
 
 IntegerHeads::IntegerHeads(const QuantisedNet& net, int code_size, double code_scale)
@@ -154,6 +166,18 @@ IntegerHeads::IntegerHeads(const QuantisedNet& net, int code_size, double code_s
   both_.resize(kPairs * size);
   directions_.resize(2 * kDirections * size);
   whole_.resize(4 * size);
+  const int row = features();
+  torus_offsets_ = PairOffsets([](int i, int r) {
+    return (i * kTorusCols + r) * kMatches;
+  });
+  source_offsets_ = PairOffsets([&](int i, int) {
+    return i * row;
+  });
+  goal_offsets_ = PairOffsets([&](int i, int r) {
+    return (i + r) % kDirections * row;
+  });
+  pair_offsets_ = Regular(kPairs, row);
+  direction_offsets_ = Regular(kDirections, 4 * row);
 }
 
 IntegerParts IntegerHeads::Describe(std::span<const std::int16_t> codes) {
@@ -232,28 +256,17 @@ void IntegerHeads::MatchWithGoal(const IntegerParts& source) {
 }
 
 void IntegerHeads::SumTurns(const IntegerParts& source) {
-  const int size = features();
-  const auto torus = PairOffsets([](int i, int r) {
-    return (i * kTorusCols + r) * kMatches;
-  });
-  const auto of_source = PairOffsets([&](int i, int) {
-    return i * size;
-  });
-  const auto of_goal = PairOffsets([&](int i, int r) {
-    return (i + r) % kDirections * size;
-  });
-  const std::vector<std::int32_t> pairs = Regular(kPairs, size);
   KeptValues kept;
   kept.values = source.source_sum.data();
-  kept.offsets = of_source.data();
+  kept.offsets = source_offsets_.data();
   kept.values2 = goal_sums_.data();
-  kept.offsets2 = of_goal.data();
+  kept.offsets2 = goal_offsets_.data();
   LayerOutput output;
   output.bytes = sums_.data();
-  output.byte_offsets = pairs.data();
-  matches_.Run({torus_.data(), torus, kTorusCols * kMatches}, kept, output);
+  output.byte_offsets = pair_offsets_.data();
+  matches_.Run({torus_.data(), torus_offsets_, kTorusCols * kMatches}, kept, output);
   output.bytes = both_.data();
-  second_.Run({sums_.data(), pairs, 0}, {}, output);
+  second_.Run({sums_.data(), pair_offsets_, 0}, {}, output);
 }
 
 void IntegerHeads::GatherTurns() {
@@ -285,17 +298,16 @@ void IntegerHeads::GatherTurns() {
 
 PairPrediction IntegerHeads::Answer() {
   static constexpr std::array<std::int32_t, 1> kOne = {0};
-  const std::vector<std::int32_t> directions = Regular(kDirections, 4 * features());
-  std::array<std::int16_t, 1> logit{};
-  std::array<std::int16_t, kDirections> logits{};
+  std::array<std::int32_t, 1> logit{};
+  std::array<std::int32_t, kDirections> logits{};
   PairPrediction prediction;
   connection_.Run(whole_.data(), kOne, logit);
   prediction.same_node = ShareToFloat(SigmoidOf(logit[0]));
   distance_.Run(whole_.data(), kOne, logit);
   prediction.distance = static_cast<float>(kNodeRadius) * ShareToFloat(SigmoidOf(-logit[0]));
-  direction_.Run(directions_.data(), directions, logits);
+  direction_.Run(directions_.data(), direction_offsets_, logits);
   SoftmaxOf(logits, prediction.direction);
-  score_.Run(directions_.data(), directions, logits);
+  score_.Run(directions_.data(), direction_offsets_, logits);
   for (std::size_t i = 0; i < kDirections; ++i) {
     prediction.score[i] = ShareToFloat(SigmoidOf(logits[i]));
   }

@@ -18,19 +18,20 @@ class IntegerAnswer {
 
   /// Answers for pixels of 16-bit inputs, `in_offsets` bytes from `in`; a logit each.
   void Run(const std::int16_t* in, std::span<const std::int32_t> in_offsets,
-           std::span<std::int16_t> logits);
+           std::span<std::int32_t> logits);
   void Use(const IntegerKernels& kernels);
 
  private:
   DotLayer hidden_;
-  DotLayer out_;
+  std::vector<std::int16_t> weights_;  // of the answer
+  std::int64_t bias_;
+  std::int64_t factor_;  // logits for a sum, in units of 2^-kAnswerBits
   std::vector<std::int16_t> values_;
-  std::vector<std::int16_t> logits_;
 };
 
-/// What is compared of a panorama, all numbers of 16 bits.
+/// What is compared of a panorama, numbers of 16 bits but for logits.
 struct IntegerParts {
-  std::array<std::int16_t, kDirections> explorable{};  // logits
+  std::array<std::int32_t, kDirections> explorable{};  // logits
   std::vector<std::int16_t> source_sum;                // [kDirections, features]
   std::vector<std::int16_t> goal_sum;                  // likewise
   std::vector<std::int16_t> source_match;              // [kDirections, kMatches * kMatchSize]
@@ -79,6 +80,12 @@ class IntegerHeads {
   IntegerAnswer distance_;
   const IntegerKernels* kernels_;
 
+  // Where pairs [i, r] and directions lie; see SumTurns.
+  std::vector<std::int32_t> torus_offsets_;
+  std::vector<std::int32_t> source_offsets_;
+  std::vector<std::int32_t> goal_offsets_;
+  std::vector<std::int32_t> pair_offsets_;
+  std::vector<std::int32_t> direction_offsets_;
   std::vector<std::int32_t> goal_words_;  // the goal's matches as weights, [kMatches, 16, block]
   std::vector<std::int16_t> goal_sums_;   // of the goal
   std::vector<std::int32_t> products_;    // [kMatches, kDirections, block]

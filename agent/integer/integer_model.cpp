@@ -31,7 +31,7 @@ std::vector<PanoramaCode> IntegerModel::Encode(std::span<const Panorama> panoram
     const IntegerParts parts = heads_.Describe(std::span(codes).subspan(i * size, size));
     PanoramaCode code;
     code.reserve(size_of_code());
-    for (const std::int16_t logit : parts.explorable) {
+    for (const std::int32_t logit : parts.explorable) {
       code.push_back(ShareToFloat(SigmoidOf(logit)));
     }
     for (const auto* part :
@@ -50,29 +50,35 @@ std::array<float, kDirections> IntegerModel::Explorable(const PanoramaCode& sour
   return probabilities;
 }
 
-IntegerParts IntegerModel::PartsOf(const PanoramaCode& code) const {
+void IntegerModel::GetParts(const PanoramaCode& code, bool of_goal, IntegerParts* parts) const {
   BULLETNAV_CHECK_EQ(code.size(), size_of_code());
-  const float* at = code.data() + kDirections;
-  const auto next = [&](int values) {
-    std::vector<std::int16_t> part(static_cast<std::size_t>(kDirections * values));
-    for (std::int16_t& value : part) value = static_cast<std::int16_t>(*at++);
-    return part;
+  const auto sums = static_cast<std::size_t>(kDirections * heads_.features());
+  const auto matches = static_cast<std::size_t>(kDirections * kMatchNumbers);
+  const auto get = [&](std::size_t first, std::size_t count, std::vector<std::int16_t>* out) {
+    out->resize(count);
+    const float* from = code.data() + kDirections + first;
+    std::int16_t* to = out->data();
+    for (std::size_t i = 0; i < count; ++i) to[i] = static_cast<std::int16_t>(from[i]);
   };
-  IntegerParts parts;
-  parts.source_sum = next(heads_.features());
-  parts.goal_sum = next(heads_.features());
-  parts.source_match = next(kMatchNumbers);
-  parts.goal_match = next(kMatchNumbers);
-  return parts;
+  if (of_goal) {
+    get(sums, sums, &parts->goal_sum);
+    get(2 * sums + matches, matches, &parts->goal_match);
+  } else {
+    get(0, sums, &parts->source_sum);
+    get(2 * sums, matches, &parts->source_match);
+  }
 }
 
 std::vector<PairPrediction> IntegerModel::Compare(std::span<const PanoramaCode* const> sources,
                                                   const PanoramaCode& goal) {
-  heads_.SetGoal(PartsOf(goal));
+  IntegerParts parts;
+  GetParts(goal, true, &parts);
+  heads_.SetGoal(parts);
   std::vector<PairPrediction> predictions;
   predictions.reserve(sources.size());
   for (const PanoramaCode* source : sources) {
-    predictions.push_back(heads_.Compare(PartsOf(*source)));
+    GetParts(*source, false, &parts);
+    predictions.push_back(heads_.Compare(parts));
   }
   return predictions;
 }

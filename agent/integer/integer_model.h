@@ -23,7 +23,8 @@ class IntegerModel : public SemanticModel {
 
  private:
   std::size_t size_of_code() const;
-  IntegerParts PartsOf(const PanoramaCode& code) const;
+  /// What is needed of a source, or of a goal.
+  void GetParts(const PanoramaCode& code, bool of_goal, IntegerParts* parts) const;
 
   IntegerEncoder encoder_;
   IntegerHeads heads_;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "agent/perception/quantise.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "agent/integer/integer_encoder.h"
 #include "agent/integer/integer_heads.h"
@@ -158,15 +160,53 @@ class SemanticQuantiser {
 
 }  // namespace
 
-QuantisedNet Quantise(SemanticNet* net, const torch::Tensor& input) {
-  if (net->config().encoder != EncoderForm::kPanorama ||
-      net->config().depth == DepthFusion::kSeparate || net->config().width % 16 != 0) {
+QuantisedNet Quantise(const SemanticNet& net, const torch::Tensor& input) {
+  if (net.config().encoder != EncoderForm::kPanorama ||
+      net.config().depth == DepthFusion::kSeparate || net.config().width % 16 != 0) {
     throw sim::Error(
         "only models of form panorama, depth none or channel and a width that is a multiple of 16 "
         "can be had in integers");
   }
   const c10::InferenceMode inference;
-  return SemanticQuantiser(*net).Run(input.to(torch::kFloat32));
+  return SemanticQuantiser(net).Run(input.to(torch::kFloat32));
+}
+
+QuantisedNet Quantise(const MapperNet& net, const torch::Tensor& input) {
+  if (net.config().width % 16 != 0 || net.config().features % 16 != 0) {
+    throw sim::Error(
+        "only mappers whose width and features are multiples of 16 can be had in "
+        "integers");
+  }
+  const c10::InferenceMode inference;
+  Quantiser quantiser(net);
+  const std::vector<torch::Tensor> stages = quantiser.Trunk("trunk.", input.to(torch::kFloat32));
+  const auto apply = [&](const std::string& name, const torch::Tensor& x) {
+    return at::linear(x, quantiser.Weight(name + ".weight"), quantiser.Weight(name + ".bias"));
+  };
+  torch::Tensor sum;
+  float most = 0.0f;
+  for (const std::size_t stage : {0u, 1u, 3u}) {
+    const torch::Tensor& map = stages[stage];
+    const std::string name = "level" + std::to_string(stage + 1);
+    // [out, rows * channels] to [out, rows, channels].
+    quantiser.Dense8(name, quantiser.Weight(name + ".weight").view({-1, map.size(2), map.size(1)}));
+    const torch::Tensor columns = map.permute({0, 3, 2, 1}).reshape({map.size(0), map.size(3), -1});
+    const torch::Tensor level = apply(name, columns);
+    most = std::max(most, level.abs().max().item<float>());
+    const std::int64_t times = stages[0].size(3) / map.size(3);
+    const torch::Tensor fine = level.repeat_interleave(times, 1);
+    const torch::Tensor next = level.roll(-1, 1).repeat_interleave(times, 1);
+    const torch::Tensor share =
+        (torch::arange(fine.size(1)) % times / double(times)).view({1, -1, 1});
+    const torch::Tensor spread = fine * (1.0 - share) + next * share;
+    sum = sum.defined() ? sum + spread : spread;
+  }
+  most = std::max(most, sum.max().item<float>());
+  const double step = quantiser.RoomyScale("levels", torch::tensor({most}), kWhole16, kRoom);
+  quantiser.Dense16("hidden", step, kWhole16);
+  const torch::Tensor hidden = apply("hidden", sum.relu()).relu();
+  quantiser.Dense16("rays", quantiser.RoomyScale("hidden", hidden, kLargest16, kRoom), kLargest16);
+  return *quantiser.net();
 }
 
 }  // namespace bulletnav::agent

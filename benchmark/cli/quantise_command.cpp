@@ -10,6 +10,7 @@
 
 #include "agent/integer/quantised_file.h"
 #include "agent/models/safetensors.h"
+#include "agent/perception/model_file.h"
 #include "agent/perception/quantise.h"
 #include "benchmark/base/program_version.h"
 #include "benchmark/cli/commands.h"
@@ -51,10 +52,17 @@ void QuantiseFile(const QuantiseOptions& options) {
   const fs::path out = options.out.empty() ? weights : fs::path(options.out);
   agent::TensorFile content = agent::ReadTensorFile(weights);
   const agent::StoredType type = TypeOf(content);
-  const auto net = agent::LoadNet(weights);
   MakeHousesOf(config.data, CommittedVersion(), 0, StartLine);
-  const torch::Tensor input = CalibrationInput(config.data, net->config());
-  agent::SetQuantised(agent::Quantise(net.get(), input), &content);
+  torch::Tensor input;
+  if (content.metadata.contains(agent::kMapperKey)) {
+    const auto net = agent::LoadMapper(weights);
+    input = CalibrationInput(config.data, net->config().seeing());
+    agent::SetQuantised(agent::Quantise(*net, input), &content);
+  } else {
+    const auto net = agent::LoadNet(weights);
+    input = CalibrationInput(config.data, net->config());
+    agent::SetQuantised(agent::Quantise(*net, input), &content);
+  }
   agent::WriteTensorFile(out, content, type);
   fmt::print("quantised by {} panoramas, written to {}\n", input.size(0), out.string());
 }
