@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "agent/integer/aligned_vector.h"
 #include "agent/integer/kernels/kernels.h"
 #include "agent/integer/quantised_layer.h"
 
@@ -62,10 +63,10 @@ class DotLayer {
   int blocks_;
   std::int32_t shift_;
   std::int32_t kept_factor_;
-  std::vector<std::int32_t> weights_;
+  AlignedVector<std::int32_t> weights_;
   std::vector<std::int32_t> bias_;
   std::vector<std::int32_t> factor_;
-  std::vector<std::int32_t> sums_;  // of some pixels at a time
+  AlignedVector<std::int32_t> sums_;  // of some pixels at a time
   const IntegerKernels* kernels_;
 };
 

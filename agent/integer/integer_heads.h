@@ -86,14 +86,14 @@ class IntegerHeads {
   std::vector<std::int32_t> goal_offsets_;
   std::vector<std::int32_t> pair_offsets_;
   std::vector<std::int32_t> direction_offsets_;
-  std::vector<std::int32_t> goal_words_;  // the goal's matches as weights, [kMatches, 16, block]
-  std::vector<std::int16_t> goal_sums_;   // of the goal
-  std::vector<std::int32_t> products_;    // [kMatches, kDirections, block]
-  std::vector<std::uint8_t> torus_;       // [kTorusRows, kTorusCols, kMatches]
-  std::vector<std::uint8_t> sums_;        // [i, r, features]
-  std::vector<std::uint8_t> both_;        // likewise
-  std::vector<std::int16_t> directions_;  // [i, 2 * features]
-  std::vector<std::int16_t> whole_;       // [4 * features]
+  AlignedVector<std::int32_t> goal_words_;  // the goal's matches as weights, [kMatches, 16, block]
+  std::vector<std::int16_t> goal_sums_;     // of the goal
+  std::vector<std::int32_t> products_;      // [kMatches, kDirections, block]
+  std::vector<std::uint8_t> torus_;         // [kTorusRows, kTorusCols, kMatches]
+  std::vector<std::uint8_t> sums_;          // [i, r, features]
+  std::vector<std::uint8_t> both_;          // likewise
+  std::vector<std::int16_t> directions_;    // [i, 2 * features]
+  std::vector<std::int16_t> whole_;         // [4 * features]
 };
 
 }  // namespace bulletnav::agent

@@ -2,6 +2,8 @@
 #include "agent/integer/integer_input.h"
 
 #include <array>
+#include <bit>
+#include <limits>
 
 #include "agent/integer/integer_trunk.h"
 #include "sim/base/check.h"
@@ -26,10 +28,16 @@ std::vector<std::uint8_t> Shares(int count) {
   return shares;
 }
 
-/// What is no number is nothing.
+/// What is no number is nothing. By bits, of which those of positive numbers are in order:
+/// compilers make vectors of that.
 int DepthSteps(float metres) {
-  const float cut = metres > 0.0f ? (metres < kFarthest ? metres : kFarthest) : 0.0f;
-  return static_cast<int>(cut * kStepsPerMetre);
+  constexpr auto kInfinity = std::bit_cast<std::int32_t>(std::numeric_limits<float>::infinity());
+  constexpr auto kMost = std::bit_cast<std::int32_t>(kFarthest);
+  std::int32_t bits = std::bit_cast<std::int32_t>(metres);
+  bits = bits > kInfinity ? 0 : bits;
+  bits = bits < 0 ? 0 : bits;
+  bits = bits > kMost ? kMost : bits;
+  return static_cast<int>(std::bit_cast<float>(bits) * kStepsPerMetre);
 }
 
 /// Sums over squares of kFactor pixels of the kFactor rows from `in` on.

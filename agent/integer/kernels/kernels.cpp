@@ -60,8 +60,9 @@ inline void DotTile(const DotJob& job, std::int32_t first, std::int32_t block) {
     }
   }
   const std::int64_t outputs = std::int64_t{job.blocks} * kOutputBlock;
+#pragma GCC unroll 16
   for (int p = 0; p < kPixels; ++p) {
-    if (p >= count) break;
+    if (p >= count) continue;  // not break: sums would be kept in memory to be counted
     std::int32_t* out = job.sums + (first + p) * outputs + block * kOutputBlock;
 #pragma GCC unroll 16
     for (int v = 0; v < kVectors; ++v) Store(out + v * kLanes, sums[p][v]);
