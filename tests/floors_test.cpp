@@ -31,6 +31,7 @@ const std::vector<std::vector<std::string>> kFloors = {
     {"agent/models/"},
     {"agent/"},
     {"agent/mapping/"},
+    {"agent/integer/"},
     {"agent/perception/"},
     {"agent/nts/"},
     {"agent/baselines/"},

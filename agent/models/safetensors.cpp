@@ -2,9 +2,11 @@
 #include "agent/models/safetensors.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -48,17 +50,74 @@ std::string Checksum(Json header, Bytes data) {
   return "crc32:" + std::to_string(crc);
 }
 
+struct TypeEntry {
+  StoredType type;
+  const char* name;
+  std::size_t size;  // bytes
+};
+constexpr std::array<TypeEntry, 4> kTypes = {{{StoredType::kFloat32, "F32", 4},
+                                              {StoredType::kBfloat16, "BF16", 2},
+                                              {StoredType::kInt8, "I8", 1},
+                                              {StoredType::kInt16, "I16", 2}}};
+
+const TypeEntry& EntryOf(StoredType type) {
+  return *std::find_if(kTypes.begin(), kTypes.end(), [&](const TypeEntry& entry) {
+    return entry.type == type;
+  });
+}
+
+template <class T>
+void Put(T value, std::uint8_t* to) {
+  std::memcpy(to, &value, sizeof(value));
+}
+
+template <class T>
+T Get(const std::uint8_t* from) {
+  T value{};
+  std::memcpy(&value, from, sizeof(value));
+  return value;
+}
+
+template <class T>
+T ToInteger(float value) {
+  BULLETNAV_CHECK(value >= std::numeric_limits<T>::min() && value <= std::numeric_limits<T>::max());
+  BULLETNAV_CHECK_EQ(value, std::nearbyint(value));
+  return static_cast<T>(value);
+}
+
+void PutAs(StoredType type, float value, std::uint8_t* to) {
+  switch (type) {
+    case StoredType::kFloat32:
+      return Put(value, to);
+    case StoredType::kBfloat16:
+      return Put(ToBfloat16(value), to);
+    case StoredType::kInt8:
+      return Put(ToInteger<std::int8_t>(value), to);
+    case StoredType::kInt16:
+      return Put(ToInteger<std::int16_t>(value), to);
+  }
+}
+
+float GetAs(StoredType type, const std::uint8_t* from) {
+  switch (type) {
+    case StoredType::kFloat32:
+      return Get<float>(from);
+    case StoredType::kBfloat16:
+      return FromBfloat16(Get<std::uint16_t>(from));
+    case StoredType::kInt8:
+      return Get<std::int8_t>(from);
+    case StoredType::kInt16:
+      return Get<std::int16_t>(from);
+  }
+  return 0.0f;
+}
+
 void Append(const std::vector<float>& values, StoredType type, std::vector<std::uint8_t>* data) {
   const std::size_t begin = data->size();
-  if (type == StoredType::kFloat32) {
-    data->resize(begin + 4 * values.size());
-    if (!values.empty()) std::memcpy(data->data() + begin, values.data(), 4 * values.size());
-    return;
-  }
-  data->resize(begin + 2 * values.size());
+  const std::size_t size = EntryOf(type).size;
+  data->resize(begin + size * values.size());
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const std::uint16_t half = ToBfloat16(values[i]);
-    std::memcpy(data->data() + begin + 2 * i, &half, 2);
+    PutAs(type, values[i], data->data() + begin + size * i);
   }
 }
 
@@ -140,25 +199,31 @@ class Reader {
     } catch (const Json::exception&) {
       Fail(name, "is not described as a tensor is");
     }
-    if (type != "F32" && type != "BF16") Fail(name, "is of type " + type + ", not F32 or BF16");
-    const std::size_t size = type == "F32" ? 4 : 2;
+    const auto* entry_of_type =
+        std::find_if(kTypes.begin(), kTypes.end(), [&](const TypeEntry& known) {
+          return type == known.name;
+        });
+    if (entry_of_type == kTypes.end()) {
+      Fail(name, "is of type " + type + ", not F32, BF16, I8 or I16");
+    }
+    const std::size_t size = entry_of_type->size;
     const std::optional<std::size_t> count = CountOf(tensor.shape);
     if (!count || range[0] > range[1] || range[1] > data_.size() ||
         range[1] - range[0] != size * *count) {
       Fail(name, "does not have the numbers that its shape asks for");
     }
-    tensor.values = Values(data_.subspan(range[0], range[1] - range[0]), size);
+    tensor.values = Values(data_.subspan(range[0], range[1] - range[0]), *entry_of_type);
+    const bool is_whole =
+        entry_of_type->type == StoredType::kInt8 || entry_of_type->type == StoredType::kInt16;
+    if (is_whole) tensor.stored_as = entry_of_type->type;
     if (*count > 0) ranges->emplace_back(range[0], range[1]);
     return tensor;
   }
 
-  static std::vector<float> Values(Bytes bytes, std::size_t size) {
-    std::vector<float> values(bytes.size() / size);
-    if (size == 4 && !values.empty()) std::memcpy(values.data(), bytes.data(), bytes.size());
-    for (std::size_t i = 0; size == 2 && i < values.size(); ++i) {
-      std::uint16_t half = 0;
-      std::memcpy(&half, bytes.data() + 2 * i, 2);
-      values[i] = FromBfloat16(half);
+  static std::vector<float> Values(Bytes bytes, const TypeEntry& entry) {
+    std::vector<float> values(bytes.size() / entry.size);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      values[i] = GetAs(entry.type, bytes.data() + entry.size * i);
     }
     return values;
   }
@@ -179,8 +244,9 @@ void WriteTensorFile(const std::filesystem::path& file, const TensorFile& conten
   for (const auto& [name, tensor] : content.tensors) {
     BULLETNAV_CHECK_EQ(CountOf(tensor.shape).value(), tensor.values.size());
     const std::size_t begin = data.size();
-    Append(tensor.values, type, &data);
-    header[name] = {{"dtype", type == StoredType::kFloat32 ? "F32" : "BF16"},
+    const StoredType stored = tensor.stored_as.value_or(type);
+    Append(tensor.values, stored, &data);
+    header[name] = {{"dtype", EntryOf(stored).name},
                     {"shape", tensor.shape},
                     {"data_offsets", {begin, data.size()}}};
   }

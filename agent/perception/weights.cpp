@@ -6,6 +6,7 @@
 #include <sstream>
 #include <utility>
 
+#include "agent/integer/quantised_file.h"
 #include "sim/base/error.h"
 
 namespace bulletnav::agent {
@@ -72,6 +73,7 @@ void SetWeights(const TensorFile& content, const std::string& prefix,
     torch::Tensor(tensor).copy_(FromStored(found->second));
   }
   for (const auto& [name, tensor] : content.tensors) {
+    if (name.starts_with(kIntegerPrefix)) continue;  // beside the ones they are made from
     if (name.starts_with(prefix) && weights.count(name.substr(prefix.size())) == 0) {
       throw sim::FileError(file, name, "is not in the model: these are weights of another one");
     }

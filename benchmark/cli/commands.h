@@ -15,6 +15,7 @@ void AddEpisodesCommand(CLI::App* program);
 /// Joins the shards of a run.
 void AddMergeCommand(CLI::App* program);
 void AddPlotCommand(CLI::App* program);
+void AddQuantiseCommand(CLI::App* program);
 void AddRenderCommand(CLI::App* program);
 /// Adds "generate" to the "scenes" command.
 void AddGenerateCommand(CLI::App* scenes);

@@ -6,6 +6,7 @@
 #include <CLI/Formatter.hpp>
 #include <fmt/core.h>
 
+#include "agent/perception/integer_models.h"
 #include "agent/perception/learned_model.h"
 #include "benchmark/base/file_hash.h"
 #include "benchmark/base/program_version.h"
@@ -31,6 +32,7 @@ struct PerceptionOptions {
   std::string out;
   int workers = 0;
   bool json = false;
+  bool trained = false;
 };
 
 PerceptionConfig ConfigOf(const PerceptionOptions& options) {
@@ -40,12 +42,22 @@ PerceptionConfig ConfigOf(const PerceptionOptions& options) {
   return config;
 }
 
-std::vector<SceneCases> Ask(const PerceptionConfig& config, const fs::path& weights, int workers) {
-  const agent::Rig rig = {.panorama = config.data.panorama,
-                          .camera_height = config.data.body.camera_height};
-  const ModelMaker make_model = [&] {
+ModelMaker MakerOf(const fs::path& weights, const agent::Rig& rig, bool trained) {
+  if (!trained && agent::HoldsIntegers(weights)) {
+    return [=] {
+      return agent::LoadIntegerModel(weights, rig);
+    };
+  }
+  return [=] {
     return std::make_shared<agent::LearnedModel>(weights, rig);
   };
+}
+
+std::vector<SceneCases> Ask(const PerceptionConfig& config, const fs::path& weights, int workers,
+                            bool trained) {
+  const agent::Rig rig = {.panorama = config.data.panorama,
+                          .camera_height = config.data.body.camera_height};
+  const ModelMaker make_model = MakerOf(weights, rig, trained);
   make_model();  // before scenes are loaded: tells at once what is wrong with the weights
   MakeHousesOf(config.data, CommittedVersion(), workers, StartLine);
   const auto scenes = static_cast<int>(ScenesOf(config.data).size());
@@ -76,7 +88,7 @@ void Evaluate(const PerceptionOptions& options) {
   const fs::path weights = FindWeights(config.weights);
   const fs::path out = config.out;
   sim::MakeFolder(out);
-  const std::vector<SceneCases> cases = Ask(config, weights, options.workers);
+  const std::vector<SceneCases> cases = Ask(config, weights, options.workers, options.trained);
   const PerceptionFigures figures = MeasurePerception(cases, config);
   const PerceptionSource source = {config.weights, FileHash(weights), ProgramVersion()};
   const std::string json = ToJson(figures, config, source);
@@ -101,6 +113,8 @@ void AddEvaluatePerceptionCommand(CLI::App* program) {
   command->add_option("--out", options->out, "Folder, instead of the config's");
   command->add_option("--workers", options->workers, "Threads (default: one per processor)")
       ->check(CLI::Range(1, 1024));
+  command->add_flag("--trained", options->trained,
+                    "Ask the trained network in floats, though the file holds one in integers");
   command->add_flag("--json", options->json, "Print JSON instead of tables");
   command->callback([options] {
     Evaluate(*options);

@@ -31,6 +31,8 @@ void AddForwardedCommands(CLI::App* program, CommandLine line) {
   AddForwarded(program, line, "train", "Train networks by a config; goes on after a kill");
   AddForwarded(program, line, "evaluate-perception",
                "How right the learned functions are in scenes they have not seen");
+  AddForwarded(program, line, "quantise",
+               "Put a network in integers beside the trained one in a file of weights");
 }
 
 }  // namespace bulletnav::bench

@@ -7,5 +7,6 @@ extern "C" int BulletnavRunLearningCommand(int argc, char** argv) {
   return bulletnav::bench::RunProgram(argc, argv, [](CLI::App* program) {
     bulletnav::bench::AddTrainCommand(program);
     bulletnav::bench::AddEvaluatePerceptionCommand(program);
+    bulletnav::bench::AddQuantiseCommand(program);
   });
 }

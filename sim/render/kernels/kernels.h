@@ -114,7 +114,7 @@ struct Kernels {
                 std::uint8_t* color, float* depth);
 };
 
-/// The kernels this processor can run, the fastest first; at least one.
+/// The kernels this processor can run and BULLETNAV_ISA allows, the fastest first; at least one.
 std::span<const Kernels* const> SupportedKernels();
 
 extern const Kernels kKernelsGeneric;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <vector>
 
+#include "sim/base/instruction_set.h"
 #include "sim/render/kernels/kernels.h"
 
 namespace bulletnav::sim {
@@ -9,11 +10,8 @@ namespace {
 std::vector<const Kernels*> FindSupported() {
   std::vector<const Kernels*> supported;
 #ifdef __x86_64__
-  if (__builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
-      __builtin_cpu_supports("avx512bw") != 0 && __builtin_cpu_supports("avx512vl") != 0) {
-    supported.push_back(&kKernelsAvx512);
-  }
-  if (__builtin_cpu_supports("avx2") != 0) supported.push_back(&kKernelsAvx2);
+  if (MayUse(InstructionSet::kAvx512)) supported.push_back(&kKernelsAvx512);
+  if (MayUse(InstructionSet::kAvx2)) supported.push_back(&kKernelsAvx2);
 #endif
   supported.push_back(&kKernelsGeneric);
   return supported;

@@ -90,6 +90,31 @@ TEST(Safetensors, Bfloat16RoundsToTheNearestAndHalvesTheNumbers) {
   EXPECT_TRUE(std::isnan(read[5]));
 }
 
+TEST(Safetensors, KeepsIntegersOfATypeOfTheirOwn) {
+  const tests::TemporaryFolder folder;
+  TensorFile content;
+  content.tensors["byte"] = {{4}, {-128.0f, -1.0f, 0.0f, 127.0f}, StoredType::kInt8};
+  content.tensors["exact"] = {{1}, {0.1f}, StoredType::kFloat32};
+  content.tensors["half"] = {{1}, {0.1f}};
+  content.tensors["short"] = {{2, 1}, {-32768.0f, 32767.0f}, StoredType::kInt16};
+  WriteTensorFile(folder.path() / "w", content, StoredType::kBfloat16);
+  const TensorFile read = ReadTensorFile(folder.path() / "w");
+  EXPECT_EQ(read.tensors.at("byte"), content.tensors["byte"]);
+  EXPECT_EQ(read.tensors.at("short"), content.tensors["short"]);
+  EXPECT_EQ(read.tensors.at("exact").values.front(), 0.1f);
+  EXPECT_FALSE(read.tensors.at("exact").stored_as.has_value());
+  EXPECT_NE(read.tensors.at("half").values.front(), 0.1f);
+}
+
+TEST(SafetensorsDeathTest, RefusesIntegersThatDoNotFit) {
+  const tests::TemporaryFolder folder;
+  TensorFile content;
+  content.tensors["x"] = {{1}, {128.0f}, StoredType::kInt8};
+  EXPECT_DEATH(WriteTensorFile(folder.path() / "w", content), "");
+  content.tensors["x"] = {{1}, {0.5f}, StoredType::kInt16};
+  EXPECT_DEATH(WriteTensorFile(folder.path() / "w", content), "");
+}
+
 TEST(Safetensors, RefusesWhatIsCutShortAnywhere) {
   const std::string bytes = Written(Sample());
   for (std::size_t n = 0; n < bytes.size(); n += 7) {

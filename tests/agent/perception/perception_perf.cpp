@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
 // One core: what a panorama costs to encode, to learn from, and a pair to compare.
+#include <memory>
+#include <vector>
+
 #include <benchmark/benchmark.h>
 
+#include "agent/integer/integer_model.h"
 #include "agent/perception/mapper_net.h"
+#include "agent/perception/quantise.h"
 #include "agent/perception/semantic_net.h"
 
 namespace bulletnav::agent {
@@ -54,6 +59,57 @@ void Compare(benchmark::State& state) {
   net.Fold();
   const PanoramaParts parts = net.Describe(PrepareInput(config, Color(1), Depth(1)));
   for (auto _ : state) benchmark::DoNotOptimize(net.Compare(parts, parts).scores);
+}
+
+/// The model as shipped, in integers, from panoramas as they come from a renderer.
+struct Integers {
+  std::vector<std::uint8_t> color = std::vector<std::uint8_t>(3 * 128 * 512);
+  std::vector<float> depth = std::vector<float>(128 * 512);
+  std::unique_ptr<IntegerModel> model;
+
+  explicit Integers(benchmark::State* state) {
+    at::set_num_threads(1);
+    const auto kernels = SupportedIntegerKernels();
+    const auto which = static_cast<std::size_t>(state->range(0));
+    for (std::size_t i = 0; i < color.size(); ++i) color[i] = static_cast<std::uint8_t>(i * i >> 5);
+    for (std::size_t i = 0; i < depth.size(); ++i) depth[i] = static_cast<float>(i % 1000) * 0.01f;
+    if (which >= kernels.size()) {
+      state->SkipWithError("not on this processor");
+      return;
+    }
+    SemanticNet net(ModelConfig{}, 1);
+    net.eval();
+    model = std::make_unique<IntegerModel>(
+        Quantise(net, PrepareInput(ModelConfig{}, Color(2), Depth(2))), ModelConfig{}.rows, true);
+    model->Use(*kernels[which]);
+    state->SetLabel(kernels[which]->name);
+  }
+};
+
+void EncodeIntegers(benchmark::State& state) {
+  const Integers integers(&state);
+  const std::vector<Panorama> panoramas(static_cast<std::size_t>(state.range(1)),
+                                        Panorama{integers.color, integers.depth});
+  if (!integers.model) return;
+  for (auto _ : state) benchmark::DoNotOptimize(integers.model->Encode(panoramas).data());
+  state.SetItemsProcessed(state.iterations() * state.range(1));
+}
+
+void CompareIntegers(benchmark::State& state) {
+  const Integers integers(&state);
+  if (!integers.model) return;
+  const Panorama panorama = {integers.color, integers.depth};
+  const PanoramaCode code = integers.model->Encode({&panorama, 1}).front();
+  const std::vector<const PanoramaCode*> sources(static_cast<std::size_t>(state.range(1)), &code);
+  for (auto _ : state) benchmark::DoNotOptimize(integers.model->Compare(sources, code).data());
+  state.SetItemsProcessed(state.iterations() * state.range(1));
+}
+
+void IntegerCases(benchmark::internal::Benchmark* bench, int many) {
+  bench->ArgNames({"kernels", "count"})->Unit(benchmark::kMillisecond)->MinTime(0.3);
+  for (int kernels = 0; kernels < 4; ++kernels) {
+    for (const int count : {1, many}) bench->Args({kernels, count});
+  }
 }
 
 /// Forward and backward of 32 panoramas and 64 pairs.
@@ -132,6 +188,12 @@ void Cases(benchmark::internal::Benchmark* bench) {
 BENCHMARK(Prepare)->Unit(benchmark::kMillisecond);
 BENCHMARK(Compare)->Unit(benchmark::kMillisecond);
 BENCHMARK(Encode)->Apply(Cases)->MinTime(0.3);
+BENCHMARK(EncodeIntegers)->Apply([](auto* bench) {
+  IntegerCases(bench, 8);
+});
+BENCHMARK(CompareIntegers)->Apply([](auto* bench) {
+  IntegerCases(bench, 64);
+});
 BENCHMARK(Learn)->Apply(Cases)->MinTime(0.3);
 BENCHMARK(MapOne)->Apply(MapperCases);
 BENCHMARK(LearnToMap)->Apply(MapperCases);

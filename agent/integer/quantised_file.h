@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <filesystem>
+
+#include "agent/integer/quantised_layer.h"
+#include "agent/models/safetensors.h"
+
+namespace bulletnav::agent {
+
+/// In a file of weights, names of what a network in integers needs start so; the others are the
+/// trained numbers, which it is made from. Of layer NAME: integer.NAME.weight, .scale and .bias;
+/// of a scale: integer.NAME.step.
+inline constexpr const char* kIntegerPrefix = "integer.";
+
+/// Takes out what was there of the kind, and puts `net` in.
+void SetQuantised(const QuantisedNet& net, TensorFile* content);
+
+bool HoldsQuantised(const TensorFile& content);
+
+/// Throws FileError naming `file` if there is none, or it is not whole: integers that are not of 8
+/// or 16 bits, shapes that do not agree, numbers that are not finite.
+QuantisedNet ReadQuantised(const TensorFile& content, const std::filesystem::path& file);
+
+}  // namespace bulletnav::agent

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "agent/perception/integer_models.h"
+
+#include <string>
+
+#include "agent/integer/integer_mapper.h"
+#include "agent/integer/integer_model.h"
+#include "agent/integer/quantised_file.h"
+#include "agent/perception/model_file.h"
+#include "sim/base/error.h"
+
+namespace bulletnav::agent {
+
+namespace {
+
+/// What f makes, or a complaint about the file.
+template <class F>
+auto Made(const std::filesystem::path& weights, const F& f) {
+  try {
+    return f();
+  } catch (const sim::Error& error) {
+    throw sim::FileError(weights, kIntegerPrefix,
+                         std::string("cannot be used: ") + error.what() + "; quantise it again");
+  }
+}
+
+}  // namespace
+
+bool HoldsIntegers(const std::filesystem::path& weights) {
+  return HoldsQuantised(ReadTensorFile(weights));
+}
+
+std::shared_ptr<SemanticModel> LoadIntegerModel(const std::filesystem::path& weights,
+                                                const Rig& rig) {
+  const TensorFile content = ReadTensorFile(weights);
+  const ModelConfig config = ModelConfigOf(content, weights);
+  RequireRig(rig, config, weights);
+  const QuantisedNet net = ReadQuantised(content, weights);
+  return Made(weights, [&] {
+    return std::make_shared<IntegerModel>(net, config.rows, config.uses_depth());
+  });
+}
+
+std::shared_ptr<FreeSpaceModel> LoadIntegerMapper(const std::filesystem::path& weights,
+                                                  const Rig& rig) {
+  const TensorFile content = ReadTensorFile(weights);
+  const ModelConfig config = MapperConfigOf(content, weights).seeing();
+  RequireRig(rig, config, weights);
+  const QuantisedNet net = ReadQuantised(content, weights);
+  return Made(weights, [&] {
+    return std::make_shared<IntegerMapper>(net, config.rows);
+  });
+}
+
+}  // namespace bulletnav::agent

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <bit>
+#include <filesystem>
+#include <memory>
+
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <fmt/core.h>
+
+#include "agent/integer/quantised_file.h"
+#include "agent/models/safetensors.h"
+#include "agent/perception/model_file.h"
+#include "agent/perception/quantise.h"
+#include "benchmark/base/program_version.h"
+#include "benchmark/cli/commands.h"
+#include "benchmark/cli/progress.h"
+#include "benchmark/evaluate_perception/perception_config.h"
+#include "benchmark/runs/agent_models.h"
+#include "benchmark/training/supervised/calibration.h"
+#include "sim/config/yaml_reader.h"
+
+namespace bulletnav::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct QuantiseOptions {
+  fs::path config;
+  std::string weights;
+  std::string out;
+};
+
+/// The narrowest type that keeps all numbers of a file as they are.
+agent::StoredType TypeOf(const agent::TensorFile& content) {
+  const auto is_short = [](float value) {
+    return (std::bit_cast<std::uint32_t>(value) & 0xffffu) == 0;
+  };
+  const bool all_short =
+      std::all_of(content.tensors.begin(), content.tensors.end(), [&](const auto& entry) {
+        const auto& [name, tensor] = entry;
+        return name.starts_with(agent::kIntegerPrefix) ||
+               std::all_of(tensor.values.begin(), tensor.values.end(), is_short);
+      });
+  return all_short ? agent::StoredType::kBfloat16 : agent::StoredType::kFloat32;
+}
+
+void QuantiseFile(const QuantiseOptions& options) {
+  auto config = sim::LoadYaml<PerceptionConfig>(options.config);
+  if (!options.weights.empty()) config.weights = options.weights;
+  const fs::path weights = FindWeights(config.weights);
+  const fs::path out = options.out.empty() ? weights : fs::path(options.out);
+  agent::TensorFile content = agent::ReadTensorFile(weights);
+  const agent::StoredType type = TypeOf(content);
+  MakeHousesOf(config.data, CommittedVersion(), 0, StartLine);
+  torch::Tensor input;
+  if (content.metadata.contains(agent::kMapperKey)) {
+    const auto net = agent::LoadMapper(weights);
+    input = CalibrationInput(config.data, net->config().seeing());
+    agent::SetQuantised(agent::Quantise(*net, input), &content);
+  } else {
+    const auto net = agent::LoadNet(weights);
+    input = CalibrationInput(config.data, net->config());
+    agent::SetQuantised(agent::Quantise(*net, input), &content);
+  }
+  agent::WriteTensorFile(out, content, type);
+  fmt::print("quantised by {} panoramas, written to {}\n", input.size(0), out.string());
+}
+
+}  // namespace
+
+void AddQuantiseCommand(CLI::App* program) {
+  auto options = std::make_shared<QuantiseOptions>();
+  CLI::App* command = program->add_subcommand(
+      "quantise", "Put a network in integers beside the trained one in a file of weights");
+  command
+      ->add_option("config", options->config,
+                   "YAML file, as configs/perception.yaml: scenes like those of training")
+      ->required();
+  command->add_option("--weights", options->weights, "Instead of the config's");
+  command->add_option("--out", options->out, "File to write (default: the weights themselves)");
+  command->callback([options] {
+    QuantiseFile(*options);
+  });
+}
+
+}  // namespace bulletnav::bench

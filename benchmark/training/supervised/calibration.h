@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "agent/perception/encoder.h"
+#include "benchmark/training/supervised/data_config.h"
+
+namespace bulletnav::bench {
+
+/// What a model sees at all points of all scenes of a config, for agent::Quantise: PrepareInput of
+/// their panoramas, scene after scene. Labels scenes that are not yet. Throws sim::Error, see
+/// LabelScene.
+torch::Tensor CalibrationInput(const DataConfig& config, const agent::ModelConfig& model);
+
+}  // namespace bulletnav::bench
