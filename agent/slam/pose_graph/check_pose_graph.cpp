@@ -150,7 +150,7 @@ void CheckOnePiece(const PoseGraph<Pose>& graph, const PoseGraphLinks& links) {
                    std::to_string(graph.vertices.front().id) + " to vertex " +
                    std::to_string(graph.vertices[static_cast<std::size_t>(first)].id) +
                    " and its piece of " + std::to_string(others) +
-                   "; add an edge, or allow pieces, each then stays where it starts");
+                   "; add an edge, or allow pieces");
 }
 
 #define BULLETNAV_FOR_POSE(Pose)                                        \
