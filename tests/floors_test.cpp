@@ -28,7 +28,7 @@ const std::vector<std::vector<std::string>> kFloors = {
     {"sim/house/", "sim/"},
     {"agent/observation.h", "agent/belief.h"},
     {"agent/models/"},
-    {"agent/slam/pose_graph/"},
+    {"agent/slam/pose_graph/", "agent/slam/retrieval/"},
     {"agent/"},
     {"agent/mapping/"},
     {"agent/perception/"},
