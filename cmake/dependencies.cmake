@@ -28,6 +28,17 @@ if(BULLETNAV_LEARNING)
   find_package(Torch REQUIRED)
   pkg_check_modules(tcmalloc REQUIRED IMPORTED_TARGET libtcmalloc_minimal)
 endif()
+if(BULLETNAV_SLAM)
+  # Ceres brings ATLAS, which has the same names as the BLAS that the system has chosen, libblas.so.3:
+  # the latter comes first, needed or not.
+  find_library(BULLETNAV_BLAS_LIBRARY blas REQUIRED)
+  find_library(BULLETNAV_CERES_LIBRARY ceres REQUIRED)
+  find_library(BULLETNAV_GLOG_LIBRARY glog REQUIRED)
+  add_library(bulletnav_ceres INTERFACE)
+  target_link_libraries(bulletnav_ceres INTERFACE
+    -Wl,--push-state,--no-as-needed ${BULLETNAV_BLAS_LIBRARY} -Wl,--pop-state
+    ${BULLETNAV_CERES_LIBRARY} ${BULLETNAV_GLOG_LIBRARY})
+endif()
 if(BULLETNAV_TOOLS)
   find_package(CLI11 REQUIRED)
 endif()

@@ -29,6 +29,7 @@ const std::vector<std::vector<std::string>> kFloors = {
     {"sim/house/", "sim/"},
     {"agent/observation.h", "agent/belief.h"},
     {"agent/models/"},
+    {"agent/slam/pose_graph/", "agent/slam/retrieval/"},
     {"agent/"},
     {"agent/mapping/"},
     {"agent/integer/"},
@@ -43,6 +44,7 @@ const std::vector<std::vector<std::string>> kFloors = {
     {"benchmark/report/"},
     {"benchmark/training/", "benchmark/perf/"},
     {"benchmark/evaluate_perception/"},
+    {"benchmark/slam/io/", "benchmark/slam/metrics/"},
     {"benchmark/cli/"},
 };
 

@@ -21,6 +21,7 @@ void AddRenderCommand(CLI::App* program);
 void AddGenerateCommand(CLI::App* scenes);
 void AddRunCommand(CLI::App* program);
 void AddScenesCommand(CLI::App* program);
+void AddSlamCommand(CLI::App* program);
 void AddTableCommand(CLI::App* program);
 
 }  // namespace bulletnav::bench

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The commands that the library for learning has, as they look from here.
+// The commands that the libraries beside the program have, as they look from here.
 #include "benchmark/cli/forwarded_commands.h"
 
 #include <cstdlib>
@@ -10,17 +10,24 @@
 #include <CLI/Formatter.hpp>
 
 #include "benchmark/cli/learning.h"
+#include "benchmark/cli/slam.h"
 
 namespace bulletnav::bench {
 namespace {
 
-void AddForwarded(CLI::App* program, CommandLine line, const std::string& name,
-                  const std::string& description) {
-  CLI::App* command = program->add_subcommand(name, description);
+struct CommandText {
+  std::string name;
+  std::string description;
+};
+
+using RunCommand = int(int argc, char** argv);
+
+void AddForwarded(CLI::App* program, CommandLine line, const CommandText& text, RunCommand* run) {
+  CLI::App* command = program->add_subcommand(text.name, text.description);
   command->set_help_flag();  // it has one of its own over there
   command->prefix_command();
-  command->callback([line] {
-    const int status = RunLearningCommand(line.argc, line.argv);
+  command->callback([line, run] {
+    const int status = run(line.argc, line.argv);
     if (status != 0) throw CLI::RuntimeError(status);
   });
 }
@@ -28,11 +35,17 @@ void AddForwarded(CLI::App* program, CommandLine line, const std::string& name,
 }  // namespace
 
 void AddForwardedCommands(CLI::App* program, CommandLine line) {
-  AddForwarded(program, line, "train", "Train networks by a config; goes on after a kill");
-  AddForwarded(program, line, "evaluate-perception",
-               "How right the learned functions are in scenes they have not seen");
-  AddForwarded(program, line, "quantise",
-               "Put a network in integers beside the trained one in a file of weights");
+  AddForwarded(program, line, {"train", "Train networks by a config; goes on after a kill"},
+               RunLearningCommand);
+  AddForwarded(
+      program, line,
+      {"evaluate-perception", "How right the learned functions are in scenes they have not seen"},
+      RunLearningCommand);
+  AddForwarded(
+      program, line,
+      {"quantise", "Put a network in integers beside the trained one in a file of weights"},
+      RunLearningCommand);
+  AddForwarded(program, line, {"slam", "Topological SLAM: pose graphs"}, RunSlamCommand);
 }
 
 }  // namespace bulletnav::bench

@@ -10,7 +10,8 @@ struct CommandLine {
   char** argv = nullptr;
 };
 
-/// Adds the commands that need learning; each loads it and hands it the whole command line.
+/// Adds the commands that are in libraries beside the program, for learning and for SLAM; each
+/// loads its own and hands it the whole command line.
 void AddForwardedCommands(CLI::App* program, CommandLine line);
 
 }  // namespace bulletnav::bench

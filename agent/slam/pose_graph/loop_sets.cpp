@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "agent/slam/pose_graph/loop_sets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
+#include "agent/slam/pose_graph/check_pose_graph.h"
+#include "sim/base/check.h"
+#include "sim/base/error.h"
+
+namespace bulletnav::agent {
+namespace {
+
+/// Carries a small difference at B, seen from A, to A; of numbers as PoseEdge's error has them.
+PoseMatrix<sim::PlanarPose> Carrier(const sim::PlanarPose& X_AB) {
+  const double c = std::cos(X_AB.yaw);
+  const double s = std::sin(X_AB.yaw);
+  PoseMatrix<sim::PlanarPose> carrier;
+  carrier << c, -s, X_AB.y, s, c, -X_AB.x, 0.0, 0.0, 1.0;
+  return carrier;
+}
+
+PoseMatrix<SpatialPose> Carrier(const SpatialPose& X_AB) {
+  const Eigen::Matrix3d turn = X_AB.rotation.toRotationMatrix();
+  const Eigen::Vector3d& p = X_AB.position;
+  Eigen::Matrix3d cross;
+  cross << 0.0, -p.z(), p.y(), p.z(), 0.0, -p.x(), -p.y(), p.x(), 0.0;
+  PoseMatrix<SpatialPose> carrier;
+  carrier << turn, cross * turn, Eigen::Matrix3d::Zero(), turn;
+  return carrier;
+}
+
+template <class Pose>
+PoseMatrix<Pose> Carried(const Pose& X_AB, const PoseMatrix<Pose>& covariance) {
+  const PoseMatrix<Pose> carrier = Carrier(X_AB);
+  return carrier * covariance * carrier.transpose();
+}
+
+Eigen::Vector3d NumbersOf(const sim::PlanarPose& pose) {
+  return {pose.x, pose.y, pose.yaw};
+}
+
+Eigen::Matrix<double, 6, 1> NumbersOf(const SpatialPose& pose) {
+  Eigen::Matrix<double, 6, 1> numbers;
+  numbers << pose.position, RotationVector(pose.rotation);
+  return numbers;
+}
+
+template <class Pose>
+void CheckLoop(const PoseEdge<Pose>& loop, std::size_t position, int chain) {
+  const std::string name = "loop " + std::to_string(position + 1) + " from " +
+                           std::to_string(loop.from) + " to " + std::to_string(loop.to);
+  for (const std::int64_t end : {loop.from, loop.to}) {
+    if (end < 0 || end >= chain) {
+      throw sim::Error(name + ": odometry has no vertex " + std::to_string(end) +
+                       "; leave the loop out");
+    }
+  }
+  if (const auto trouble = Trouble(loop)) throw sim::Error(name + ": " + *trouble);
+}
+
+/// Of chi-squared with 3 or 6 degrees of freedom, which have closed forms.
+double ChiSquaredBelow(double x, int degrees) {
+  const double half = x / 2.0;
+  if (degrees == 3) {
+    return std::erf(std::sqrt(half)) - 2.0 * std::sqrt(half / sim::kPi) * std::exp(-half);
+  }
+  return 1.0 - std::exp(-half) * (1.0 + half + half * half / 2.0);
+}
+
+}  // namespace
+
+template <class Pose>
+OdometryChain<Pose>::OdometryChain() : poses_(1), unsure_(1, PoseMatrix<Pose>::Zero()) {}
+
+template <class Pose>
+void OdometryChain<Pose>::Add(const Pose& step, const PoseMatrix<Pose>& covariance) {
+  poses_.push_back(Compose(poses_.back(), step));
+  unsure_.push_back(unsure_.back() + Carried(poses_.back(), covariance));
+}
+
+template <class Pose>
+Pose OdometryChain<Pose>::Seen(int from, int to) const {
+  return Compose(Inverse(poses_[static_cast<std::size_t>(from)]),
+                 poses_[static_cast<std::size_t>(to)]);
+}
+
+template <class Pose>
+PoseMatrix<Pose> OdometryChain<Pose>::Covariance(int from, int to) const {
+  const auto low = static_cast<std::size_t>(std::min(from, to));
+  const auto high = static_cast<std::size_t>(std::max(from, to));
+  return Carried<Pose>(Inverse(poses_[static_cast<std::size_t>(to)]), unsure_[high] - unsure_[low]);
+}
+
+template <class Pose>
+double CircleError(const OdometryChain<Pose>& odometry, const PoseEdge<Pose>& a,
+                   const PoseEdge<Pose>& b) {
+  const auto a_from = static_cast<int>(a.from);
+  const auto a_to = static_cast<int>(a.to);
+  const auto b_from = static_cast<int>(b.from);
+  const auto b_to = static_cast<int>(b.to);
+  const Pose over = Compose(a.measured, odometry.Seen(a_to, b_to));
+  const Pose circle = Compose(over, Compose(Inverse(b.measured), odometry.Seen(b_from, a_from)));
+  const PoseMatrix<Pose> at_b = b.information.inverse() + odometry.Covariance(a_to, b_to);
+  const PoseMatrix<Pose> covariance = Carried<Pose>(a.measured, a.information.inverse()) +
+                                      Carried<Pose>(over, at_b) +
+                                      Carried<Pose>(circle, odometry.Covariance(b_from, a_from));
+  const auto error = NumbersOf(circle);
+  return error.dot(covariance.llt().solve(error));
+}
+
+template <class Pose>
+ConsistentSet ConsistentLoops(const OdometryChain<Pose>& odometry,
+                              std::span<const PoseEdge<Pose>> loops,
+                              const LoopSetOptions& options) {
+  if (!(options.confidence > 0.0 && options.confidence < 1.0)) {
+    throw sim::Error("the confidence of consistent loops must lie between 0 and 1");
+  }
+  for (std::size_t i = 0; i < loops.size(); ++i) CheckLoop(loops[i], i, odometry.size());
+  const double limit = ChiSquaredQuantile(options.confidence, kFreedoms<Pose>);
+  Agreement agreement(static_cast<int>(loops.size()));
+  for (int i = 0; i < agreement.size(); ++i) {
+    for (int j = 0; j < i; ++j) {
+      const auto& first = loops[static_cast<std::size_t>(i)];
+      const auto& second = loops[static_cast<std::size_t>(j)];
+      if (CircleError(odometry, first, second) <= limit) agreement.Set(i, j);
+    }
+  }
+  return LargestAgreeing(agreement, options.search_steps);
+}
+
+double ChiSquaredQuantile(double p, int degrees) {
+  BULLETNAV_CHECK(degrees == 3 || degrees == 6);
+  double low = 0.0;
+  double high = 1000.0;
+  for (int i = 0; i < 100; ++i) {
+    const double middle = (low + high) / 2.0;
+    (ChiSquaredBelow(middle, degrees) < p ? low : high) = middle;
+  }
+  return low;
+}
+
+#define BULLETNAV_FOR_POSE(Pose)                                                 \
+  template class OdometryChain<Pose>;                                            \
+  template double CircleError(const OdometryChain<Pose>&, const PoseEdge<Pose>&, \
+                              const PoseEdge<Pose>&);                            \
+  template ConsistentSet ConsistentLoops(const OdometryChain<Pose>&,             \
+                                         std::span<const PoseEdge<Pose>>, const LoopSetOptions&)
+BULLETNAV_FOR_POSE(sim::PlanarPose);
+BULLETNAV_FOR_POSE(SpatialPose);
+#undef BULLETNAV_FOR_POSE
+
+}  // namespace bulletnav::agent

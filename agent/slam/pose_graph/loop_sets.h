@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "agent/slam/pose_graph/pose_graph.h"
+
+namespace bulletnav::agent {
+
+/// Odometry from vertex 0 to the last: poses one after the other, and how unsure any is as seen
+/// from any other. Steps are taken to err independently of each other.
+template <class Pose>
+class OdometryChain {
+ public:
+  OdometryChain();
+  /// The next vertex as measured from the last; covariance as of PoseEdge's error.
+  void Add(const Pose& step, const PoseMatrix<Pose>& covariance);
+
+  int size() const { return static_cast<int>(poses_.size()); }
+  /// Pose of vertex `to` seen from vertex `from`, and its covariance to first order; either may be
+  /// the earlier one. Cost: constant.
+  Pose Seen(int from, int to) const;
+  PoseMatrix<Pose> Covariance(int from, int to) const;
+
+ private:
+  std::vector<Pose> poses_;               // seen from vertex 0
+  std::vector<PoseMatrix<Pose>> unsure_;  // of the steps up to a vertex, all carried to vertex 0
+};
+
+/// How far the circle "loop a, odometry, loop b backwards, odometry" is from closing: squared
+/// Mahalanobis distance, chi-squared with as many degrees as Pose has freedoms if both loops are
+/// right. Edges name vertices by their place in the chain.
+/// Source: Mangelson et al., "Pairwise consistent measurement set maximization", ICRA 2018.
+template <class Pose>
+double CircleError(const OdometryChain<Pose>& odometry, const PoseEdge<Pose>& a,
+                   const PoseEdge<Pose>& b);
+
+struct LoopSetOptions {
+  /// Circles of right loops that are taken for right.
+  double confidence = 0.99;
+  /// Steps of the search for a larger set, after which the best so far is kept.
+  std::int64_t search_steps = 1'000'000;
+};
+
+/// A largest set of things that agree pairwise.
+struct ConsistentSet {
+  std::vector<int> members;  // rising
+  bool is_largest = false;   // proven: the search came to its end
+};
+
+/// Which things agree with which: symmetric, as bits.
+class Agreement {
+ public:
+  explicit Agreement(int size);
+  void Set(int a, int b);
+  bool Has(int a, int b) const;
+  int size() const { return size_; }
+  /// 64 things a word.
+  std::span<const std::uint64_t> Row(int a) const;
+
+ private:
+  int size_ = 0;
+  std::size_t words_ = 0;
+  std::vector<std::uint64_t> bits_;
+};
+
+/// By greedy growth from every thing, then branch and bound with colours until the steps are used
+/// up. Cost: greedy n^2 words of n / 64; the search may take all its steps.
+/// Source: Tomita and Kameda, "An efficient branch-and-bound algorithm for finding a maximum
+/// clique", 2007.
+ConsistentSet LargestAgreeing(const Agreement& agreement, std::int64_t search_steps);
+
+/// The largest set of loops each two of which agree given odometry: wrong loops seldom agree with
+/// right ones, or with each other. The members are positions in `loops`.
+/// Cost: circles of all pairs of loops. Throws sim::Error for a loop whose vertices are not in the
+/// chain, or with trouble (see check_pose_graph.h), or a confidence outside (0, 1).
+template <class Pose>
+ConsistentSet ConsistentLoops(const OdometryChain<Pose>& odometry,
+                              std::span<const PoseEdge<Pose>> loops, const LoopSetOptions& options);
+
+/// The value that a chi-squared variable stays below with probability p. Expects: 3 or 6 degrees of
+/// freedom (checked).
+double ChiSquaredQuantile(double p, int degrees);
+
+}  // namespace bulletnav::agent

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "agent/slam/retrieval/vocabulary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <set>
+
+#include "agent/slam/retrieval/majority_clusters.h"
+#include "sim/base/error.h"
+#include "sim/math/rng.h"
+
+namespace bulletnav::agent {
+
+/// Makes the nodes of a tree, each with a generator of its own.
+class Vocabulary::Grower {
+ public:
+  Grower(const VocabularySpec& spec, Vocabulary* tree)
+      : spec_(spec), rng_(spec.seed, "vocabulary"), tree_(*tree) {}
+
+  void Grow(int node, const std::vector<BinaryDescriptor>& descriptors, int level) {
+    const auto is_same = [&](const BinaryDescriptor& d) {
+      return d == descriptors.front();
+    };
+    if (level == spec_.levels || std::all_of(descriptors.begin(), descriptors.end(), is_same)) {
+      At(node).word = words_++;
+      return;
+    }
+    sim::Rng rng = rng_.Fork("node", static_cast<std::uint64_t>(node));
+    const MajorityClusters clusters = ClusterByMajority(descriptors, spec_.branches, &rng);
+    std::vector<std::vector<BinaryDescriptor>> members(clusters.centres.size());
+    for (std::size_t i = 0; i < descriptors.size(); ++i) {
+      members[static_cast<std::size_t>(clusters.group[i])].push_back(descriptors[i]);
+    }
+    const int first = static_cast<int>(tree_.nodes_.size());
+    At(node).first_child = first;
+    At(node).children = static_cast<int>(members.size());
+    for (const BinaryDescriptor& centre : clusters.centres) tree_.nodes_.push_back({centre});
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      Grow(first + static_cast<int>(i), members[i], level + 1);
+    }
+  }
+
+  int words() const { return words_; }
+
+ private:
+  Node& At(int node) { return tree_.nodes_[static_cast<std::size_t>(node)]; }
+
+  const VocabularySpec& spec_;
+  sim::Rng rng_;
+  Vocabulary& tree_;
+  int words_ = 0;
+};
+
+double Similarity(const WordVector& a, const WordVector& b) {
+  // |a - b|_1 = 2 + sum over common words of |a - b| - |a| - |b|, as both sum to 1.
+  double common = 0.0;
+  auto it = b.begin();
+  for (const auto& [word, weight] : a) {
+    while (it != b.end() && it->first < word) ++it;
+    if (it == b.end()) break;
+    if (it->first == word) {
+      common += std::abs(weight) + std::abs(it->second) - std::abs(weight - it->second);
+    }
+  }
+  return common / 2.0;
+}
+
+void VocabularySpec::Validate() const {
+  if (branches < 2 || levels < 1) throw sim::Error("expected branches >= 2 and levels >= 1");
+}
+
+Vocabulary::Vocabulary(std::span<const std::vector<BinaryDescriptor>> pictures,
+                       const VocabularySpec& spec) {
+  spec.Validate();
+  std::vector<BinaryDescriptor> all;
+  for (const auto& picture : pictures) all.insert(all.end(), picture.begin(), picture.end());
+  if (all.empty()) {
+    throw sim::Error("a vocabulary needs descriptors, and no picture has any; give others");
+  }
+  nodes_.emplace_back();
+  Grower grower(spec, this);
+  grower.Grow(0, all, 0);
+  std::vector<int> pictures_with(static_cast<std::size_t>(grower.words()), 0);
+  for (const auto& picture : pictures) {
+    std::set<int> words;
+    for (const BinaryDescriptor& descriptor : picture) words.insert(WordOf(descriptor));
+    for (const int word : words) ++pictures_with[static_cast<std::size_t>(word)];
+  }
+  weights_.reserve(pictures_with.size());
+  for (const int count : pictures_with) {
+    // A word none of whose descriptors comes down to it again never counts.
+    const double share = static_cast<double>(pictures.size()) / std::max(1, count);
+    weights_.push_back(count > 0 ? std::log(share) : 0.0);
+  }
+}
+
+int Vocabulary::WordOf(const BinaryDescriptor& descriptor) const {
+  const Node* node = &nodes_.front();
+  while (node->word < 0) {
+    const auto children = std::span(nodes_).subspan(static_cast<std::size_t>(node->first_child),
+                                                    static_cast<std::size_t>(node->children));
+    node = &*std::min_element(children.begin(), children.end(), [&](const Node& a, const Node& b) {
+      return Distance(descriptor, a.centre) < Distance(descriptor, b.centre);
+    });
+  }
+  return node->word;
+}
+
+WordVector Vocabulary::Describe(std::span<const BinaryDescriptor> descriptors) const {
+  std::map<int, double> sums;
+  double total = 0.0;
+  for (const BinaryDescriptor& descriptor : descriptors) {
+    const int word = WordOf(descriptor);
+    if (weight(word) == 0.0) continue;
+    sums[word] += weight(word);
+    total += weight(word);
+  }
+  WordVector vector(sums.begin(), sums.end());
+  for (auto& [word, value] : vector) value /= total;
+  return vector;
+}
+
+}  // namespace bulletnav::agent

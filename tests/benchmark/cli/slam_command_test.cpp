@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "benchmark/cli/commands.h"
+#include "benchmark/cli/program.h"
+#include "benchmark/slam/io/g2o.h"
+#include "tests/support/temporary_folder.h"
+
+namespace bulletnav::bench {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// Out along a street and back, with a last step that is measured 0.3 m short, and a loop.
+constexpr const char* kGraph =
+    "VERTEX_SE2 0 0 0 0\n"
+    "VERTEX_SE2 1 1 0 0\n"
+    "VERTEX_SE2 2 1.7 0 0\n"
+    "EDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\n"
+    "EDGE_SE2 1 2 0.7 0 0 1 0 0 1 0 1\n"
+    "EDGE_SE2 0 2 2 0 0 1 0 0 1 0 1\n";
+
+struct Ran {
+  int status = 0;
+  std::string out;
+  std::string err;
+};
+
+Ran RunSlam(std::vector<std::string> words) {
+  words.insert(words.begin(), {"bulletnav", "slam"});
+  std::vector<char*> argv;
+  argv.reserve(words.size());
+  for (std::string& word : words) argv.push_back(word.data());
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  const int status = RunProgram(static_cast<int>(argv.size()), argv.data(), AddSlamCommand);
+  return {status, testing::internal::GetCapturedStdout(), testing::internal::GetCapturedStderr()};
+}
+
+TEST(SlamOptimize, WritesTheOptimisedGraphAndReports) {
+  const tests::TemporaryFolder folder;
+  const std::string in = folder.Write("in.g2o", kGraph).string();
+  const std::filesystem::path out = folder.path() / "out.g2o";
+  const Ran ran = RunSlam({"optimize", in, "--out", out.string()});
+  EXPECT_EQ(ran.status, 0) << ran.err;
+  // An error of 0.3 m over three edges alike: 0.1 m each.
+  EXPECT_THAT(ran.out, HasSubstr("| 3 | 3 | 1 | 0.045 | 0.015 |"));
+  const auto graph = std::get<agent::PlanarPoseGraph>(ReadG2o(out));
+  EXPECT_NEAR(graph.vertices[1].pose.x, 1.1, 1e-6);
+  EXPECT_NEAR(graph.vertices[2].pose.x, 1.9, 1e-6);
+}
+
+TEST(SlamOptimize, KernelsTrustLoopsLess) {
+  const tests::TemporaryFolder folder;
+  const std::string in = folder.Write("in.g2o", kGraph).string();
+  const std::filesystem::path out = folder.path() / "out.g2o";
+  const Ran ran =
+      RunSlam({"optimize", in, "--out", out.string(), "--robust", "huber", "--width", "0.01"});
+  EXPECT_EQ(ran.status, 0) << ran.err;
+  // Pulled with a force of 0.01.
+  const auto graph = std::get<agent::PlanarPoseGraph>(ReadG2o(out));
+  EXPECT_NEAR(graph.vertices[2].pose.x, 1.72, 1e-4);
+}
+
+TEST(SlamOptimize, TellsBadUseInOneLine) {
+  const tests::TemporaryFolder folder;
+  const std::string in = folder.Write("in.g2o", kGraph).string();
+  const std::string out = (folder.path() / "out.g2o").string();
+  EXPECT_THAT(RunSlam({"optimize", in, "--out", out, "--robust", "tukey"}).err,
+              HasSubstr("--robust"));
+  EXPECT_THAT(RunSlam({"optimize", in}).err, HasSubstr("--out"));
+  const std::string pieces =
+      folder.Write("pieces.g2o", "VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 1 0 0\n").string();
+  const Ran ran = RunSlam({"optimize", pieces, "--out", out});
+  EXPECT_EQ(ran.status, 1);
+  EXPECT_THAT(ran.err, HasSubstr("pieces.g2o: the pose graph is in 2 pieces"));
+  EXPECT_FALSE(std::filesystem::exists(out));
+  EXPECT_EQ(RunSlam({"optimize", pieces, "--out", out, "--pieces"}).status, 0);
+}
+
+}  // namespace
+}  // namespace bulletnav::bench
