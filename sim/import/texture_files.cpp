@@ -47,7 +47,7 @@ std::optional<fs::path> FindTextureFile(const fs::path& mesh_file, const std::st
   for (const char* sub : std::array{"", "textures", "texture", "tex", "images", "materials"}) {
     const fs::path place = folder / sub;
     if (IsFile(place / base)) return place / base;
-    if (const auto found = FindIgnoringCase(place, base); found && IsFile(*found)) return found;
+    if (auto found = FindIgnoringCase(place, base); found && IsFile(*found)) return found;
   }
   return std::nullopt;
 }

@@ -36,7 +36,7 @@ Raycaster::Raycaster(std::span<const std::array<Eigen::Vector3f, 3>> triangles)
   void* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                                           3 * sizeof(unsigned), triangles.size());
   BULLETNAV_CHECK(positions != nullptr && indices != nullptr);
-  std::memcpy(positions, triangles.data(), triangles.size_bytes());
+  std::memcpy(positions, static_cast<const void*>(triangles.data()), triangles.size_bytes());
   auto* first = static_cast<unsigned*>(indices);
   std::iota(first, first + vertices, 0u);
   rtcCommitGeometry(geometry);
@@ -47,7 +47,7 @@ Raycaster::Raycaster(std::span<const std::array<Eigen::Vector3f, 3>> triangles)
 }
 
 RayHit Raycaster::Cast(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction) const {
-  RTCIntersectContext context;
+  RTCIntersectContext context{};
   rtcInitIntersectContext(&context);
   RTCRayHit query{};
   query.ray = MakeRay(origin, direction, kInfinity);
@@ -58,7 +58,7 @@ RayHit Raycaster::Cast(const Eigen::Vector3f& origin, const Eigen::Vector3f& dir
 }
 
 bool Raycaster::IsBlocked(const Eigen::Vector3f& from, const Eigen::Vector3f& to) const {
-  RTCIntersectContext context;
+  RTCIntersectContext context{};
   rtcInitIntersectContext(&context);
   RTCRay ray = MakeRay(from, to - from, 1.0f);
   rtcOccluded1(scene_.get(), &context, &ray);
@@ -68,12 +68,12 @@ bool Raycaster::IsBlocked(const Eigen::Vector3f& from, const Eigen::Vector3f& to
 void Raycaster::CastPacket(const Eigen::Vector3f& origin,
                            const std::array<std::array<float, 16>, 3>& directions,
                            std::array<RayHit, 16>* hits) const {
-  RTCIntersectContext context;
+  RTCIntersectContext context{};
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  alignas(64) std::array<int, 16> valid;
+  alignas(64) std::array<int, 16> valid{};
   valid.fill(-1);
-  RTCRayHit16 query;
+  RTCRayHit16 query;  // NOLINT(cppcoreguidelines-pro-type-member-init): filled below
   for (std::size_t i = 0; i < 16; ++i) {
     query.ray.org_x[i] = origin.x();
     query.ray.org_y[i] = origin.y();
