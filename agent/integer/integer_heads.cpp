@@ -86,7 +86,7 @@ IntegerAnswer::IntegerAnswer(const QuantisedNet& net, const std::string& name,
       factor_(0) {
   const QuantisedLayer& out = LayerOf(net, name + "_out", 1, hidden_.padded_outputs());
   const LayerScales scales = {net.Scale(name + "_hidden"), 0, kLargest16, kLogitStep};
-  DotLayer(out, LayerWidth::k16, scales);  // checks that sums fit
+  [[maybe_unused]] const DotLayer checked(out, LayerWidth::k16, scales);  // that sums fit
   if (out.outputs != 1) throw sim::Error("layer " + name + "_out is of another size");
   weights_ = out.weights;
   const double step = scales.in * out.scale.front();

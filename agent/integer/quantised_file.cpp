@@ -31,7 +31,8 @@ class Reader {
 
   QuantisedNet Read() const {
     QuantisedNet net;
-    for (const auto& [name, tensor] : content_.tensors) {
+    for (const auto& entry : content_.tensors) {
+      const std::string& name = entry.first;
       const std::string_view prefix = kIntegerPrefix;
       if (!name.starts_with(prefix)) continue;
       const auto between = [&](std::string_view end) {

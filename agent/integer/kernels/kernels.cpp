@@ -39,32 +39,33 @@ inline void DotTile(const DotJob& job, std::int32_t first, std::int32_t block) {
     weights[v] = job.weights + std::int64_t{words} * (block + v / kInBlock) + v % kInBlock * kLanes;
   }
   Lanes sums[kPixels][kVectors];
-#pragma GCC unroll 16
+  BULLETNAV_UNROLL_ALL
   for (int p = 0; p < kPixels; ++p) {
-#pragma GCC unroll 16
+    BULLETNAV_UNROLL_ALL
     for (int v = 0; v < kVectors; ++v) sums[p][v] = Splat(0);
   }
   std::int64_t word = 0;
   for (std::int32_t segment = 0; segment < job.segments; ++segment) {
     std::int64_t at = std::int64_t{segment} * job.segment_stride;
+    BULLETNAV_UNROLL_SOME
     for (std::int32_t step = 0; step < job.steps; ++step, at += 4, word += kOutputBlock) {
       Lanes w[kVectors];
-#pragma GCC unroll 16
+      BULLETNAV_UNROLL_ALL
       for (int v = 0; v < kVectors; ++v) w[v] = Load(weights[v] + word);
-#pragma GCC unroll 16
+      BULLETNAV_UNROLL_ALL
       for (int p = 0; p < kPixels; ++p) {
         const Lanes value = SplatWord(in[p] + at);
-#pragma GCC unroll 16
+        BULLETNAV_UNROLL_ALL
         for (int v = 0; v < kVectors; ++v) sums[p][v] = Dot::AddTo(sums[p][v], value, w[v]);
       }
     }
   }
   const std::int64_t outputs = std::int64_t{job.blocks} * kOutputBlock;
-#pragma GCC unroll 16
+  BULLETNAV_UNROLL_ALL
   for (int p = 0; p < kPixels; ++p) {
     if (p >= count) continue;  // not break: sums would be kept in memory to be counted
     std::int32_t* out = job.sums + (first + p) * outputs + block * kOutputBlock;
-#pragma GCC unroll 16
+    BULLETNAV_UNROLL_ALL
     for (int v = 0; v < kVectors; ++v) Store(out + v * kLanes, sums[p][v]);
   }
 }

@@ -11,6 +11,15 @@
 
 #include "agent/integer/kernels/kernels.h"
 
+// Loops over registers, which must not be loops any more; and longer ones.
+#ifdef __clang__
+#define BULLETNAV_UNROLL_ALL _Pragma("clang loop unroll(full)")
+#define BULLETNAV_UNROLL_SOME _Pragma("clang loop unroll_count(4)")
+#else
+#define BULLETNAV_UNROLL_ALL _Pragma("GCC unroll 16")
+#define BULLETNAV_UNROLL_SOME _Pragma("GCC unroll 4")
+#endif
+
 namespace bulletnav::agent {
 namespace {
 
