@@ -25,7 +25,8 @@ inline Lanes SplatWord(const std::uint8_t* p) {
 /// where there are fewer), kVectors vectors of outputs from `weights` on, each `apart` words from
 /// the one before in weights, kLanes in sums.
 template <class Dot, int kPixels, int kVectors>
-inline void DotTile(const DotJob& job, std::int32_t first, std::int32_t block) {
+inline void DotTile(  // NOLINT(readability-function-size): one loop that stays in registers
+    const DotJob& job, std::int32_t first, std::int32_t block) {
   constexpr int kInBlock = kOutputBlock / kLanes;  // vectors
   const std::int32_t words = job.segments * job.steps * kOutputBlock;
   const std::int32_t count =

@@ -64,11 +64,12 @@ std::vector<int> ByDegree(const Agreement& agreement) {
 /// The same with other numbers: thing i is order[i].
 Agreement Renumbered(const Agreement& agreement, const std::vector<int>& order) {
   Agreement renumbered(agreement.size());
+  const auto thing = [&](int i) {
+    return order[static_cast<std::size_t>(i)];
+  };
   for (int i = 0; i < agreement.size(); ++i) {
     for (int j = 0; j < i; ++j) {
-      if (agreement.Has(order[static_cast<std::size_t>(i)], order[static_cast<std::size_t>(j)])) {
-        renumbered.Set(i, j);
-      }
+      if (agreement.Has(thing(i), thing(j))) renumbered.Set(i, j);
     }
   }
   return renumbered;

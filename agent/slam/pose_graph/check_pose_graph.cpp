@@ -145,12 +145,11 @@ void CheckOnePiece(const PoseGraph<Pose>& graph, const PoseGraphLinks& links) {
   if (links.pieces <= 1) return;
   const auto first = std::find(links.piece.begin(), links.piece.end(), 1) - links.piece.begin();
   const auto others = std::count(links.piece.begin(), links.piece.end(), 1);
-  throw sim::Error("the pose graph is in " + std::to_string(links.pieces) +
-                   " pieces: no edges lead from vertex " +
-                   std::to_string(graph.vertices.front().id) + " to vertex " +
-                   std::to_string(graph.vertices[static_cast<std::size_t>(first)].id) +
-                   " and its piece of " + std::to_string(others) +
-                   "; add an edge, or allow pieces");
+  throw sim::Error(
+      "the pose graph is in " + std::to_string(links.pieces) +
+      " pieces: no edges lead from vertex " + std::to_string(graph.vertices.front().id) +
+      " to vertex " + std::to_string(graph.vertices[static_cast<std::size_t>(first)].id) +
+      " and its piece of " + std::to_string(others) + "; add an edge, or allow pieces");
 }
 
 #define BULLETNAV_FOR_POSE(Pose)                                        \

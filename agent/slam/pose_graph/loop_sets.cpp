@@ -145,14 +145,17 @@ double ChiSquaredQuantile(double p, int degrees) {
   return low;
 }
 
-#define BULLETNAV_FOR_POSE(Pose)                                                 \
-  template class OdometryChain<Pose>;                                            \
-  template double CircleError(const OdometryChain<Pose>&, const PoseEdge<Pose>&, \
-                              const PoseEdge<Pose>&);                            \
-  template ConsistentSet ConsistentLoops(const OdometryChain<Pose>&,             \
-                                         std::span<const PoseEdge<Pose>>, const LoopSetOptions&)
-BULLETNAV_FOR_POSE(sim::PlanarPose);
-BULLETNAV_FOR_POSE(SpatialPose);
-#undef BULLETNAV_FOR_POSE
+template class OdometryChain<sim::PlanarPose>;
+template double CircleError(const OdometryChain<sim::PlanarPose>&, const PoseEdge<sim::PlanarPose>&,
+                            const PoseEdge<sim::PlanarPose>&);
+template ConsistentSet ConsistentLoops(const OdometryChain<sim::PlanarPose>&,
+                                       std::span<const PoseEdge<sim::PlanarPose>>,
+                                       const LoopSetOptions&);
+template class OdometryChain<SpatialPose>;
+template double CircleError(const OdometryChain<SpatialPose>&, const PoseEdge<SpatialPose>&,
+                            const PoseEdge<SpatialPose>&);
+template ConsistentSet ConsistentLoops(const OdometryChain<SpatialPose>&,
+                                       std::span<const PoseEdge<SpatialPose>>,
+                                       const LoopSetOptions&);
 
 }  // namespace bulletnav::agent

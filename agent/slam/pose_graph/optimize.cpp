@@ -19,8 +19,9 @@
 
 // OpenBLAS' own; not there with another BLAS.
 extern "C" {
-__attribute__((weak)) int openblas_get_num_threads();
-__attribute__((weak)) void openblas_set_num_threads(int threads);
+__attribute__((weak)) int openblas_get_num_threads();  // NOLINT(readability-identifier-naming)
+__attribute__((weak)) void openblas_set_num_threads(   // NOLINT(readability-identifier-naming)
+    int threads);
 }
 
 namespace bulletnav::agent {
@@ -226,6 +227,8 @@ class OneBlasThread {
   ~OneBlasThread() { Set(before_); }
   OneBlasThread(const OneBlasThread&) = delete;
   OneBlasThread& operator=(const OneBlasThread&) = delete;
+  OneBlasThread(OneBlasThread&&) = delete;
+  OneBlasThread& operator=(OneBlasThread&&) = delete;
 
  private:
   static void Set(int threads) {

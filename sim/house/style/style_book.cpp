@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "sim/house/style/style_book.h"
 
-#include "generated/sim/house/style/style_texts.h"
-
 #include <algorithm>
 #include <charconv>
 #include <iterator>
 
 #include "sim/config/yaml_reader.h"
+#include "sim/house/style/style_texts.h"
 #include "sim/house/style/tint.h"
 
 namespace bulletnav::sim {
