@@ -162,6 +162,18 @@ bool IsInSpace(const std::filesystem::path& file) {
   return in_space.value_or(false);
 }
 
+/// The upper triangle, row by row.
+template <class Pose>
+std::string TriangleText(const PoseMatrix<Pose>& matrix) {
+  std::string text;
+  for (int row = 0; row < matrix.rows(); ++row) {
+    for (int column = row; column < matrix.cols(); ++column) {
+      text += fmt::format(" {}", matrix(row, column));
+    }
+  }
+  return text;
+}
+
 template <class Pose>
 std::string ToText(const agent::PoseGraph<Pose>& graph) {
   using Kind = Format<Pose>;
@@ -173,13 +185,7 @@ std::string ToText(const agent::PoseGraph<Pose>& graph) {
   const PoseMatrix<Pose> scale = Kind::Scale().inverse();
   for (const auto& edge : graph.edges) {
     text += fmt::format("{} {} {} {}", Kind::kEdge, edge.from, edge.to, Kind::Text(edge.measured));
-    const PoseMatrix<Pose> information = scale * edge.information * scale;
-    for (int row = 0; row < information.rows(); ++row) {
-      for (int column = row; column < information.cols(); ++column) {
-        text += fmt::format(" {}", information(row, column));
-      }
-    }
-    text += '\n';
+    text += TriangleText<Pose>(scale * edge.information * scale) + "\n";
   }
   return text;
 }
