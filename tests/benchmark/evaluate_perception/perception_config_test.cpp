@@ -36,6 +36,13 @@ TEST(PerceptionConfig, ShippedOneIsOfTheTestHouses) {
   EXPECT_EQ(config.data.houses->split, "test");
 }
 
+TEST(PerceptionConfig, ShippedOneToQuantiseByHasHousesOfItsOwn) {
+  const auto config =
+      sim::LoadYaml<PerceptionConfig>(std::filesystem::path(BULLETNAV_CONFIGS) / "quantise.yaml");
+  EXPECT_FALSE(config.data.houses.has_value());
+  EXPECT_EQ(config.data.more_houses->first_seed, 20000u);
+}
+
 TEST(PerceptionConfig, BadOnesAreOneClearLine) {
   EXPECT_THAT(ErrorOf("seed: 1"), HasSubstr("key 'data' is missing"));
   EXPECT_THAT(ErrorOf("data: {scenes: [a.glb], points: 1}"), HasSubstr("at least 2"));
