@@ -63,8 +63,8 @@ class RunBench {
     const Clock::time_point start = Clock::now();
     const GroundTruth* truth = &truth_;
     const auto agent = Build(agents_.front(), config_, "rgbd", {&truth, 1});
-    Environment environment(TaskOf(config_, "rgbd", Condition::kNoise, /*sees=*/true),
-                            {&truth_}, 1);
+    Environment environment(TaskOf(config_, "rgbd", Condition::kNoise, /*sees=*/true), {&truth_},
+                            1);
     for (const Episode& episode : episodes_.episodes) {
       PlayPlain(episode, &environment, agent.get(), &times);
     }
