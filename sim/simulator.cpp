@@ -22,15 +22,14 @@ Simulator::Simulator(std::shared_ptr<const World> world, const SimulatorSpec& sp
       body_(NotNull(std::move(world)), spec.body, NoiseModel(spec.noise)),
       sensors_(spec.AllSensors(), body_.world().sensor_scene()) {
   for (const ArraySpec& array : spec.AllSensors().arrays()) {
+    NamedArray& added = observation_.arrays.emplace_back(NamedArray{array, {}});
     if (array.name == Observation::kColor) {
       observation_.color.resize(array.size());
     } else if (array.name == Observation::kDepth) {
       observation_.depth.resize(array.size());
+    } else {
+      added.bytes.resize(array.bytes());
     }
-    const bool is_elsewhere =
-        array.name == Observation::kColor || array.name == Observation::kDepth;
-    observation_.arrays.push_back({array, {}});
-    if (!is_elsewhere) observation_.arrays.back().bytes.resize(array.bytes());
   }
 }
 
@@ -58,6 +57,7 @@ std::span<std::byte> Simulator::MemoryOf(NamedArray* array) {
 const Observation& Simulator::Observe(const Sensors& sensors) {
   observation_.sensors = sensors;
   std::vector<std::span<std::byte>> out;
+  out.reserve(observation_.arrays.size());
   for (NamedArray& array : observation_.arrays) out.push_back(MemoryOf(&array));
   sensors_.Read(body_.sensor_input(), out);
   return observation_;
