@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// No include runs from a lower floor to a higher one: a part of the program can be read, tested and
-// taken away without those above it.
+// What holds for the sources as a whole. No include runs from a lower floor to a higher one: a part
+// of the program can be read, tested and taken away without those above it. And nothing that
+// decides calls what the C library has in several versions, chosen by the processor.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <regex>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -99,6 +101,27 @@ TEST(Floors, NoIncludeRunsUpwards) {
       const Room there = RoomOf(include);
       const bool is_below = there.floor < here.floor;
       EXPECT_TRUE(is_below || there.name == here.name) << file << " includes " << include;
+    }
+  }
+}
+
+/// Pose graphs are solved by libraries that make no such promise.
+bool MayDependOnProcessor(const std::string& file) {
+  return file.starts_with("agent/slam/") || file.starts_with("benchmark/slam/");
+}
+
+TEST(Sources, ElementaryFunctionsAreOurs) {
+  const std::regex forbidden(
+      R"(std::(sin|cos|tan|asin|acos|atan2?|sinh|cosh|tanh|exp|expm1|log|log1p|log2|log10|pow|lgamma|tgamma|erfc?)\(|AngleAxis[fd]?[( ])");
+  for (const fs::path& source : Sources()) {
+    const std::string file = fs::relative(source, BULLETNAV_SOURCE_DIR).generic_string();
+    if (MayDependOnProcessor(file)) continue;
+    std::ifstream in(source);
+    int number = 1;
+    for (std::string line; std::getline(in, line); ++number) {
+      EXPECT_FALSE(std::regex_search(line, forbidden))
+          << file << ':' << number << " may give other bits on other processors; see"
+          << " sim/base/elementary.h and sim/math/rotation.h: " << line;
     }
   }
 }

@@ -7,6 +7,7 @@
 
 #include "agent/integer/integer_encoder.h"
 #include "agent/integer/integer_functions.h"
+#include "sim/base/elementary.h"
 #include "sim/base/error.h"
 #include "sim/math/pose.h"
 
@@ -89,7 +90,7 @@ std::vector<RingPlace> PlacesOnRing(int cols) {
       const double x = 2 * col + 1 - kSide;
       const double y = 2 * row + 1 - kSide;
       const double range = std::clamp(0.5 * std::sqrt(x * x + y * y) - 0.5, 0.0, kRanges - 1.0);
-      const double pixel = cols * (0.5 - std::atan2(y, x) / (2.0 * sim::kPi)) - 0.5;
+      const double pixel = cols * (0.5 - sim::Atan2(y, x) / (2.0 * sim::kPi)) - 0.5;
       const double bearing = (pixel + 0.5 * kStride) * kBearings / cols - 0.5;
       const auto ranges = static_cast<int>(std::lround(range * kWhole));
       const auto bearings =

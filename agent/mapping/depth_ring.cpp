@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "sim/base/check.h"
+#include "sim/base/elementary.h"
 
 namespace bulletnav::agent {
 namespace {
@@ -59,8 +60,8 @@ void DepthRing::Project(const Panorama& panorama, double x, double y, double yaw
 
 /// The camera looks along -z with x to the right, the map's x axis points ahead and y to the left.
 void DepthRing::TurnColumns(double yaw) {
-  const auto c = static_cast<float>(std::cos(yaw));
-  const auto s = static_cast<float>(std::sin(yaw));
+  const auto c = static_cast<float>(sim::Cos(yaw));
+  const auto s = static_cast<float>(sim::Sin(yaw));
   for (std::size_t i = 0; i < cols_; ++i) {
     const float ahead = -rays_.z[i] / flat_[i];
     const float left = -rays_.x[i] / flat_[i];

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "sim/base/check.h"
+#include "sim/base/elementary.h"
 
 namespace bulletnav::agent {
 namespace {
@@ -29,8 +30,8 @@ LearnedRing::LearnedRing(std::shared_ptr<FreeSpaceModel> model, const MapSpec& s
 void LearnedRing::Project(const Panorama& panorama, double x, double y, double yaw) {
   const FreeSpace space = model_->Predict(panorama);
   Clear();
-  const double c = std::cos(yaw);
-  const double s = std::sin(yaw);
+  const double c = sim::Cos(yaw);
+  const double s = sim::Sin(yaw);
   for (int row = 0; row < seen_.size(); ++row) {
     for (int col = 0; col < seen_.size(); ++col) {
       const double dx = (col + 0.5 - reach_ - x) * cell_;

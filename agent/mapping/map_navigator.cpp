@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "sim/base/elementary.h"
 #include "sim/base/error.h"
 
 namespace bulletnav::agent {
@@ -67,7 +68,7 @@ void MapNavigator::FeelWalls(const sim::PlanarPose& before) {
 
 Point MapNavigator::PointAt(double distance, double bearing) const {
   const double heading = pose_.yaw + bearing;
-  return {pose_.x + distance * std::cos(heading), pose_.y + distance * std::sin(heading)};
+  return {pose_.x + distance * sim::Cos(heading), pose_.y + distance * sim::Sin(heading)};
 }
 
 std::optional<Waypoint> MapNavigator::Plan(const Point& goal, bool through_unknown) {
@@ -75,7 +76,7 @@ std::optional<Waypoint> MapNavigator::Plan(const Point& goal, bool through_unkno
 }
 
 sim::Action MapNavigator::Steer(const Point& point) {
-  const double heading = std::atan2(point.y - pose_.y, point.x - pose_.x);
+  const double heading = sim::Atan2(point.y - pose_.y, point.x - pose_.x);
   const double off = sim::WrapAngle(heading - pose_.yaw);
   if (std::fabs(off) <= sim::DegToRad(spec_.turn_threshold_deg)) return sim::Action::kMoveForward;
   if (std::fabs(off) < kAboutFace) {

@@ -6,6 +6,7 @@
 
 #include "agent/mapping/depth_ring.h"
 #include "agent/mapping/learned_ring.h"
+#include "sim/base/elementary.h"
 #include "sim/base/error.h"
 
 namespace bulletnav::agent {
@@ -138,8 +139,8 @@ void MetricMap::MarkTrack(const sim::PlanarPose& from, const sim::PlanarPose& to
 }
 
 void MetricMap::MarkWall(const sim::PlanarPose& pose, int width_cells) {
-  const double c = std::cos(pose.yaw);
-  const double s = std::sin(pose.yaw);
+  const double c = sim::Cos(pose.yaw);
+  const double s = sim::Sin(pose.yaw);
   // Half a cell at a time, so that a wall across the grid has no gaps.
   for (int i = 0; i <= 2 * (kWallThickness - 1); ++i) {
     for (int j = 0; j <= 2 * (width_cells - 1); ++j) {

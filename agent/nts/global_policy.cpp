@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "agent/perception/relative_pose.h"
+#include "sim/base/elementary.h"
 
 namespace bulletnav::agent {
 namespace {
@@ -110,7 +111,7 @@ Point GlobalPolicy::GoalPoint(const TopologicalGraph& graph, int node) const {
   const RelativeGoal goal = RelativePoseOf(views_[static_cast<std::size_t>(node)]);
   const sim::PlanarPose& pose = graph.nodes()[static_cast<std::size_t>(node)].pose;
   const double heading = pose.yaw + goal.bearing;
-  return {pose.x + goal.distance * std::cos(heading), pose.y + goal.distance * std::sin(heading)};
+  return {pose.x + goal.distance * sim::Cos(heading), pose.y + goal.distance * sim::Sin(heading)};
 }
 
 void GlobalPolicy::Follow(const Subgoal& subgoal) {

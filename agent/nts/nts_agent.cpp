@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "agent/nts/view_ghosts.h"
 #include "agent/perception/relative_pose.h"
+#include "sim/base/elementary.h"
 #include "sim/base/error.h"
 
 namespace bulletnav::agent {
@@ -163,7 +163,7 @@ std::vector<Point> NtsAgent::NewOpenings() {
 
 Opening NtsAgent::SeenFromBody(const Point& point) const {
   const sim::PlanarPose& pose = navigator_.pose();
-  const double heading = std::atan2(point.y - pose.y, point.x - pose.x);
+  const double heading = sim::Atan2(point.y - pose.y, point.x - pose.x);
   return {sim::WrapAngle(heading - pose.yaw), Distance(point, navigator_.here())};
 }
 

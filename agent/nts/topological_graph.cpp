@@ -8,6 +8,7 @@
 
 #include "agent/perception/relative_pose.h"
 #include "sim/base/check.h"
+#include "sim/base/elementary.h"
 
 namespace bulletnav::agent {
 
@@ -94,12 +95,12 @@ Point TopologicalGraph::NodePoint(int node) const {
 Point TopologicalGraph::GhostPoint(const GhostNode& ghost) const {
   const sim::PlanarPose& pose = nodes_.at(static_cast<std::size_t>(ghost.owner)).pose;
   const double heading = pose.yaw + BearingOf(ghost.direction) + ghost.off;
-  return {pose.x + ghost.distance * std::cos(heading), pose.y + ghost.distance * std::sin(heading)};
+  return {pose.x + ghost.distance * sim::Cos(heading), pose.y + ghost.distance * sim::Sin(heading)};
 }
 
 double TopologicalGraph::BearingFrom(int node, const Point& point) const {
   const sim::PlanarPose& pose = nodes_.at(static_cast<std::size_t>(node)).pose;
-  return sim::WrapAngle(std::atan2(point.y - pose.y, point.x - pose.x) - pose.yaw);
+  return sim::WrapAngle(sim::Atan2(point.y - pose.y, point.x - pose.x) - pose.yaw);
 }
 
 GraphRoutes TopologicalGraph::Routes(std::span<const std::pair<int, double>> starts) const {

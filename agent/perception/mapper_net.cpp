@@ -7,6 +7,7 @@
 #include "agent/perception/encoder.h"
 #include "agent/perception/model_file.h"
 #include "agent/perception/weights.h"
+#include "sim/base/elementary.h"
 #include "sim/config/yaml_writer.h"
 #include "sim/math/pose.h"
 
@@ -44,7 +45,7 @@ torch::Tensor CellsOnRing(int cols) {
     for (int x = 0; x < kSide; ++x) {
       const FreeSpace::Place at = FreeSpace::CentreOf({x, y});
       const double range = std::hypot(at.x, at.y) / FreeSpace::kReach * kRanges - 0.5;
-      const double pixel = cols * (0.5 - std::atan2(at.y, at.x) / (2.0 * sim::kPi)) - 0.5;
+      const double pixel = cols * (0.5 - sim::Atan2(at.y, at.x) / (2.0 * sim::kPi)) - 0.5;
       // The first column of stage one looks from half its width before pixel 0 to half behind.
       const double bearing = (pixel + 0.5 * kStride) * kBearings / cols - 0.5;
       const double wrapped = bearing - kBearings * std::floor((bearing + 0.5) / kBearings);

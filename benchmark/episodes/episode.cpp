@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/episodes/episode.h"
 
-#include <cmath>
 #include <filesystem>
 
 #include "benchmark/episodes/distance_bands.h"
+#include "sim/base/elementary.h"
 #include "sim/base/files.h"
 #include "sim/math/rng.h"
 
@@ -37,11 +37,11 @@ std::optional<Difficulty> DifficultyAt(double geodesic_distance) {
 }
 
 Rotation Rotation::FromYaw(double yaw) {
-  return {0.0, std::sin(0.5 * yaw), 0.0, std::cos(0.5 * yaw)};
+  return {0.0, sim::Sin(0.5 * yaw), 0.0, sim::Cos(0.5 * yaw)};
 }
 
 double Rotation::yaw() const {
-  return sim::WrapAngle(2.0 * std::atan2(y, w));
+  return sim::WrapAngle(2.0 * sim::Atan2(y, w));
 }
 
 bool EpisodeGoal::operator==(const EpisodeGoal& other) const {

@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include "sim/base/elementary.h"
 #include "sim/base/error.h"
 #include "sim/base/files.h"
 #include "sim/math/rng.h"
@@ -72,7 +73,7 @@ bool EpisodeDrawer::IsRaised(const Eigen::Vector3f& foot) const {
   for (int i = 0; i < kPoints; ++i) {
     const float angle = 2.0f * static_cast<float>(sim::kPi) * static_cast<float>(i) / kPoints;
     const Eigen::Vector3f beside =
-        foot + kFloorAround * Eigen::Vector3f(std::cos(angle), 0.0f, std::sin(angle));
+        foot + kFloorAround * Eigen::Vector3f(sim::Cos(angle), 0.0f, sim::Sin(angle));
     constexpr float kDepth = kRaised + kMostHeightDifference;
     const Eigen::Vector3f top = beside + kRaised * up;
     const auto floor = ground_.physics.RayTest(top, top - kDepth * up);

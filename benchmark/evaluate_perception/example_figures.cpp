@@ -11,6 +11,7 @@
 #include "agent/perception/relative_pose.h"
 #include "benchmark/evaluate_perception/direction_strip.h"
 #include "benchmark/report/marks.h"
+#include "sim/base/elementary.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -220,7 +221,7 @@ Figure RelativePoseFigure(ExampleScene* scene, int source, int goal) {
   const auto& poses = cases.samples.poses;
   const sim::PlanarPose truth = sim::RelativePose(poses[static_cast<std::size_t>(source)],
                                                   poses[static_cast<std::size_t>(goal)]);
-  const double bearing = std::atan2(truth.y, truth.x);
+  const double bearing = sim::Atan2(truth.y, truth.x);
   const std::string numbers = fmt::format(
       "distance {:.2f} m, truly {:.2f} m;  bearing {:.0f}°, truly {:.0f}°;  same node: {:.2f}",
       there.distance, std::hypot(truth.x, truth.y), sim::RadToDeg(there.bearing),

@@ -7,6 +7,7 @@
 
 #include "agent/perception/relative_pose.h"
 #include "benchmark/evaluate_perception/connection_figures.h"
+#include "sim/base/elementary.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -32,10 +33,10 @@ PoseErrors ErrorsOf(const SceneCases& cases, int source, int goal) {
   PoseErrors errors;
   errors.steps = std::min(off, agent::kDirections - off);
   errors.bearing_deg =
-      sim::RadToDeg(std::abs(sim::WrapAngle(there.bearing - std::atan2(truth.y, truth.x))));
+      sim::RadToDeg(std::abs(sim::WrapAngle(there.bearing - sim::Atan2(truth.y, truth.x))));
   errors.distance = std::abs(double{said.distance} - std::hypot(truth.x, truth.y));
-  errors.place = std::hypot(there.distance * std::cos(there.bearing) - truth.x,
-                            there.distance * std::sin(there.bearing) - truth.y);
+  errors.place = std::hypot(there.distance * sim::Cos(there.bearing) - truth.x,
+                            there.distance * sim::Sin(there.bearing) - truth.y);
   return errors;
 }
 

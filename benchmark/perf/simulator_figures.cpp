@@ -2,7 +2,6 @@
 #include "benchmark/perf/simulator_figures.h"
 
 #include <chrono>
-#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -10,6 +9,7 @@
 
 #include "benchmark/perf/process.h"
 #include "benchmark/perf/subdivide.h"
+#include "sim/base/elementary.h"
 #include "sim/base/error.h"
 #include "sim/batch_simulator.h"
 #include "sim/render/cpu/raycaster.h"
@@ -132,8 +132,8 @@ class SimulatorBench {
   static void CastAll(const sim::Raycaster& raycaster, const sim::RayGrid& grid,
                       const sim::PanoramaSpec& spec, const sim::CameraPose& camera,
                       std::vector<float>* depth) {
-    const float c = std::cos(camera.yaw);
-    const float s = std::sin(camera.yaw);
+    const float c = sim::Cos(camera.yaw);
+    const float s = sim::Sin(camera.yaw);
     const auto cols = static_cast<std::size_t>(spec.cols);
     const std::size_t tiles_a_row = cols / 4;
     std::array<std::array<float, 16>, 3> rays{};

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "benchmark/privileged/visibility.h"
+#include "sim/base/elementary.h"
 
 namespace bulletnav::bench {
 
@@ -11,7 +12,7 @@ std::optional<agent::RelativeGoal> OracleGoalEstimator::Estimate(const agent::Pa
                                                                  const agent::Panorama& /*goal*/) {
   if (!IsInNode(*truth_.world, truth_.body, truth_.pose, truth_.goal)) return std::nullopt;
   const sim::PlanarPose goal = sim::RelativePose(truth_.pose, truth_.goal);
-  return agent::RelativeGoal{std::hypot(goal.x, goal.y), std::atan2(goal.y, goal.x)};
+  return agent::RelativeGoal{std::hypot(goal.x, goal.y), sim::Atan2(goal.y, goal.x)};
 }
 
 }  // namespace bulletnav::bench

@@ -6,6 +6,7 @@
 
 #include "benchmark/privileged/visibility.h"
 #include "sim/base/check.h"
+#include "sim/base/elementary.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -34,7 +35,7 @@ sim::BodyPose ToPose(const agent::PanoramaCode& code) {
 
 Eigen::Vector3f PlaceAt(const sim::BodyPose& source, int direction, double distance) {
   const double angle = kDirectionWidth * direction;
-  const sim::PlanarPose place{distance * std::cos(angle), distance * std::sin(angle), 0.0};
+  const sim::PlanarPose place{distance * sim::Cos(angle), distance * sim::Sin(angle), 0.0};
   return sim::Apply(source, place).position.cast<float>();
 }
 
@@ -85,7 +86,7 @@ agent::PairPrediction OracleSemanticModel::ComparePair(const sim::BodyPose& sour
     const sim::PlanarPose place = sim::RelativePose(source, goal);
     prediction.same_node = 1.0f;
     prediction.distance = static_cast<float>(std::hypot(place.x, place.y));
-    ShareDirection(std::atan2(place.y, place.x), &prediction.direction);
+    ShareDirection(sim::Atan2(place.y, place.x), &prediction.direction);
     return prediction;
   }
   const Eigen::Vector3f to = goal.position.cast<float>();

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "benchmark/privileged/way_out.h"
+#include "sim/base/elementary.h"
 #include "sim/base/error.h"
 #include "sim/noise/noise_model.h"
 #include "sim/physics/capsule_body.h"
@@ -62,7 +63,7 @@ Action ShortestPathAgent::Act(const GroundTruth& truth) {
 
 Action ShortestPathAgent::Towards(const Eigen::Vector3d& point, const sim::BodyPose& pose) const {
   const Eigen::Vector3d way = point - pose.position;
-  const double off = sim::WrapAngle(std::atan2(-way.x(), -way.z()) - pose.yaw);
+  const double off = sim::WrapAngle(sim::Atan2(-way.x(), -way.z()) - pose.yaw);
   if (std::fabs(off) <= sim::DegToRad(config_.turn_tolerance_deg) + 1e-6) {
     return Action::kMoveForward;
   }

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 
 #include "agent/models/semantic_model.h"
+#include "sim/math/rotation.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -21,7 +22,8 @@ bool IsInNode(const sim::World& world, const sim::BodySpec& body, const sim::Bod
   const Eigen::Vector3d to_goal = goal.position + up - eye;
   for (int i = 0; i < kRays; ++i) {
     const double angle = kHalfPatch * (2.0 * i / (kRays - 1) - 1.0);
-    const Eigen::Vector3d ray = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitY()) * to_goal;
+    const Eigen::Vector3d ray =
+        sim::RotationAbout<double>(Eigen::Vector3d::UnitY(), angle) * to_goal;
     const Eigen::Vector3d end = eye + ray;
     if (!world.physics().RayTest(eye.cast<float>(), end.cast<float>())) return true;
   }

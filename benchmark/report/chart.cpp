@@ -11,6 +11,7 @@
 
 #include "benchmark/report/palette.h"
 #include "sim/base/check.h"
+#include "sim/base/elementary.h"
 #include "sim/math/pose.h"
 
 namespace bulletnav::bench {
@@ -42,7 +43,7 @@ void DrawMarker(const Point& at, std::size_t series, Canvas* canvas) {
   std::vector<Point> polygon;
   for (int i = 0; i < corners; ++i) {
     const double angle = 2.0 * sim::kPi * (i + (corners == 4 ? 0.5 : 0.0)) / corners;
-    polygon.push_back(at + 4.2 * Point(std::sin(angle), -std::cos(angle)));
+    polygon.push_back(at + 4.2 * Point(sim::Sin(angle), -sim::Cos(angle)));
   }
   canvas->Fill(polygon, paint);
 }

@@ -16,6 +16,7 @@
 #include "benchmark/report/replay.h"
 #include "benchmark/report/trajectory_layers.h"
 #include "benchmark/report/trajectory_plot.h"
+#include "sim/base/elementary.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -129,7 +130,7 @@ std::vector<Point> PlacesAround(const Point& at) {
   for (const double reach : kReaches) {
     for (int k = 0; k < kWays; ++k) {
       const double angle = 2.0 * sim::kPi * k / kWays - 0.25 * sim::kPi;
-      around.push_back(at + reach * Point(std::cos(angle), std::sin(angle)));
+      around.push_back(at + reach * Point(sim::Cos(angle), sim::Sin(angle)));
     }
   }
   return around;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/report/marks.h"
 
-#include <cmath>
 #include <vector>
 
 #include <fmt/core.h>
 
 #include "benchmark/report/palette.h"
+#include "sim/base/elementary.h"
 #include "sim/math/pose.h"
 
 namespace bulletnav::bench {
@@ -17,7 +17,7 @@ using Point = Canvas::Point;
 constexpr Paint kGoal = {0.98, 0.80, 0.10};
 
 Point Direction(double angle) {
-  return {std::cos(angle), std::sin(angle)};
+  return {sim::Cos(angle), sim::Sin(angle)};
 }
 
 std::vector<Point> Polygon(const Point& centre, double radius, int corners, double first) {

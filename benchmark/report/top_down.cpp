@@ -8,7 +8,7 @@
 
 #include <fmt/core.h>
 
-#include "sim/render/cpu/raycaster.h"
+#include "sim/render/cpu/ray_tracer.h"
 #include "sim/render/shade_point.h"
 
 namespace bulletnav::bench {
@@ -109,7 +109,7 @@ class TopView {
   }
 
   sim::RenderMesh mesh_;
-  sim::Raycaster raycaster_;
+  sim::RayTracer raycaster_;
 };
 
 void Look(const sim::SceneMesh& mesh, const sim::Navmesh& navmesh, float cut, TopDownView* view) {

@@ -2,11 +2,11 @@
 #include "benchmark/report/trajectory_layers.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "benchmark/report/goal_ends.h"
 #include "benchmark/report/marks.h"
 #include "benchmark/report/palette.h"
+#include "sim/base/elementary.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -90,7 +90,7 @@ void DrawMarks(const EpisodeTrajectory& trajectory, const MapPlace& place, Canva
     DrawGoal(place.At(goals[i].position), goals.size() > 1 ? std::to_string(i + 1) : "", canvas);
   }
   const Eigen::Vector3d ahead = trajectory.start.forward();
-  DrawStart(place.At(trajectory.start.position), std::atan2(ahead.z(), ahead.x()), canvas);
+  DrawStart(place.At(trajectory.start.position), sim::Atan2(ahead.z(), ahead.x()), canvas);
   for (const GoalEnd& end : GoalEnds(trajectory)) {
     DrawEnd(place.At(end.pose.position), end.kind, canvas);
   }

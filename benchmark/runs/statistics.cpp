@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "sim/base/check.h"
+#include "sim/base/elementary.h"
 #include "sim/math/rng.h"
 
 namespace bulletnav::bench {
@@ -18,9 +20,10 @@ constexpr std::size_t kTail = 50;  // resamples in 2.5% of them
 /// Probability of at most k heads in n throws of a fair coin.
 double BinomialTail(int k, int n) {
   double sum = 0.0;
+  double log_choices = 0.0;  // of i heads
   for (int i = 0; i <= k; ++i) {
-    sum += std::exp(std::lgamma(n + 1.0) - std::lgamma(i + 1.0) - std::lgamma(n - i + 1.0) -
-                    n * std::log(2.0));
+    sum += sim::Exp(log_choices - n * std::numbers::ln2);
+    log_choices += sim::Log((n - i) / (i + 1.0));
   }
   return sum;
 }

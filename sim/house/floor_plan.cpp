@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/base/check.h"
+#include "sim/base/elementary.h"
 
 namespace bulletnav::sim {
 
@@ -37,8 +38,8 @@ std::array<PlanPoint, 4> LeafOutline(const Opening& door) {
   const PlanPoint to_a = LeftOf((door.b - door.a).normalized());
   const PlanPoint swing = door.opens_into_a ? to_a : PlanPoint(-to_a);
   const PlanPoint hinge = hinge_jamb + 0.5f * door.wall_thickness * swing;
-  const float c = std::cos(door.door_angle);
-  const float s = std::sin(door.door_angle);
+  const float c = Cos(door.door_angle);
+  const float s = Sin(door.door_angle);
   const PlanPoint leaf = c * along + s * swing;
   const PlanPoint back = kLeafThickness * (s * along - c * swing);
   const PlanPoint tip = hinge + door.width() * leaf;

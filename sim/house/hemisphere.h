@@ -6,7 +6,8 @@
 
 #include <Eigen/Geometry>
 
-#include "sim/render/cpu/raycaster.h"
+#include "sim/base/elementary.h"
+#include "sim/render/cpu/ray_tracer.h"
 
 namespace bulletnav::sim {
 
@@ -19,7 +20,7 @@ std::array<Eigen::Vector3f, kCount> HemisphereDirections() {
     const float angle =
         static_cast<float>(i) * std::numbers::pi_v<float> * (3.0f - std::sqrt(5.0f));
     const float r = std::sqrt(u);
-    directions[i] = {r * std::cos(angle), r * std::sin(angle), std::sqrt(1.0f - u)};
+    directions[i] = {r * Cos(angle), r * Sin(angle), std::sqrt(1.0f - u)};
   }
   return directions;
 }
@@ -36,7 +37,7 @@ inline Eigen::Vector3f Turned(const Eigen::Vector3f& direction, const Eigen::Vec
 /// Calls visit(hit, direction) for every (kCount / 16)-th of the directions about `normal`, from
 /// number `first` on: sixteen of the whole hemisphere.
 template <std::size_t kCount, class Visit>
-void CastHemisphere(const Raycaster& scene, const std::array<Eigen::Vector3f, kCount>& directions,
+void CastHemisphere(const RayTracer& scene, const std::array<Eigen::Vector3f, kCount>& directions,
                     std::size_t first, const Eigen::Vector3f& point, const Eigen::Vector3f& normal,
                     const Visit& visit) {
   std::array<std::array<float, 16>, 3> rays{};

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "sim/house/hemisphere.h"
-#include "sim/render/cpu/raycaster.h"
+#include "sim/render/cpu/ray_tracer.h"
 
 namespace bulletnav::sim {
 namespace {
@@ -66,7 +66,7 @@ class Looker {
   }
 
   const SceneMesh& mesh_;
-  Raycaster scene_;
+  RayTracer scene_;
   const std::array<Vec, 16> directions_ = HemisphereDirections<16>();
 };
 

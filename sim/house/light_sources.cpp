@@ -86,7 +86,7 @@ void LightSources::AddLampPart(const Vec& centre, float area) {
   patches_.push_back({area * centre, Vec::Zero(), Vec::Constant(area)});
 }
 
-Vec LightSources::Irradiance(const Raycaster& scene, const Vec& point, const Vec& normal) const {
+Vec LightSources::Irradiance(const RayTracer& scene, const Vec& point, const Vec& normal) const {
   Vec sum = Vec::Zero();
   for (const LightPatch& light : patches_) {
     const Vec way = light.centre - point;

@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 
 #include "sim/house/mesh_builder.h"
-#include "sim/render/cpu/raycaster.h"
+#include "sim/render/cpu/ray_tracer.h"
 #include "sim/scene/mesh.h"
 
 namespace bulletnav::sim {
@@ -25,7 +25,7 @@ class LightSources {
   LightSources(const SceneMesh& mesh, std::span<const int> glow_of_triangle);
 
   /// Irradiance at a point that faces `normal`, shadows by `scene`.
-  Eigen::Vector3f Irradiance(const Raycaster& scene, const Eigen::Vector3f& point,
+  Eigen::Vector3f Irradiance(const RayTracer& scene, const Eigen::Vector3f& point,
                              const Eigen::Vector3f& normal) const;
 
  private:

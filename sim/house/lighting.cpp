@@ -8,10 +8,11 @@
 #include <optional>
 #include <unordered_map>
 
+#include "sim/base/elementary.h"
 #include "sim/house/hemisphere.h"
 #include "sim/house/light_sources.h"
 #include "sim/house/refine.h"
-#include "sim/render/cpu/raycaster.h"
+#include "sim/render/cpu/ray_tracer.h"
 
 namespace bulletnav::sim {
 namespace {
@@ -173,7 +174,7 @@ class Baker {
 
   /// Hits of the directions about n, packet by packet.
   template <class Visit>
-  void Gather(const Raycaster& scene, const Vec& point, const Vec& n, int packets,
+  void Gather(const RayTracer& scene, const Vec& point, const Vec& n, int packets,
               const Visit& visit) const {
     for (int p = 0; p < packets; ++p) {
       CastHemisphere(scene, directions_, static_cast<std::size_t>(p), point, n, visit);
@@ -181,7 +182,7 @@ class Baker {
   }
 
   /// How little stands near: 1 in the open, 0 in a crack.
-  float Openness(const Raycaster& scene, const Vec& point, const Vec& n) const {
+  float Openness(const RayTracer& scene, const Vec& point, const Vec& n) const {
     float open = 0.0f;
     Gather(scene, point, n, 1, [&](const RayHit& hit, const Vec&) {
       open += hit.triangle < 0 ? 1.0f : std::min(1.0f, hit.t / kAmbientReach);
@@ -210,7 +211,7 @@ class Baker {
   /// at vertices that lie inside something.
   std::vector<std::optional<Vec>> GatheredLight(const std::vector<Vec>& direct) const {
     const std::vector<std::array<Vec, 3>> corners = Corners(mesh_);
-    const Raycaster scene(corners);
+    const RayTracer scene(corners);
     const std::vector<Vec> albedo = Albedos(mesh_);
     std::vector<std::optional<Vec>> light(mesh_.positions.size());
     std::vector<char> tried(mesh_.positions.size(), 0);
@@ -225,7 +226,7 @@ class Baker {
     return light;
   }
 
-  std::optional<Vec> GatherAt(const Raycaster& scene,
+  std::optional<Vec> GatherAt(const RayTracer& scene,
                               const std::vector<std::array<Vec, 3>>& corners,
                               const std::vector<Vec>& albedo, const std::vector<Vec>& direct,
                               const Place& place) const {
@@ -252,8 +253,8 @@ class Baker {
   }
 
   static float Display(float light) {
-    const float mapped = 1.0f - std::exp(-kExposure * light);
-    return kDarkest + (1.0f - kDarkest) * std::pow(mapped, 1.0f / 1.9f);
+    const float mapped = 1.0f - Exp(-kExposure * light);
+    return kDarkest + (1.0f - kDarkest) * Pow(mapped, 1.0f / 1.9f);
   }
 
   void WriteColors(const std::vector<Vec>& direct,
@@ -313,7 +314,7 @@ class Baker {
   std::unordered_map<PlaceKey, float, PlaceHash> sketches_;
   const std::array<Vec, kDirections> directions_ = HemisphereDirections<kDirections>();
   std::optional<LightSources> sources_;
-  std::optional<Raycaster> coarse_;
+  std::optional<RayTracer> coarse_;
 };
 
 }  // namespace

@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "sim/base/check.h"
+#include "sim/base/elementary.h"
 #include "sim/math/pose.h"
+#include "sim/math/rotation.h"
 
 namespace bulletnav::sim {
 namespace {
@@ -21,7 +23,7 @@ std::vector<Vec> Ring(const MeshBuilder::Oval& oval, int sides) {
   for (int i = 0; i <= sides; ++i) {
     const float angle = kFullTurn * static_cast<float>(i) / static_cast<float>(sides);
     ring.push_back(oval.centre +
-                   Vec(oval.radii.x() * std::cos(angle), 0.0f, -oval.radii.y() * std::sin(angle)));
+                   Vec(oval.radii.x() * Cos(angle), 0.0f, -oval.radii.y() * Sin(angle)));
   }
   return ring;
 }
@@ -77,7 +79,7 @@ MeshBuilder::Frame::Frame(MeshBuilder* builder, const Eigen::Affine3f& X_parent_
 }
 
 MeshBuilder::Frame::Frame(MeshBuilder* builder, const Vec& at, float yaw)
-    : Frame(builder, Eigen::Translation3f(at) * Eigen::AngleAxisf(yaw, Vec::UnitY())) {}
+    : Frame(builder, Eigen::Translation3f(at) * RotationAbout<float>(Vec::UnitY(), yaw)) {}
 
 MeshBuilder::Frame::~Frame() {
   builder_->X_WL_ = saved_;
@@ -303,8 +305,8 @@ void MeshBuilder::Ball(const Surface& surface, const Vec& centre, const Vec& rad
   std::vector<std::vector<Vec>> rings;
   for (int i = 0; i <= bands; ++i) {
     const float angle = 0.5f * kFullTurn * static_cast<float>(i) / static_cast<float>(bands);
-    const Vec2 level = Vec2(radii.x(), radii.z()) * std::sin(angle);
-    rings.push_back(Ring({centre - Vec(0, radii.y() * std::cos(angle), 0), level}, sides));
+    const Vec2 level = Vec2(radii.x(), radii.z()) * Sin(angle);
+    rings.push_back(Ring({centre - Vec(0, radii.y() * Cos(angle), 0), level}, sides));
   }
   Tube(surface, rings);
 }

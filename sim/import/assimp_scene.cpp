@@ -11,6 +11,7 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
+#include "sim/base/elementary.h"
 #include "sim/base/error.h"
 #include "sim/base/files.h"
 #include "sim/import/cpu_time.h"
@@ -32,7 +33,7 @@ std::uint8_t ToByte(float value) {
 /// glTF's factors and vertex colours are linear light, the older formats' are display values.
 std::uint8_t EncodeSrgb(float linear) {
   const float x = std::min(std::max(linear, 0.0f), 1.0f);
-  return ToByte(x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1.0f / 2.4f) - 0.055f);
+  return ToByte(x <= 0.0031308f ? 12.92f * x : 1.055f * Pow(x, 1.0f / 2.4f) - 0.055f);
 }
 
 /// Converts one assimp scene; materials and textures first, then the meshes node by node.

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "sim/base/elementary.h"
+
 namespace bulletnav::sim {
 
 double WrapAngle(double angle) {
@@ -11,11 +13,11 @@ double WrapAngle(double angle) {
 }
 
 Eigen::Vector3d BodyPose::forward() const {
-  return {-std::sin(yaw), 0.0, -std::cos(yaw)};
+  return {-Sin(yaw), 0.0, -Cos(yaw)};
 }
 
 Eigen::Vector3d BodyPose::left() const {
-  return {-std::cos(yaw), 0.0, std::sin(yaw)};
+  return {-Cos(yaw), 0.0, Sin(yaw)};
 }
 
 PlanarPose RelativePose(const BodyPose& X_WA, const BodyPose& X_WB) {
@@ -24,15 +26,15 @@ PlanarPose RelativePose(const BodyPose& X_WA, const BodyPose& X_WB) {
 }
 
 PlanarPose Compose(const PlanarPose& X_AB, const PlanarPose& X_BC) {
-  const double c = std::cos(X_AB.yaw);
-  const double s = std::sin(X_AB.yaw);
+  const double c = Cos(X_AB.yaw);
+  const double s = Sin(X_AB.yaw);
   return {X_AB.x + c * X_BC.x - s * X_BC.y, X_AB.y + s * X_BC.x + c * X_BC.y,
           WrapAngle(X_AB.yaw + X_BC.yaw)};
 }
 
 PlanarPose Inverse(const PlanarPose& X_AB) {
-  const double c = std::cos(X_AB.yaw);
-  const double s = std::sin(X_AB.yaw);
+  const double c = Cos(X_AB.yaw);
+  const double s = Sin(X_AB.yaw);
   return {-c * X_AB.x - s * X_AB.y, s * X_AB.x - c * X_AB.y, WrapAngle(-X_AB.yaw)};
 }
 

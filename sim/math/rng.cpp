@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "sim/base/elementary.h"
 #include "sim/base/error.h"
 #include "sim/base/files.h"
 #include "sim/math/pose.h"
@@ -112,11 +113,11 @@ double Rng::Normal() {
     return spare_normal_;
   }
   // Box-Muller; 1 - U lies in (0, 1], where the logarithm is finite.
-  const double radius = std::sqrt(-2.0 * std::log(1.0 - Uniform()));
+  const double radius = std::sqrt(-2.0 * Log(1.0 - Uniform()));
   const double angle = 2.0 * kPi * Uniform();
-  spare_normal_ = radius * std::sin(angle);
+  spare_normal_ = radius * Sin(angle);
   has_spare_normal_ = true;
-  return radius * std::cos(angle);
+  return radius * Cos(angle);
 }
 
 std::size_t Rng::Weighted(std::span<const double> weights) {

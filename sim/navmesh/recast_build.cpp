@@ -10,6 +10,7 @@
 #include <recastnavigation/DetourNavMeshBuilder.h>
 #include <recastnavigation/Recast.h>
 
+#include "sim/base/elementary.h"
 #include "sim/base/error.h"
 
 namespace bulletnav::sim {
@@ -114,7 +115,7 @@ class RecastBuilder {
                                 config_.bmax, config_.cs, config_.ch),
             "make its grid");
     const bool two_sided = FloorFacesDown(mesh_);
-    const float least_up = std::cos(config_.walkableSlopeAngle / 180.0f * RC_PI);
+    const float least_up = Cos(config_.walkableSlopeAngle / 180.0f * RC_PI);
     for (const auto& t : mesh_.triangles) {
       const Eigen::Vector3f& a = mesh_.positions[t[0]];
       const Eigen::Vector3f& b = mesh_.positions[t[1]];

@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "sim/base/elementary.h"
 #include "sim/base/error.h"
 
 namespace bulletnav::sim {
@@ -54,7 +55,7 @@ Capsule CapsuleBody::Torso(const Eigen::Vector3f& foot) const {
 
 std::optional<float> CapsuleBody::FloorUnder(const Eigen::Vector3f& foot, float above,
                                              float below) const {
-  const auto least_up = static_cast<float>(std::cos(DegToRad(spec_.max_slope_deg)));
+  const auto least_up = static_cast<float>(Cos(DegToRad(spec_.max_slope_deg)));
   const Eigen::Vector3f down(0, -(above + below), 0);
   // The centre decides; where it looks into a crack or over an edge, the foot around it does.
   const float toe = 0.5f * spec_.radius;

@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "sim/base/elementary.h"
 #include "sim/base/error.h"
 #include "sim/math/pose.h"
 
@@ -22,8 +23,8 @@ constexpr double kMaxFov = 150.0;
 void FillCircle(RayGrid* grid, int cols) {
   for (int c = 0; c < cols; ++c) {
     const double clockwise = 2.0 * kPi * (c + 0.5) / cols - kPi;
-    grid->x.push_back(static_cast<float>(std::sin(clockwise)));
-    grid->z.push_back(static_cast<float>(-std::cos(clockwise)));
+    grid->x.push_back(static_cast<float>(Sin(clockwise)));
+    grid->z.push_back(static_cast<float>(-Cos(clockwise)));
   }
 }
 
@@ -34,8 +35,8 @@ void FillCubeSides(RayGrid* grid, int cols) {
     const int view = c / side;
     const double centre = (view - 1.5) * 0.5 * kPi;
     const double across = 2.0 * (c % side + 0.5) / side - 1.0;
-    grid->x.push_back(static_cast<float>(std::sin(centre) + across * std::cos(centre)));
-    grid->z.push_back(static_cast<float>(-std::cos(centre) + across * std::sin(centre)));
+    grid->x.push_back(static_cast<float>(Sin(centre) + across * Cos(centre)));
+    grid->z.push_back(static_cast<float>(-Cos(centre) + across * Sin(centre)));
   }
 }
 
@@ -51,8 +52,8 @@ void FillLinearRows(RayGrid* grid, int rows, double column) {
 void FillAngularRows(RayGrid* grid, int rows, double column) {
   for (int r = 0; r < rows; ++r) {
     const double elevation = 0.5 * kPi - kPi * (r + 0.5) / rows;
-    const double cosine = std::cos(elevation);
-    grid->y.push_back(static_cast<float>(std::tan(elevation)));
+    const double cosine = Cos(elevation);
+    grid->y.push_back(static_cast<float>(Tan(elevation)));
     grid->area.push_back(static_cast<float>(column * kPi / rows / (cosine * cosine)));
   }
 }
@@ -106,7 +107,7 @@ void PanoramaSpec::Validate() const {
 }
 
 double PinholeSpec::tan_x() const {
-  return std::tan(0.5 * DegToRad(hfov_deg));
+  return Tan(0.5 * DegToRad(hfov_deg));
 }
 
 void PinholeSpec::Validate() const {
@@ -115,7 +116,7 @@ void PinholeSpec::Validate() const {
     throw Error(fmt::format("hfov_deg is {}; a pinhole camera's field of view goes from {} to {}",
                             hfov_deg, kMinFov, kMaxFov));
   }
-  const double upwards = 2.0 * RadToDeg(std::atan(tan_y()));
+  const double upwards = 2.0 * RadToDeg(Atan(tan_y()));
   if (!(upwards >= kMinFov && upwards <= kMaxFov)) {
     throw Error(fmt::format(
         "hfov_deg {} in a picture of {}x{} sees {:.1f} degrees upwards; {} to {} can be drawn",
@@ -153,8 +154,8 @@ RayGrid::RayGrid(const CameraSpec& spec) {
 }
 
 Eigen::Vector3f RayGrid::Direction(std::size_t row, std::size_t col) const {
-  const auto c = static_cast<float>(std::cos(pitch));
-  const auto s = static_cast<float>(std::sin(pitch));
+  const auto c = static_cast<float>(Cos(pitch));
+  const auto s = static_cast<float>(Sin(pitch));
   return {x[col], y[row] * c - z[col] * s, y[row] * s + z[col] * c};
 }
 

@@ -49,8 +49,8 @@ Rgb8 ShadePoint(const RenderMesh& mesh, std::size_t triangle, const Eigen::Vecto
   const float b2 = std::min(weight(t.g2, t.h2), 1.0f - b1);
   const TextureInfo& info = mesh.textures.infos[t.texture];
   const float texels = std::max(t.texel_density * pixel_m2, 1e-6f);
-  const int level =
-      std::clamp(static_cast<int>(std::lround(0.5f * std::log2(texels))), 0, info.log2_side);
+  // log2(texels) / 2, rounded.
+  const int level = std::clamp((std::ilogb(texels) + 1) >> 1, 0, info.log2_side);
   const std::array<float, 3> texel =
       Sample(mesh.textures, info, t.uv0[0] + b1 * t.duv1[0] + b2 * t.duv2[0],
              t.uv0[1] + b1 * t.duv1[1] + b2 * t.duv2[1], level);

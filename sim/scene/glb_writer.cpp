@@ -7,6 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "sim/base/elementary.h"
+
 namespace bulletnav::sim {
 namespace {
 
@@ -21,7 +23,7 @@ constexpr int kElementArrayBuffer = 34963;
 
 double LinearFromSrgb(std::uint8_t value) {
   const double x = value / 255.0;
-  return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
+  return x <= 0.04045 ? x / 12.92 : Pow((x + 0.055) / 1.055, 2.4);
 }
 
 /// The vertices and triangles of one material, renumbered.

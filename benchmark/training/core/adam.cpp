@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "agent/perception/weights.h"
+#include "sim/base/elementary.h"
 #include "sim/base/error.h"
 
 namespace bulletnav::bench {
@@ -48,8 +49,8 @@ Adam::Adam(const torch::nn::Module& module, double weight_decay) : weight_decay_
 void Adam::Step(double rate) {
   const torch::NoGradGuard no_grad;
   ++steps_;
-  const double mean_share = 1.0 - std::pow(kMeanDecay, steps_);
-  const double deviation_share = std::sqrt(1.0 - std::pow(kVarianceDecay, steps_));
+  const double mean_share = 1.0 - sim::Pow(kMeanDecay, steps_);
+  const double deviation_share = std::sqrt(1.0 - sim::Pow(kVarianceDecay, steps_));
   for (Item& item : items_) {
     const torch::Tensor gradient = item.parameter.grad();
     if (!gradient.defined()) continue;

@@ -2,8 +2,8 @@
 #include "benchmark/training/core/train_plan.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "sim/base/elementary.h"
 #include "sim/base/error.h"
 #include "sim/math/pose.h"
 
@@ -16,7 +16,7 @@ void internal::RequireAtLeast(int low, int value, const std::string& name) {
 double OptimiserSpec::RateAt(int step, int steps) const {
   const double warm = warmup_steps > 0 ? std::min(1.0, (step + 1.0) / warmup_steps) : 1.0;
   if (schedule == Schedule::kConstant) return learning_rate * warm;
-  return learning_rate * warm * 0.5 * (1.0 + std::cos(sim::kPi * step / steps));
+  return learning_rate * warm * 0.5 * (1.0 + sim::Cos(sim::kPi * step / steps));
 }
 
 void OptimiserSpec::Validate() const {

@@ -6,6 +6,7 @@
 
 #include "agent/models/semantic_model.h"
 #include "sim/base/check.h"
+#include "sim/base/elementary.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -18,7 +19,7 @@ constexpr double kSteepest = 1.0;
 
 GoalSight::GoalSight(const sim::PanoramaSpec& spec) : rays_(spec), half_width_(kHalfPatch) {
   for (std::size_t c = 0; c < rays_.x.size(); ++c) {
-    bearing_.push_back(std::atan2(-rays_.x[c], -rays_.z[c]));
+    bearing_.push_back(sim::Atan2(-rays_.x[c], -rays_.z[c]));
     flat_.push_back(std::hypot(rays_.x[c], rays_.z[c]));
   }
   // Coarse pictures have to show something of every patch.
@@ -30,15 +31,15 @@ bool GoalSight::IsSameNode(std::span<const float> depth, const sim::PlanarPose& 
   const double distance = std::hypot(goal.x, goal.y);
   if (distance > agent::kNodeRadius) return false;
   const double elevation = distance > 0.0 ? rise / distance : 0.0;
-  return FarthestRange(depth, std::atan2(goal.y, goal.x), elevation) > distance;
+  return FarthestRange(depth, sim::Atan2(goal.y, goal.x), elevation) > distance;
 }
 
 double GoalSight::FarthestRange(std::span<const float> depth, double bearing,
                                 double elevation) const {
   BULLETNAV_CHECK_EQ(depth.size(), rays_.x.size() * rays_.y.size());
-  const double middle = std::atan(std::clamp(elevation, -kSteepest, kSteepest));
-  const Patch patch = {bearing, std::tan(middle - kHalfPatch), std::tan(middle),
-                       std::tan(middle + kHalfPatch)};
+  const double middle = sim::Atan(std::clamp(elevation, -kSteepest, kSteepest));
+  const Patch patch = {bearing, sim::Tan(middle - kHalfPatch), sim::Tan(middle),
+                       sim::Tan(middle + kHalfPatch)};
   double farthest = 0.0;
   for (std::size_t c = 0; c < bearing_.size(); ++c) {
     if (std::abs(sim::WrapAngle(bearing_[c] - bearing)) > half_width_) continue;

@@ -11,6 +11,7 @@
 #include "benchmark/report/scene_map.h"
 #include "benchmark/training/supervised/near_map.h"
 #include "benchmark/training/supervised/scene_panoramas.h"
+#include "sim/base/elementary.h"
 #include "sim/base/files.h"
 
 namespace bulletnav::bench {
@@ -37,7 +38,7 @@ std::size_t ColumnOf(const sim::RayGrid& rays, double bearing) {
   std::size_t best = 0;
   double least = HUGE_VAL;
   for (std::size_t c = 0; c < rays.x.size(); ++c) {
-    const double here = std::atan2(-double{rays.x[c]}, -double{rays.z[c]});
+    const double here = sim::Atan2(-double{rays.x[c]}, -double{rays.z[c]});
     const double off = std::abs(sim::WrapAngle(here - bearing));
     if (off < least) best = c;
     least = std::min(least, off);
@@ -133,7 +134,7 @@ class LabelPictures {
       canvas->Text(at + Point(0.0, -13.0), fmt::format("{}: {:.2f}", i, score), 10.0, kInk);
     }
     const Eigen::Vector3d ahead = pose.forward();
-    DrawStart(place.At(pose.position), std::atan2(ahead.z(), ahead.x()), canvas);
+    DrawStart(place.At(pose.position), sim::Atan2(ahead.z(), ahead.x()), canvas);
     DrawGoal(place.At(samples_.poses[static_cast<std::size_t>(goal)].position), "", canvas);
   }
 
@@ -155,7 +156,7 @@ class LabelPictures {
     const Point middle = corner + Point::Constant(0.5 * kNear);
     for (int i = 0; i < kDirections; ++i) {
       const double bearing = BearingOf(i);
-      const Point along = Point(-std::sin(bearing), -std::cos(bearing)) * scale / near_.cell();
+      const Point along = Point(-sim::Sin(bearing), -sim::Cos(bearing)) * scale / near_.cell();
       const Paint& paint = near_.IsExplorable(i) ? kGreen : kNo;
       canvas->Line(middle, middle + along * near_.Reach(i), 1.0, paint);
       canvas->Disc(middle + along * near_.Reach(i), 4.0, paint);

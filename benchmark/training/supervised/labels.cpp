@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/base/elementary.h"
+
 namespace bulletnav::bench {
 
 float PairLabel::near_score() const {
@@ -13,7 +15,7 @@ float PairLabel::near_score() const {
 
 sim::BodyPose PointAlong(const sim::BodyPose& from, int direction, double distance) {
   const double bearing = BearingOf(direction);
-  return sim::Apply(from, {distance * std::cos(bearing), distance * std::sin(bearing), 0.0});
+  return sim::Apply(from, {distance * sim::Cos(bearing), distance * sim::Sin(bearing), 0.0});
 }
 
 std::uint8_t QuantisedFarScore(double distance) {
@@ -26,7 +28,7 @@ PairLabel LabelPose(const sim::PlanarPose& goal_in_source) {
   const double millimetres = 1e3 * std::hypot(goal_in_source.x, goal_in_source.y);
   PairLabel label;
   label.direction =
-      static_cast<std::uint8_t>(DirectionOf(std::atan2(goal_in_source.y, goal_in_source.x)));
+      static_cast<std::uint8_t>(DirectionOf(sim::Atan2(goal_in_source.y, goal_in_source.x)));
   label.distance = static_cast<std::uint16_t>(std::lround(std::min(millimetres, kMost)));
   return label;
 }

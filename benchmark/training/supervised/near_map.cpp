@@ -7,6 +7,7 @@
 
 #include "agent/models/semantic_model.h"
 #include "benchmark/training/supervised/labels.h"
+#include "sim/base/elementary.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -78,8 +79,8 @@ void NearMap::FreeMiddle() {
 sim::Cell NearMap::CellAlong(int direction, double distance) const {
   const double bearing = BearingOf(direction);
   const double cells = distance / spec_.cell;
-  return {middle_.x + static_cast<int>(std::lround(cells * std::cos(bearing))),
-          middle_.y + static_cast<int>(std::lround(cells * std::sin(bearing)))};
+  return {middle_.x + static_cast<int>(std::lround(cells * sim::Cos(bearing))),
+          middle_.y + static_cast<int>(std::lround(cells * sim::Sin(bearing)))};
 }
 
 bool NearMap::IsExplorable(int direction) const {

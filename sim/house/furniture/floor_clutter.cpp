@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <cmath>
 
+#include "sim/base/elementary.h"
 #include "sim/house/furniture/families.h"
 #include "sim/house/furniture/parts.h"
 
@@ -63,8 +63,8 @@ void Bin(PieceMaker& m) {
          10);
   m.Turn(kDark, {0, 0.2f, 0}, {{0.8f * radius, 0.0f}, {0.0f, 0.0f}}, 10);
   for (int i = 0; i < 3; ++i) {  // crumpled paper
-    const Vec at(0.4f * radius * std::cos(2.1f * static_cast<float>(i)), 0.25f,
-                 0.4f * radius * std::sin(2.1f * static_cast<float>(i)));
+    const Vec at(0.4f * radius * Cos(2.1f * static_cast<float>(i)), 0.25f,
+                 0.4f * radius * Sin(2.1f * static_cast<float>(i)));
     m.Ball(kPaper, at, {0.05f, 0.05f, 0.045f}, 5);
   }
 }
@@ -147,7 +147,7 @@ void Bicycle(PieceMaker& m) {
     Hoop(m, kDark, hub, kWheel - 0.016f, 0.016f, 12);
     for (int i = 0; i < 3; ++i) {
       const float angle = 2.0f / 3.0f * kQuarterTurn * static_cast<float>(i);
-      const Vec spoke = (kWheel - 0.02f) * Vec(0, std::sin(angle), std::cos(angle));
+      const Vec spoke = (kWheel - 0.02f) * Vec(0, Sin(angle), Cos(angle));
       m.Bar(kSteel, hub - spoke, hub + spoke, 0.004f, 3);
     }
   }

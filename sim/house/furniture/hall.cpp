@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/elementary.h"
 #include "sim/house/furniture/families.h"
 #include "sim/house/furniture/parts.h"
 
@@ -144,8 +145,7 @@ void UmbrellaStand(PieceMaker& m) {
   for (int i = 0; i < 3; ++i) {
     const float angle = 2.1f * static_cast<float>(i);
     const Frame frame(
-        &m, Turned({0.3f * radius * std::cos(angle), 0.05f, 0.3f * radius * std::sin(angle)}, angle,
-                   0.1f));
+        &m, Turned({0.3f * radius * Cos(angle), 0.05f, 0.3f * radius * Sin(angle)}, angle, 0.1f));
     m.TaperedBox({"canvas", i == 0 ? Rgb8{40, 40, 44} : BrightColor(m)}, {0, 0.1f, 0},
                  {0.03f, 0.03f}, {0, 0.66f, 0}, {0.075f, 0.075f});
     m.Cylinder(m.palette().wood, {0, 0.66f, 0}, 0.012f, 0.12f, 5);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <cmath>
 
+#include "sim/base/elementary.h"
 #include "sim/house/furniture/families.h"
 #include "sim/house/furniture/parts.h"
 
@@ -35,7 +35,7 @@ void Vase(PieceMaker& m) {
   for (int i = 0; i < 5; ++i) {
     const float angle = 2.4f * static_cast<float>(i);
     const float out = 0.03f + 0.022f * static_cast<float>(i);
-    const Vec head(out * std::cos(angle), tall + 0.24f - out, out * std::sin(angle));
+    const Vec head(out * Cos(angle), tall + 0.24f - out, out * Sin(angle));
     m.Bar(kLeaves, {0, 0.9f * tall, 0}, head, 0.005f, 3);
     m.Ball(petals, head, {0.036f, 0.03f, 0.036f}, 5);
     Leaf(m, kLeaves, {0, tall, 0}, 0.6f * (head - Vec(0, tall, 0)) + Vec(0.02f, 0.04f, 0.02f),
@@ -84,9 +84,8 @@ void MapBall(PieceMaker& m, const Vec& centre, float radius) {
   const auto point = [&](int i, int band) {
     const float around = 4.0f * kQuarterTurn * static_cast<float>(i) / kAround;
     const float down = 2.0f * kQuarterTurn * static_cast<float>(band) / kBands;
-    const float out = std::sin(down);
-    return Vec(centre +
-               radius * Vec(out * std::cos(around), -std::cos(down), -out * std::sin(around)));
+    const float out = Sin(down);
+    return Vec(centre + radius * Vec(out * Cos(around), -Cos(down), -out * Sin(around)));
   };
   for (int i = 0; i < kAround; ++i) {
     for (int band = 0; band < kBands; ++band) {
@@ -108,7 +107,7 @@ void Globe(PieceMaker& m) {
   for (int i = 0; i < 6; ++i) {
     const auto point = [](int k) {
       const float angle = 0.5f * static_cast<float>(k) - 1.9f;
-      return Vec(0.145f * std::cos(angle), 0.145f * std::sin(angle), 0);
+      return Vec(0.145f * Cos(angle), 0.145f * Sin(angle), 0);
     };
     m.Bar(kBrass, point(i), point(i + 1), 0.008f, 4);
   }

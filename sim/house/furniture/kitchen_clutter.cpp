@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <cmath>
 
+#include "sim/base/elementary.h"
 #include "sim/house/furniture/families.h"
 #include "sim/house/furniture/kitchen_parts.h"
 
@@ -92,7 +92,7 @@ void BowlOfFruit(PieceMaker& m) {
     const float angle = 1.26f * static_cast<float>(i);
     const float out = i == 5 ? 0.0f : 0.55f * radius;
     const Surface fruit{"painted_wood", kFruits[static_cast<std::size_t>(i) % kFruits.size()]};
-    m.Ball(fruit, {out * std::cos(angle), i == 5 ? 0.14f : 0.085f, out * std::sin(angle)},
+    m.Ball(fruit, {out * Cos(angle), i == 5 ? 0.14f : 0.085f, out * Sin(angle)},
            {0.042f, 0.04f, 0.042f}, 6);
   }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cmath>
 
+#include "sim/base/elementary.h"
 #include "sim/house/furniture/families.h"
 #include "sim/house/furniture/parts.h"
 
@@ -19,7 +19,7 @@ void Tripod(PieceMaker& m, float height) {
   constexpr float kThick = 0.019f;
   for (int i = 0; i < 3; ++i) {
     const float angle = 4.0f / 3.0f * kQuarterTurn * static_cast<float>(i);
-    const Vec out(std::sin(angle), 0, std::cos(angle));
+    const Vec out(Sin(angle), 0, Cos(angle));
     m.Bar(m.palette().wood, 0.27f * out + Vec(0, kThick, 0),
           0.03f * out + Vec(0, height - 0.28f, 0), kThick, 5);
   }
@@ -31,8 +31,8 @@ void ArcLamp(PieceMaker& m, const Surface& metal) {
   Vec last(-0.5f, 0.05f, 0);
   for (int i = 1; i <= 6; ++i) {
     const float angle = 0.3f * static_cast<float>(i);
-    const Vec next(-0.5f + 0.81f * (1.0f - std::cos(angle)),
-                   0.05f + 1.75f * std::sin(std::min(angle, kQuarterTurn)), 0);
+    const Vec next(-0.5f + 0.81f * (1.0f - Cos(angle)),
+                   0.05f + 1.75f * Sin(std::min(angle, kQuarterTurn)), 0);
     m.Bar(metal, last, next, 0.019f, 5);
     last = next;
   }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/elementary.h"
 #include "sim/house/furniture/parts.h"
 
 namespace bulletnav::sim::furniture {
@@ -40,8 +41,7 @@ void SmallPlant(PieceMaker& m, const Vec& at, float radius, float height) {
   const Vec top = at + Vec(0, 0.4f * height, 0);
   for (int i = 0; i < 7; ++i) {
     const float angle = 0.9f * static_cast<float>(i);
-    const Vec along(0.8f * radius * std::cos(angle), 0.5f * height,
-                    0.8f * radius * std::sin(angle));
+    const Vec along(0.8f * radius * Cos(angle), 0.5f * height, 0.8f * radius * Sin(angle));
     Leaf(m, kLeaves, top, along, 0.6f * radius);
   }
 }

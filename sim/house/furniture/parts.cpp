@@ -2,13 +2,17 @@
 #include "sim/house/furniture/parts.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "sim/base/elementary.h"
+#include "sim/math/rotation.h"
 
 namespace bulletnav::sim::furniture {
 
 Eigen::Affine3f Turned(const Vec& at, float yaw, float pitch, float roll) {
-  return Eigen::Translation3f(at) * Eigen::AngleAxisf(yaw, Vec::UnitY()) *
-         Eigen::AngleAxisf(pitch, Vec::UnitX()) * Eigen::AngleAxisf(roll, Vec::UnitZ());
+  const Eigen::Matrix3f turn = RotationAbout<float>(Vec::UnitY(), yaw) *
+                               RotationAbout<float>(Vec::UnitX(), pitch) *
+                               RotationAbout<float>(Vec::UnitZ(), roll);
+  return Eigen::Translation3f(at) * turn;
 }
 
 std::vector<float> Spaced(float low, float high, float pitch) {
@@ -140,9 +144,8 @@ void Hoop(PieceMaker& m, const Surface& surface, const Vec& centre, float radius
     const float turn = 4.0f * kQuarterTurn;
     const float around = turn * static_cast<float>(piece) / static_cast<float>(pieces);
     const float across = turn * static_cast<float>(side) / static_cast<float>(kSides);
-    const float out = radius + thickness * std::cos(across);
-    return Vec(centre +
-               Vec(thickness * std::sin(across), out * std::sin(around), out * std::cos(around)));
+    const float out = radius + thickness * Cos(across);
+    return Vec(centre + Vec(thickness * Sin(across), out * Sin(around), out * Cos(around)));
   };
   for (int i = 0; i < pieces; ++i) {
     for (int k = 0; k < kSides; ++k) {

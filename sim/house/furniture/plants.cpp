@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
+#include "sim/base/elementary.h"
 #include "sim/house/furniture/families.h"
 #include "sim/house/furniture/parts.h"
 
@@ -16,7 +17,7 @@ Surface Foliage(PieceMaker& m) {
 }
 
 Vec Around(float angle, float out, float up) {
-  return {out * std::cos(angle), up, out * std::sin(angle)};
+  return {out * Cos(angle), up, out * Sin(angle)};
 }
 
 /// Pot standing on the floor; its soil is at the height returned.
@@ -73,7 +74,7 @@ void Frond(PieceMaker& m, const Surface& leaves, const Vec& base, float angle, f
   constexpr int kPieces = 5;
   for (int i = 0; i < kPieces; ++i) {
     const float slope = 1.3f - 0.5f * static_cast<float>(i);
-    const Vec step = length / kPieces * Around(angle, std::cos(slope), std::sin(slope));
+    const Vec step = length / kPieces * Around(angle, Cos(slope), Sin(slope));
     const Vec next = at + step;
     const float wide = 0.3f * length * (1.0f - 0.15f * static_cast<float>(i));
     for (const float side : {-1.0f, 1.0f}) {

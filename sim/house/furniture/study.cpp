@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <cmath>
 
+#include "sim/base/elementary.h"
 #include "sim/house/furniture/families.h"
 #include "sim/house/furniture/parts.h"
 
@@ -88,7 +88,7 @@ void Desk(PieceMaker& m) {
 void SwivelBase(PieceMaker& m, const Surface& metal, float seat) {
   for (int i = 0; i < 5; ++i) {
     const float angle = 0.8f * kQuarterTurn * static_cast<float>(i);
-    const Vec foot(0.29f * std::sin(angle), 0.05f, 0.29f * std::cos(angle));
+    const Vec foot(0.29f * Sin(angle), 0.05f, 0.29f * Cos(angle));
     const Frame frame(&m, {0, 0, 0}, angle);
     m.TaperedBox(metal, {0, 0.06f, 0.16f}, {0.045f, 0.27f}, {0, 0.1f, 0.14f}, {0.04f, 0.25f});
     m.Box(kDark, {-0.022f, 0, 0.265f}, {0.022f, 0.06f, 0.315f});

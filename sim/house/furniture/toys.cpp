@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <cmath>
 
+#include "sim/base/elementary.h"
 #include "sim/house/furniture/families.h"
 #include "sim/house/furniture/parts.h"
 
@@ -144,8 +144,7 @@ void Ball(PieceMaker& m) {
   const auto point = [&](int segment, int band) {
     const float around = 4.0f * kQuarterTurn * static_cast<float>(segment) / kSegments;
     const float down = 2.0f * kQuarterTurn * static_cast<float>(band) / kBands;
-    return Vec(radius * Vec(std::sin(down) * std::cos(around), -std::cos(down),
-                            -std::sin(down) * std::sin(around)));
+    return Vec(radius * Vec(Sin(down) * Cos(around), -Cos(down), -Sin(down) * Sin(around)));
   };
   for (int s = 0; s < kSegments; ++s) {
     for (int b = 0; b < kBands; ++b) {

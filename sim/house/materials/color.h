@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <numbers>
 
+#include "sim/base/elementary.h"
+
 namespace bulletnav::sim::materials {
 
 inline constexpr float kPi = std::numbers::pi_v<float>;
@@ -36,8 +38,8 @@ constexpr Point AlongAxis(Point p, Point axis) {
 }
 /// Turned clockwise as seen (y is down), radians.
 inline Point Turned(Point p, float angle) {
-  const float c = std::cos(angle);
-  const float s = std::sin(angle);
+  const float c = Cos(angle);
+  const float s = Sin(angle);
   return {c * p.x - s * p.y, s * p.x + c * p.y};
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "sim/house/materials/motif.h"
 
+#include "sim/base/elementary.h"
+
 namespace bulletnav::sim::materials {
 
 void PaintFlower(Canvas* canvas, Point centre, float radius, float angle, const FlowerLook& look) {
@@ -25,7 +27,7 @@ void PaintFrond(Canvas* canvas, Point root, Point tip, int pairs, Color color) {
   for (int i = 0; i < pairs; ++i) {
     const float t = (static_cast<float>(i) + 0.6f) / static_cast<float>(pairs);
     const Point from = root + along * t;
-    const float reach = 0.42f * std::sin(kPi * Mix(0.22f, 0.95f, t));
+    const float reach = 0.42f * Sin(kPi * Mix(0.22f, 0.95f, t));
     for (const float side : {-1.0f, 1.0f}) {
       const Point leaflet = Turned(along * reach, side * Mix(0.95f, 0.5f, t));
       canvas->Paint(Leaf{from, from + leaflet, 0.24f * Length(leaflet)}, color);

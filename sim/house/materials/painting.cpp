@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Paintings, without frames. Shown once.
+#include "sim/base/elementary.h"
 #include "sim/house/materials/brushwork.h"
 #include "sim/house/materials/families.h"
 #include "sim/house/materials/motif.h"
@@ -22,7 +23,7 @@ Image Landscape() {
     color = meadow.Cover(p, color, Mix(Hex(0x6f9448), Hex(0x97ab52), p.x));
     color = field.Cover(p, color, Mix(Hex(0xdcb954), Hex(0xb98a3a), Smooth(0.7f, 1.0f, p.y)));
     // A path winding up through the field.
-    const float middle = 0.45f + 0.1f * std::sin(9.0f * p.y) + 0.25f * (p.y - 0.75f);
+    const float middle = 0.45f + 0.1f * Sin(9.0f * p.y) + 0.25f * (p.y - 0.75f);
     const float half = 0.2f * (p.y - 0.64f);
     const float path =
         Smooth(0.7f, 0.76f, p.y) * Smooth(half, half - 0.02f, std::abs(p.x - middle));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Posters and photographs. Shown once.
+#include "sim/base/elementary.h"
 #include "sim/house/materials/brushwork.h"
 #include "sim/house/materials/families.h"
 #include "sim/house/materials/field.h"
@@ -90,7 +91,7 @@ Image Animals() {
 void PaintPlanet(Canvas* canvas, Point centre, float radius, Color light, Color dark) {
   canvas->Paint(Disc(centre, radius), [&](Point p) {
     const Point d = (p - centre) * (1.0f / radius);
-    const float bands = 0.5f + 0.5f * std::sin(9.0f * d.y + 1.2f * d.x);
+    const float bands = 0.5f + 0.5f * Sin(9.0f * d.y + 1.2f * d.x);
     return Mix(light, dark, 0.5f * bands) *
            (1.05f - 0.5f * Smooth(-0.3f, 1.1f, 0.7f * (d.x + d.y)));
   });

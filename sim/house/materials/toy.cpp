@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A shelf of toys. Shown once.
+#include "sim/base/elementary.h"
 #include "sim/house/materials/families.h"
 #include "sim/house/materials/motif.h"
 
@@ -81,7 +82,7 @@ Image Toys() {
   const Point ball = {0.9f, 0.47f};
   canvas.Paint(Disc(ball, 0.095f), [&](Point p) {
     const Point d = p - ball;
-    const float sector = Fraction(std::atan2(d.y, d.x) / (2.0f * kPi)) * 6.0f;
+    const float sector = Fraction(Atan2(d.y, d.x) / (2.0f * kPi)) * 6.0f;
     const Color color = static_cast<int>(sector) % 2 == 0   ? Hex(0xfaf6ea)
                         : static_cast<int>(sector) % 3 == 0 ? kRed
                                                             : kBlue;

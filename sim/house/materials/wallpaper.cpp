@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Wallpapers in greys on a light ground: one tint colours both.
+#include "sim/base/elementary.h"
 #include "sim/house/materials/families.h"
 #include "sim/house/materials/field.h"
 #include "sim/house/materials/layout.h"
@@ -18,8 +19,8 @@ Image Damask() {
   Canvas canvas(kGround);
   canvas.Shade([](Point p) {
     // The net's lines sway around the ornaments: where cosines of the two axes balance.
-    const float net = std::cos(2.0f * kPi * p.x) + std::cos(2.0f * kPi * p.y);
-    const float sway = net + 0.35f * std::cos(2.0f * kPi * p.x) * std::cos(2.0f * kPi * p.y);
+    const float net = Cos(2.0f * kPi * p.x) + Cos(2.0f * kPi * p.y);
+    const float sway = net + 0.35f * Cos(2.0f * kPi * p.x) * Cos(2.0f * kPi * p.y);
     return Mix(kGround, kPale, Smooth(0.12f, 0.08f, std::abs(sway)));
   });
   PaintDamask(&canvas, {0.0f, 0.0f}, 0.86f, kInk);

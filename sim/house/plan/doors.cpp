@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/elementary.h"
 #include "sim/house/plan/convex.h"
 #include "sim/house/plan/rules.h"
 #include "sim/math/pose.h"
@@ -223,7 +224,7 @@ class DoorPlacer {
   float LeafAngle(int swing, float gap, bool is_second_try) {
     const RoomType type = draft().type(swing);
     const float most = std::min(
-        Rad(112.0), Rad(90.0) + std::asin(std::clamp((gap - kLeafWallGap) / 0.95f, 0.0f, 0.5f)));
+        Rad(112.0), Rad(90.0) + Asin(std::clamp((gap - kLeafWallGap) / 0.95f, 0.0f, 0.5f)));
     const Box box = draft().Bounds(swing);
     const bool is_narrow = draft().Clear(std::min(box.width(), box.height())) < 1.4f;
     if (is_narrow) return std::min(most, Rad(rng_->Uniform(86.0, 100.0)));

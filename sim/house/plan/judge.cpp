@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/elementary.h"
 #include "sim/house/plan/rules.h"
 
 namespace bulletnav::sim::plan {
@@ -224,9 +225,9 @@ class Inspector {
         layout_.penalty += 0.06 * static_cast<double>(areas_[index]);
         continue;
       }
-      const double off = std::log(static_cast<double>(areas_[index] / r.target));
+      const double off = Log(static_cast<double>(areas_[index] / r.target));
       const Box box = draft().Bounds(room);
-      const double aspect = std::abs(std::log(static_cast<double>(box.width()) / box.height()));
+      const double aspect = std::abs(Log(static_cast<double>(box.width()) / box.height()));
       layout_.penalty += 3.0 * off * off + 0.8 * std::max(0.0, aspect - 0.35);
       if (r.boxes.size() > 1) layout_.penalty += r.type == RoomType::kLivingRoom ? 0.1 : 0.4;
     }

@@ -3,12 +3,14 @@
 
 #include <cmath>
 
+#include "sim/base/elementary.h"
+
 namespace bulletnav::sim::style {
 namespace {
 
 double ToLinear(std::uint8_t value) {
   const double v = value / 255.0;
-  return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+  return v <= 0.04045 ? v / 12.92 : Pow((v + 0.055) / 1.055, 2.4);
 }
 
 double Root(double t) {

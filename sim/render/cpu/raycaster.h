@@ -8,18 +8,13 @@
 #include <Eigen/Core>
 
 #include "sim/render/cpu/device.h"
+#include "sim/render/cpu/ray_tracer.h"
 
 namespace bulletnav::sim {
 
-/// First hit of a ray; `triangle` is -1 where it meets nothing.
-struct RayHit {
-  float t = 0.0f;  // in lengths of the direction given
-  std::int32_t triangle = -1;
-};
-
-/// Plain Embree: rays of any origin and direction against triangles. For baking light, as the
-/// oracle of the panorama renderers, and as the bound they are measured by. Queries are
-/// thread-safe.
+/// Plain Embree: rays of any origin and direction against triangles, as the oracle of the renderers
+/// and of RayTracer, and as the bound they are measured by. Queries are thread-safe. The last bits
+/// depend on the processor.
 class Raycaster {
  public:
   explicit Raycaster(std::span<const std::array<Eigen::Vector3f, 3>> triangles);

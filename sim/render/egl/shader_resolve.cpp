@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "sim/render/egl/shader_resolve.h"
 
-#include <cmath>
 #include <cstring>
 #include <vector>
 
+#include "sim/base/elementary.h"
 #include "sim/base/error.h"
 #include "sim/render/egl/shaders.h"
 
@@ -85,8 +85,7 @@ void ShaderResolve::Dispatch(std::span<const CameraPose> cameras, GLuint ids) {
   std::vector<CameraBlock> blocks;
   for (const CameraPose& camera : cameras) {
     const Eigen::Vector3f& p = camera.position;
-    blocks.push_back(
-        {{p.x(), p.y(), p.z(), 0.0f}, {std::cos(camera.yaw), std::sin(camera.yaw), 0.0f, 0.0f}});
+    blocks.push_back({{p.x(), p.y(), p.z(), 0.0f}, {Cos(camera.yaw), Sin(camera.yaw), 0.0f, 0.0f}});
   }
   glNamedBufferSubData(cameras_.get(), 0,
                        static_cast<GLsizeiptr>(blocks.size() * sizeof(CameraBlock)), blocks.data());
@@ -108,7 +107,7 @@ void ShaderResolve::Dispatch(std::span<const CameraPose> cameras, GLuint ids) {
   glUniform4i(0, size_.rows, size_.cols, padded, n);
   glUniform2i(1, layout_.ring, static_cast<GLint>(layout_.views.size()));
   glUniform1f(2, max_depth_);
-  glUniform2f(3, static_cast<float>(std::cos(pitch_)), static_cast<float>(std::sin(pitch_)));
+  glUniform2f(3, static_cast<float>(Cos(pitch_)), static_cast<float>(Sin(pitch_)));
   const auto groups = static_cast<GLuint>((padded / 4 + kGroupSize - 1) / kGroupSize);
   glDispatchCompute(groups, static_cast<GLuint>(n), 1);
   glMemoryBarrier(GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);

@@ -6,7 +6,9 @@
 
 #include <Eigen/Geometry>
 
+#include "sim/base/elementary.h"
 #include "sim/math/pose.h"
+#include "sim/math/rotation.h"
 
 namespace bulletnav::sim {
 namespace {
@@ -30,7 +32,7 @@ std::size_t MostAhead(const ViewLayout& layout, const Vec& d) {
 FlatView Upright(double clockwise_from_behind) {
   const double a = clockwise_from_behind - kPi;
   FlatView view;
-  view.forward = Vec(static_cast<float>(std::sin(a)), 0.0f, static_cast<float>(-std::cos(a)));
+  view.forward = Vec(static_cast<float>(Sin(a)), 0.0f, static_cast<float>(-Cos(a)));
   view.up = Vec::UnitY();
   view.right = view.forward.cross(view.up);
   return view;
@@ -50,7 +52,7 @@ void ViewLayout::Cover(const PinholeSpec& spec, double oversampling) {
   const double pitch = DegToRad(spec.pitch_deg);
   FlatView view;
   view.right = Vec::UnitX();
-  view.up = Vec(0.0f, static_cast<float>(std::cos(pitch)), static_cast<float>(std::sin(pitch)));
+  view.up = Vec(0.0f, static_cast<float>(Cos(pitch)), static_cast<float>(Sin(pitch)));
   view.forward = view.up.cross(view.right);
   views.push_back(view);
   ring = 1;
@@ -64,8 +66,8 @@ void ViewLayout::Cover(const PanoramaSpec& spec, double oversampling) {
   const double half_angle = kPi / ring;
   const double column = 2.0 * kPi / spec.cols / oversampling;
   const double row = (sees_poles ? kPi : 2.0) / spec.rows / oversampling;
-  const double tan_x = std::tan(half_angle);
-  const double tan_y = sees_poles ? 1.0 : 1.0 / std::cos(half_angle);
+  const double tan_x = Tan(half_angle);
+  const double tan_y = sees_poles ? 1.0 : 1.0 / Cos(half_angle);
   for (int k = 0; k < ring; ++k) views.push_back(Upright((2 * k + 1) * half_angle));
   if (sees_poles) {
     // Turned like the ring, so that the six make a cube.
@@ -130,7 +132,7 @@ std::vector<std::int32_t> PlacesOfRays(const ViewLayout& layout, const RayGrid& 
 }
 
 ViewAxes::ViewAxes(const FlatView& view, const CameraPose& camera) {
-  const Eigen::AngleAxisf turn(camera.yaw, Vec::UnitY());
+  const Eigen::Matrix3f turn = RotationAbout<float>(Vec::UnitY(), camera.yaw);
   right = turn * view.right / view.tan_x;
   up = turn * view.up / view.tan_y;
   forward = turn * view.forward;

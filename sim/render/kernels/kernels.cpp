@@ -6,6 +6,7 @@
 #include "sim/render/kernels/resolve.h"
 #include "sim/render/kernels/shade.h"
 #include "sim/render/kernels/sweep.h"
+#include "sim/render/kernels/trace.h"
 
 namespace bulletnav::sim {
 namespace {
@@ -25,8 +26,12 @@ void Shade(const KernelScene& scene, const KernelGrid& grid, const KernelFrame& 
   Shader(scene, grid, frame, hits).Run(color, depth);
 }
 
+void Trace(const KernelScene& scene, const KernelRay* rays, int count, bool any, KernelHit* hits) {
+  for (int i = 0; i < count; ++i) hits[i] = Tracer(scene, rays[i]).Run(any);
+}
+
 }  // namespace
 
-const Kernels BULLETNAV_KERNELS = {BULLETNAV_KERNELS_NAME, FindVisible, Resolve, Shade};
+const Kernels BULLETNAV_KERNELS = {BULLETNAV_KERNELS_NAME, FindVisible, Resolve, Shade, Trace};
 
 }  // namespace bulletnav::sim

@@ -99,6 +99,19 @@ struct KernelIdPicture {
               // + which of them is nearest (1: right, 2: above)
 };
 
+/// A ray of its own, for light and plans: t counts in lengths of `direction`, from 0 to `far`.
+struct KernelRay {
+  float origin[3];
+  float direction[3];
+  float far;
+};
+
+/// What it meets; triangle -1: nothing.
+struct KernelHit {
+  float t;
+  std::int32_t triangle;
+};
+
 struct Kernels {
   const char* name;
   /// Finds the nearest triangle of every pixel: a sweep through the hierarchy from near to far that
@@ -112,6 +125,8 @@ struct Kernels {
   /// Colours [rows, cols, 3] and depths [rows, cols] of the hits; either may be null.
   void (*shade)(const KernelScene&, const KernelGrid&, const KernelFrame&, const KernelHits&,
                 std::uint8_t* color, float* depth);
+  /// What `count` rays meet: the nearest triangle of each, or, if `any`, some triangle.
+  void (*trace)(const KernelScene&, const KernelRay*, int count, bool any, KernelHit*);
 };
 
 /// The kernels this processor can run and BULLETNAV_ISA allows, the fastest first; at least one.

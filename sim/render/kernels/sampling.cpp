@@ -7,8 +7,10 @@
 #include <Eigen/Geometry>
 #include <fmt/core.h>
 
+#include "sim/base/elementary.h"
 #include "sim/base/error.h"
 #include "sim/math/pose.h"
+#include "sim/math/rotation.h"
 
 namespace bulletnav::sim {
 namespace {
@@ -22,7 +24,7 @@ double TurnsOfDiamond(double p) {
   if (p >= 4.0) return 1.0;
   const double sine = p <= 1.0 ? -p : (p <= 3.0 ? p - 2.0 : 4.0 - p);
   const double cosine = p > 1.0 && p < 3.0 ? 1.0 - std::abs(sine) : std::abs(sine) - 1.0;
-  return std::atan2(sine, cosine) / (2.0 * kPi) + 0.5;
+  return Atan2(sine, cosine) / (2.0 * kPi) + 0.5;
 }
 
 /// Where headings and slopes fall in a panorama.
@@ -38,13 +40,13 @@ class PanoramaPlaces {
     if (spec_.projection != Projection::kCubeStrip) return turns * spec_.cols;
     const double side = std::min(3.0, std::floor(turns * 4.0));
     const double off_centre = (turns * 4.0 - side - 0.5) * 0.5 * kPi;
-    return (side + 0.5 + 0.5 * std::tan(off_centre)) * spec_.cols / 4.0;
+    return (side + 0.5 + 0.5 * Tan(off_centre)) * spec_.cols / 4.0;
   }
 
   /// Row whose centre samples slope y.
   double RowOfSlope(double y) const {
     const bool angular = spec_.projection == Projection::kEquirectangular;
-    const double from_top = angular ? 0.5 - std::atan(y) / kPi : 0.5 - 0.5 * y;
+    const double from_top = angular ? 0.5 - Atan(y) / kPi : 0.5 - 0.5 * y;
     return from_top * spec_.rows - 0.5;
   }
 
@@ -56,8 +58,7 @@ class PanoramaPlaces {
 /// behind are spread like those ahead, those to the sides evenly.
 class PinholePlaces {
  public:
-  explicit PinholePlaces(const PinholeSpec& spec)
-      : spec_(spec), half_angle_(std::atan(spec.tan_x())) {
+  explicit PinholePlaces(const PinholeSpec& spec) : spec_(spec), half_angle_(Atan(spec.tan_x())) {
     const double alike = spec.cols * (0.5 * kPi - half_angle_) / spec.tan_x();
     side_ = std::clamp(static_cast<int>(alike), kLeastSide, 2 * spec.cols);
   }
@@ -80,7 +81,7 @@ class PinholePlaces {
 
   double OffCentre(double angle) const {
     const double size = std::abs(angle);
-    if (size <= half_angle_) return 0.5 * spec_.cols * std::tan(angle) / spec_.tan_x();
+    if (size <= half_angle_) return 0.5 * spec_.cols * Tan(angle) / spec_.tan_x();
     const double beyond = (size - half_angle_) / (0.5 * kPi - half_angle_);
     return std::copysign(0.5 * (spec_.cols + beyond * side_), angle);
   }
@@ -99,8 +100,8 @@ PinholePlaces PlacesOf(const PinholeSpec& spec) {
 
 /// The turn that makes a camera of this yaw and pitch level: tilt * world = level.
 Eigen::Matrix3f TiltOf(double yaw, double pitch) {
-  const Eigen::Vector3d right(std::cos(yaw), 0.0, -std::sin(yaw));
-  return Eigen::AngleAxisd(-pitch, right).toRotationMatrix().cast<float>();
+  const Eigen::Vector3d right(Cos(yaw), 0.0, -Sin(yaw));
+  return RotationAbout(right, -pitch).cast<float>();
 }
 
 /// The least shift, from `least` on, that fits `size` into `tiles`.
@@ -185,8 +186,8 @@ void Sampling::FillGrid() {
 }
 
 KernelFrame Sampling::Frame(const CameraPose& camera) {
-  const float c = std::cos(camera.yaw);
-  const float s = std::sin(camera.yaw);
+  const float c = Cos(camera.yaw);
+  const float s = Sin(camera.yaw);
   for (std::size_t i = 0; i < rays_.x.size(); ++i) {
     x_[i] = rays_.x[i] * c + rays_.z[i] * s;
     z_[i] = rays_.z[i] * c - rays_.x[i] * s;

@@ -12,7 +12,7 @@
 
 #include "sim/math/pose.h"
 #include "sim/physics/capsule_body.h"
-#include "sim/render/cpu/raycaster.h"
+#include "sim/render/cpu/ray_tracer.h"
 #include "tests/sim/house/plan_samples.h"
 
 namespace bulletnav::sim {
@@ -164,7 +164,7 @@ class Probe {
 
  private:
   Corners corners_;
-  Raycaster raycaster_;
+  RayTracer raycaster_;
 };
 
 TEST_P(ArchitectureTest, LetsNoRayOutAndShowsNoBackFace) {

@@ -42,7 +42,7 @@ class Stage {
     for (const auto& [a, b, c] : mesh_.triangles) {
       corners.push_back({mesh_.positions[a], mesh_.positions[b], mesh_.positions[c]});
     }
-    const Raycaster scene(corners);
+    const RayTracer scene(corners);
     const Vec light = LightSources(mesh_, glows_).Irradiance(scene, point, normal);
     EXPECT_TRUE(light.allFinite());
     EXPECT_GE(light.minCoeff(), 0.0f);
