@@ -2,6 +2,7 @@
 #include "agent/integer/quantised_file.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -101,6 +102,20 @@ class Reader {
   const std::filesystem::path& file_;
 };
 
+/// The narrowest type that keeps all numbers of a file as they are.
+StoredType TypeOf(const TensorFile& content) {
+  const auto is_short = [](float value) {
+    return (std::bit_cast<std::uint32_t>(value) & 0xffffu) == 0;
+  };
+  const bool all_short =
+      std::all_of(content.tensors.begin(), content.tensors.end(), [&](const auto& entry) {
+        const auto& [name, tensor] = entry;
+        return name.starts_with(kIntegerPrefix) ||
+               std::all_of(tensor.values.begin(), tensor.values.end(), is_short);
+      });
+  return all_short ? StoredType::kBfloat16 : StoredType::kFloat32;
+}
+
 }  // namespace
 
 void SetQuantised(const QuantisedNet& net, TensorFile* content) {
@@ -120,6 +135,14 @@ void SetQuantised(const QuantisedNet& net, TensorFile* content) {
   for (const auto& [name, scale] : net.scales) {
     content->tensors[prefix + name + std::string(kStep)] = {{1}, {scale}, StoredType::kFloat32};
   }
+}
+
+void AddQuantised(const QuantisedNet& net, const std::filesystem::path& file,
+                  const std::filesystem::path& out) {
+  TensorFile content = ReadTensorFile(file);
+  const StoredType type = TypeOf(content);
+  SetQuantised(net, &content);
+  WriteTensorFile(out, content, type);
 }
 
 bool HoldsQuantised(const TensorFile& content) {

@@ -15,6 +15,11 @@ inline constexpr const char* kIntegerPrefix = "integer.";
 /// Takes out what was there of the kind, and puts `net` in.
 void SetQuantised(const QuantisedNet& net, TensorFile* content);
 
+/// Writes the weights of `file` to `out`, which may be the same, with `net` in them; floats as
+/// narrow as they were. Throws FileError.
+void AddQuantised(const QuantisedNet& net, const std::filesystem::path& file,
+                  const std::filesystem::path& out);
+
 bool HoldsQuantised(const TensorFile& content);
 
 /// Throws FileError naming `file` if there is none, or it is not whole: integers that are not of 8

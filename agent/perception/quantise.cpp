@@ -160,9 +160,17 @@ class SemanticQuantiser {
 
 }  // namespace
 
+bool HasIntegerForm(const ModelConfig& config) {
+  return config.encoder == EncoderForm::kPanorama && config.depth != DepthFusion::kSeparate &&
+         config.width % 16 == 0;
+}
+
+bool HasIntegerForm(const MapperConfig& config) {
+  return config.width % 16 == 0 && config.features % 16 == 0;
+}
+
 QuantisedNet Quantise(const SemanticNet& net, const torch::Tensor& input) {
-  if (net.config().encoder != EncoderForm::kPanorama ||
-      net.config().depth == DepthFusion::kSeparate || net.config().width % 16 != 0) {
+  if (!HasIntegerForm(net.config())) {
     throw sim::Error(
         "only models of form panorama, depth none or channel and a width that is a multiple of 16 "
         "can be had in integers");
@@ -172,7 +180,7 @@ QuantisedNet Quantise(const SemanticNet& net, const torch::Tensor& input) {
 }
 
 QuantisedNet Quantise(const MapperNet& net, const torch::Tensor& input) {
-  if (net.config().width % 16 != 0 || net.config().features % 16 != 0) {
+  if (!HasIntegerForm(net.config())) {
     throw sim::Error(
         "only mappers whose width and features are multiples of 16 can be had in "
         "integers");

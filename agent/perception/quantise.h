@@ -6,10 +6,14 @@
 
 namespace bulletnav::agent {
 
+/// Whether there are networks in integers of this form: not of kPatches, of depth kSeparate, or of
+/// widths that are no multiple of 16.
+bool HasIntegerForm(const ModelConfig& config);
+bool HasIntegerForm(const MapperConfig& config);
+
 /// The network in integers that a trained one becomes; see IntegerModel. Scales are from what it
 /// makes of `input`, [n, channels, rows, cols] of PrepareInput, n >= 2: each panorama and pairs of
-/// each with the next. Throws Error for a model that there is none of: form kPatches, or depth
-/// kSeparate.
+/// each with the next. Throws Error for a form that there is none of.
 QuantisedNet Quantise(const SemanticNet& net, const torch::Tensor& input);
 /// Likewise, of a mapper; see IntegerMapper.
 QuantisedNet Quantise(const MapperNet& net, const torch::Tensor& input);

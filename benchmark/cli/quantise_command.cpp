@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <bit>
 #include <filesystem>
 #include <memory>
 
@@ -31,39 +29,23 @@ struct QuantiseOptions {
   std::string out;
 };
 
-/// The narrowest type that keeps all numbers of a file as they are.
-agent::StoredType TypeOf(const agent::TensorFile& content) {
-  const auto is_short = [](float value) {
-    return (std::bit_cast<std::uint32_t>(value) & 0xffffu) == 0;
-  };
-  const bool all_short =
-      std::all_of(content.tensors.begin(), content.tensors.end(), [&](const auto& entry) {
-        const auto& [name, tensor] = entry;
-        return name.starts_with(agent::kIntegerPrefix) ||
-               std::all_of(tensor.values.begin(), tensor.values.end(), is_short);
-      });
-  return all_short ? agent::StoredType::kBfloat16 : agent::StoredType::kFloat32;
-}
-
 void QuantiseFile(const QuantiseOptions& options) {
   auto config = sim::LoadYaml<PerceptionConfig>(options.config);
   if (!options.weights.empty()) config.weights = options.weights;
   const fs::path weights = FindWeights(config.weights);
   const fs::path out = options.out.empty() ? weights : fs::path(options.out);
-  agent::TensorFile content = agent::ReadTensorFile(weights);
-  const agent::StoredType type = TypeOf(content);
+  const agent::TensorFile content = agent::ReadTensorFile(weights);
   MakeHousesOf(config.data, CommittedVersion(), 0, StartLine);
   torch::Tensor input;
   if (content.metadata.contains(agent::kMapperKey)) {
     const auto net = agent::LoadMapper(weights);
     input = CalibrationInput(config.data, net->config().seeing());
-    agent::SetQuantised(agent::Quantise(*net, input), &content);
+    agent::AddQuantised(agent::Quantise(*net, input), weights, out);
   } else {
     const auto net = agent::LoadNet(weights);
     input = CalibrationInput(config.data, net->config());
-    agent::SetQuantised(agent::Quantise(*net, input), &content);
+    agent::AddQuantised(agent::Quantise(*net, input), weights, out);
   }
-  agent::WriteTensorFile(out, content, type);
   fmt::print("quantised by {} panoramas, written to {}\n", input.size(0), out.string());
 }
 

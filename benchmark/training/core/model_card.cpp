@@ -6,8 +6,23 @@
 #include "benchmark/base/program_version.h"
 
 namespace bulletnav::bench {
+namespace {
 
-std::string ModelCard(const TrainJob& job, int step, double seconds, const Measures& validation) {
+std::string TableOf(const CardMeasures& measures) {
+  std::string table = measures.integers
+                          ? "| measure | as trained | in integers |\n|---|---:|---:|\n"
+                          : "| measure | value |\n|---|---:|\n";
+  for (const Measures::Item& item : measures.floats.items()) {
+    table += fmt::format("| {} | {:.4f} |", item.name, item.value);
+    if (measures.integers) table += fmt::format(" {:.4f} |", measures.integers->at(item.name));
+    table += "\n";
+  }
+  return table;
+}
+
+}  // namespace
+
+std::string ModelCard(const TrainJob& job, int step, double seconds, const CardMeasures& measures) {
   const Training& training = *job.training;
   std::string card = fmt::format(
       "# {}\n\n"
@@ -21,12 +36,10 @@ std::string ModelCard(const TrainJob& job, int step, double seconds, const Measu
       "| seed | {} |\n"
       "| steps | {} of {}, {} {} in all |\n"
       "| time | {:.1f} h |\n"
-      "\nOn {}:\n\n| measure | value |\n|---|---:|\n",
+      "\nOn {}:\n\n",
       job.plan.seed, step, job.plan.steps, training.FramesAfter(step), training.frames_are(),
       seconds / 3600.0, training.validated_on());
-  for (const Measures::Item& item : validation.items()) {
-    card += fmt::format("| {} | {:.4f} |\n", item.name, item.value);
-  }
+  card += TableOf(measures);
   card += "\nMade by `bulletnav train` from:\n\n```yaml\n" + job.config + "```\n";
   return card;
 }

@@ -76,8 +76,10 @@ class Trainer {
   void Finish(const Curves& curves) const {
     Save("weights.safetensors");
     training_->net().eval();
+    const Measures floats = training_->Validate();
+    const std::optional<Measures> integers = training_->Quantise(folder_ / "weights.safetensors");
     sim::WriteFileAtomically(folder_ / "weights.md",
-                             ModelCard(job_, state_.step, state_.seconds, training_->Validate()));
+                             ModelCard(job_, state_.step, state_.seconds, {floats, integers}));
     WriteFigure(CurvesFigure(curves.points(), training_->curves(), training_->curves_label()),
                 folder_ / "curves");
   }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -61,6 +62,11 @@ class Training {
   /// Writes weights that the agents can load; notes go into their metadata. Throws FileError.
   virtual void Save(std::map<std::string, std::string> notes,
                     const std::filesystem::path& file) const = 0;
+
+  /// Puts a network in integers beside the trained one in a file that Save wrote, and returns what
+  /// Validate says of it. Absent where there is no such network: then agents act in floats. Throws
+  /// FileError.
+  virtual std::optional<Measures> Quantise(const std::filesystem::path& /*file*/) { return {}; }
 
   /// State beside net and optimiser, such as where environments are: into a checkpoint and back.
   virtual void AppendState(agent::TensorFile* /*content*/) const {}

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "benchmark/training/supervised/batch_tensors.h"
 #include "benchmark/training/supervised/dataset.h"
 #include "benchmark/training/supervised/scene_panoramas.h"
 
@@ -21,6 +22,18 @@ torch::Tensor CalibrationInput(const DataConfig& config, const agent::ModelConfi
       panoramas.Render(samples.poses, {&place, 1}, color, depth);
       inputs.push_back(agent::PrepareInput(model, panorama));
     }
+  }
+  return at::cat(inputs);
+}
+
+torch::Tensor CalibrationInput(const BatchSource& batches, const agent::ModelConfig& model) {
+  constexpr int kEnough = 384;
+  std::vector<torch::Tensor> inputs;
+  int count = 0;
+  for (std::uint64_t number = 0; count < kEnough; ++number) {
+    PairBatch batch = batches.Batch(number);
+    count += batch.count;
+    inputs.push_back(InputOf(model, &batch));
   }
   return at::cat(inputs);
 }

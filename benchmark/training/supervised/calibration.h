@@ -2,6 +2,7 @@
 #pragma once
 #include "agent/perception/encoder.h"
 #include "benchmark/training/supervised/data_config.h"
+#include "benchmark/training/supervised/pair_batch.h"
 
 namespace bulletnav::bench {
 
@@ -9,5 +10,7 @@ namespace bulletnav::bench {
 /// their panoramas, scene after scene. Labels scenes that are not yet. Throws sim::Error, see
 /// LabelScene.
 torch::Tensor CalibrationInput(const DataConfig& config, const agent::ModelConfig& model);
+/// Likewise, of batches number 0 on, some 400 panoramas.
+torch::Tensor CalibrationInput(const BatchSource& batches, const agent::ModelConfig& model);
 
 }  // namespace bulletnav::bench

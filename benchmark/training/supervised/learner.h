@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "agent/perception/torch.h"
@@ -21,6 +22,15 @@ struct LaneWork {
   std::uint64_t seed = 0;   // of dropout
 };
 
+/// What a network in integers is made from and tried on.
+struct QuantiseWork {
+  const BatchSource* train = nullptr;
+  const BatchSource* validation = nullptr;
+  int count = 0;  // of batches of validation
+  sim::WorkerPool* pool = nullptr;
+  std::filesystem::path file;
+};
+
 /// A net and how it is taught. The same work gives the same loss and gradients, bit for bit.
 class Learner {
  public:
@@ -36,6 +46,8 @@ class Learner {
   virtual torch::Tensor Loss(const LaneWork& work) = 0;
   /// On batches number 0 on, with a net that infers. Always the same names, "loss" among them.
   virtual Measures Validate(const BatchSource& batches, int count, sim::WorkerPool* pool) = 0;
+  /// See Training::Quantise; scales are from batches number 0 on that it learned from.
+  virtual std::optional<Measures> Quantise(const QuantiseWork& work) = 0;
   /// Writes weights that the agents can load; notes go into their metadata. Throws FileError.
   virtual void Save(std::map<std::string, std::string> notes,
                     const std::filesystem::path& file) const = 0;

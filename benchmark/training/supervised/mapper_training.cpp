@@ -5,14 +5,19 @@
 
 #include <fmt/core.h>
 
+#include "agent/integer/integer_mapper.h"
+#include "agent/integer/quantised_file.h"
 #include "agent/perception/mapper_net.h"
 #include "agent/perception/one_thread.h"
+#include "agent/perception/quantise.h"
 #include "benchmark/training/core/registry.h"
 #include "benchmark/training/supervised/augment.h"
 #include "benchmark/training/supervised/batch_tensors.h"
+#include "benchmark/training/supervised/calibration.h"
 #include "benchmark/training/supervised/learner.h"
 #include "benchmark/training/supervised/mapper_loss.h"
 #include "benchmark/training/supervised/mapper_metrics.h"
+#include "benchmark/training/supervised/model_answers.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -51,24 +56,20 @@ class MapperLearner final : public Learner {
   }
 
   Measures Validate(const BatchSource& batches, int count, sim::WorkerPool* pool) override {
-    struct Answers {
-      torch::Tensor told;
-      torch::Tensor truth;
-    };
-    std::vector<Answers> answers(static_cast<std::size_t>(count));
-    pool->ForEach(count, [&](int i, int) {
-      const torch::NoGradGuard no_grad;
-      agent::StayInThisThread();
-      TrueFreeSpace truth(RigOf(config_));
-      PairBatch batch = batches.Batch(static_cast<std::uint64_t>(i));
-      batch.Check();
-      answers[static_cast<std::size_t>(i)] = {
-          net_.forward(InputOf(config_.model.seeing(), &batch).to(DeviceOf(net_))).cpu(),
-          FreeSpaceLabels(batch, &truth)};
+    return MeasuresOf(batches, count, pool, [this](PairBatch* batch) {
+      return net_.forward(InputOf(config_.model.seeing(), batch).to(DeviceOf(net_))).cpu();
     });
-    MapperSums sums;
-    for (const Answers& one : answers) sums.Add(one.told, one.truth, config_.obstacle_weight);
-    return Measures::Of(sums.Means());
+  }
+
+  std::optional<Measures> Quantise(const QuantiseWork& work) override {
+    if (!agent::HasIntegerForm(config_.model)) return std::nullopt;
+    const agent::QuantisedNet net = agent::Quantise(
+        *agent::LoadMapper(work.file), CalibrationInput(*work.train, config_.model.seeing()));
+    agent::AddQuantised(net, work.file, work.file);
+    return MeasuresOf(*work.validation, work.count, work.pool, [&](PairBatch* batch) {
+      agent::IntegerMapper mapper(net, config_.model.seeing().rows);
+      return AnswersOf(&mapper, *batch);
+    });
   }
 
   void Save(std::map<std::string, std::string> notes,
@@ -77,6 +78,29 @@ class MapperLearner final : public Learner {
   }
 
  private:
+  /// Of what answer(batch) gives for batches number 0 on.
+  template <class F>
+  Measures MeasuresOf(const BatchSource& batches, int count, sim::WorkerPool* pool,
+                      const F& answer) const {
+    struct Answered {
+      torch::Tensor told;
+      torch::Tensor truth;
+    };
+    std::vector<Answered> all(static_cast<std::size_t>(count));
+    pool->ForEach(count, [&](int i, int) {
+      const torch::NoGradGuard no_grad;
+      agent::StayInThisThread();
+      TrueFreeSpace truth(RigOf(config_));
+      PairBatch batch = batches.Batch(static_cast<std::uint64_t>(i));
+      batch.Check();
+      const torch::Tensor told = answer(&batch);
+      all[static_cast<std::size_t>(i)] = {told, FreeSpaceLabels(batch, &truth)};
+    });
+    MapperSums sums;
+    for (const Answered& one : all) sums.Add(one.told, one.truth, config_.obstacle_weight);
+    return Measures::Of(sums.Means());
+  }
+
   MapperTrainConfig config_;
   sim::Rng rng_;
   agent::MapperNet net_;

@@ -5,12 +5,17 @@
 
 #include <fmt/core.h>
 
+#include "agent/integer/integer_model.h"
+#include "agent/integer/quantised_file.h"
 #include "agent/perception/one_thread.h"
+#include "agent/perception/quantise.h"
 #include "agent/perception/semantic_net.h"
 #include "benchmark/training/core/registry.h"
 #include "benchmark/training/supervised/augment.h"
 #include "benchmark/training/supervised/batch_tensors.h"
+#include "benchmark/training/supervised/calibration.h"
 #include "benchmark/training/supervised/learner.h"
+#include "benchmark/training/supervised/model_answers.h"
 #include "benchmark/training/supervised/nts_loss.h"
 #include "benchmark/training/supervised/nts_metrics.h"
 
@@ -43,25 +48,23 @@ class NtsLearner final : public Learner {
   }
 
   Measures Validate(const BatchSource& batches, int count, sim::WorkerPool* pool) override {
-    struct Answers {
-      torch::Tensor explorable;
-      agent::PairOutputs pairs;
-      LabelledPairs truth;
-    };
-    std::vector<Answers> answers(static_cast<std::size_t>(count));
-    pool->ForEach(count, [&](int i, int) {
-      const torch::NoGradGuard no_grad;
-      agent::StayInThisThread();
-      PairBatch batch = batches.Batch(static_cast<std::uint64_t>(i));
-      batch.Check();
-      const LabelledPairs truth = Labels(batch, AllPairs(batch));
+    return MeasuresOf(batches, count, pool, [this](PairBatch* batch, const LabelledPairs& truth) {
       const agent::PanoramaParts parts =
-          net_.Describe(InputOf(config_.model, &batch).to(DeviceOf(net_)));
-      answers[static_cast<std::size_t>(i)] = {parts.explorable.cpu(), Compare(parts, truth), truth};
+          net_.Describe(InputOf(config_.model, batch).to(DeviceOf(net_)));
+      return ModelAnswers{parts.explorable.cpu(), Compare(parts, truth)};
     });
-    MetricSums sums;
-    for (const Answers& one : answers) sums.Add(one.explorable, one.pairs, one.truth);
-    return Measures::Of(sums.Means());
+  }
+
+  std::optional<Measures> Quantise(const QuantiseWork& work) override {
+    if (!agent::HasIntegerForm(config_.model)) return std::nullopt;
+    const agent::QuantisedNet net =
+        agent::Quantise(*agent::LoadNet(work.file), CalibrationInput(*work.train, config_.model));
+    agent::AddQuantised(net, work.file, work.file);
+    return MeasuresOf(
+        *work.validation, work.count, work.pool, [&](PairBatch* batch, const LabelledPairs& truth) {
+          agent::IntegerModel model(net, config_.model.rows, config_.model.uses_depth());
+          return AnswersOf(&model, *batch, truth);
+        });
   }
 
   void Save(std::map<std::string, std::string> notes,
@@ -70,6 +73,28 @@ class NtsLearner final : public Learner {
   }
 
  private:
+  /// Of what answer(batch, truth) gives for batches number 0 on.
+  template <class F>
+  static Measures MeasuresOf(const BatchSource& batches, int count, sim::WorkerPool* pool,
+                             const F& answer) {
+    struct Answered {
+      ModelAnswers answers;
+      LabelledPairs truth;
+    };
+    std::vector<Answered> all(static_cast<std::size_t>(count));
+    pool->ForEach(count, [&](int i, int) {
+      const torch::NoGradGuard no_grad;
+      agent::StayInThisThread();
+      PairBatch batch = batches.Batch(static_cast<std::uint64_t>(i));
+      batch.Check();
+      const LabelledPairs truth = Labels(batch, AllPairs(batch));
+      all[static_cast<std::size_t>(i)] = {answer(&batch, truth), truth};
+    });
+    MetricSums sums;
+    for (const Answered& one : all) sums.Add(one.answers.explorable, one.answers.pairs, one.truth);
+    return Measures::Of(sums.Means());
+  }
+
   agent::PairOutputs Compare(const agent::PanoramaParts& parts, const LabelledPairs& pairs) {
     const torch::Device device = DeviceOf(net_);
     const agent::PairOutputs out =

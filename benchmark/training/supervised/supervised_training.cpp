@@ -97,6 +97,11 @@ void SupervisedTraining::Save(std::map<std::string, std::string> notes,
   work_->learner->Save(std::move(notes), file);
 }
 
+std::optional<Measures> SupervisedTraining::Quantise(const std::filesystem::path& file) {
+  return work_->learner->Quantise({work_->batches.train.get(), work_->batches.validation.get(),
+                                   work_->plan.validation_batches, &work_->pool, file});
+}
+
 std::vector<std::pair<std::string, std::string>> SupervisedTraining::CardRows() const {
   const SupervisedPlan& plan = work_->plan;
   const std::string data =

@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -47,6 +48,7 @@ class SupervisedTraining : public Training {
   std::string frames_are() const override { return "panoramas"; }
   void Save(std::map<std::string, std::string> notes,
             const std::filesystem::path& file) const override;
+  std::optional<Measures> Quantise(const std::filesystem::path& file) override;
   std::vector<std::pair<std::string, std::string>> CardRows() const override;
   std::string validated_on() const override;
 

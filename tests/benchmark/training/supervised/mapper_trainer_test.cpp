@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
 #include <gmock/gmock.h>
 
+#include "agent/integer/quantised_file.h"
 #include "agent/models/safetensors.h"
 #include "agent/perception/learned_mapper.h"
 #include "benchmark/training/supervised/mapper_training.h"
@@ -55,6 +57,26 @@ TEST_F(MapperTrainerTest, ResumedIsTheSameAsUninterruptedBitForBit) {
   EXPECT_EQ(sim::ReadTextFile(folder_.path() / "parts/curves.csv"), curves);
   EXPECT_EQ(agent::ReadTensorFile(folder_.path() / "parts/weights.safetensors").tensors, weights);
   EXPECT_TRUE(fs::exists(folder_.path() / "parts/curves.png"));
+}
+
+TEST_F(MapperTrainerTest, QuantisesAtItsEndAndTellsBothAccuracies) {
+  MapperTrainConfig config = TinyConfig(folder_.path());
+  config.model.width = 16;
+  Watcher watcher;
+  Train(config, &watcher);
+  const fs::path weights = folder_.path() / "weights.safetensors";
+  EXPECT_TRUE(agent::HoldsQuantised(agent::ReadTensorFile(weights)));
+  EXPECT_FALSE(
+      agent::HoldsQuantised(agent::ReadTensorFile(folder_.path() / "weights_best.safetensors")));
+  // As trained, in integers: not the same, but near.
+  const std::string card = sim::ReadTextFile(folder_.path() / "weights.md");
+  EXPECT_THAT(card, HasSubstr("| measure | as trained | in integers |"));
+  double floats = 0.0;
+  double integers = 0.0;
+  const std::size_t row = card.find("| loss | ");
+  ASSERT_NE(row, std::string::npos) << card;
+  ASSERT_EQ(std::sscanf(card.c_str() + row, "| loss | %lf | %lf |", &floats, &integers), 2);
+  EXPECT_NEAR(floats, integers, 0.05 * floats) << card;
 }
 
 TEST_F(MapperTrainerTest, AgentsCanUseWhatItWrites) {

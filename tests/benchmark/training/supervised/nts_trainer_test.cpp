@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <cstdio>
 #include <limits>
 #include <sstream>
 
 #include <gmock/gmock.h>
 
+#include "agent/integer/quantised_file.h"
 #include "agent/models/model_registry.h"
 #include "agent/models/safetensors.h"
 #include "benchmark/training/core/training_log.h"
@@ -84,6 +86,26 @@ TEST_F(TrainNtsTest, DamagedCheckpointFallsBackToTheOneBefore) {
   fs::remove(folder_.path() / "checkpoint_previous.safetensors");
   sim::WriteFileAtomically(folder_.path() / "checkpoint.safetensors", bytes);
   EXPECT_THAT(Complaint(config), HasSubstr("damaged"));
+}
+
+TEST_F(TrainNtsTest, QuantisesAtItsEndAndTellsBothAccuracies) {
+  TrainConfig config = TinyConfig(folder_.path());
+  config.model.width = 16;
+  Watcher watcher;
+  Train(config, &watcher);
+  const fs::path weights = folder_.path() / "weights.safetensors";
+  EXPECT_TRUE(agent::HoldsQuantised(agent::ReadTensorFile(weights)));
+  EXPECT_FALSE(
+      agent::HoldsQuantised(agent::ReadTensorFile(folder_.path() / "weights_best.safetensors")));
+  // As trained, in integers: not the same, but near.
+  const std::string card = sim::ReadTextFile(folder_.path() / "weights.md");
+  EXPECT_THAT(card, HasSubstr("| measure | as trained | in integers |"));
+  double floats = 0.0;
+  double integers = 0.0;
+  const std::size_t row = card.find("| loss | ");
+  ASSERT_NE(row, std::string::npos) << card;
+  ASSERT_EQ(std::sscanf(card.c_str() + row, "| loss | %lf | %lf |", &floats, &integers), 2);
+  EXPECT_NEAR(floats, integers, 0.05 * floats) << card;
 }
 
 TEST_F(TrainNtsTest, RefusesToGoOnByAnotherConfig) {
