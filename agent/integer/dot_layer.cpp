@@ -12,7 +12,7 @@ namespace bulletnav::agent {
 namespace {
 
 constexpr double kLargestInt = 2147483647.0;
-constexpr std::size_t kSumsAtATime = 16384;  // 64 KiB
+constexpr std::size_t kSumsAtATime = 8192;  // 32 KiB
 
 void RequireSizes(const QuantisedLayer& layer, LayerWidth width) {
   const auto outputs = static_cast<std::size_t>(layer.outputs);

@@ -8,6 +8,7 @@
 
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/scene_options.h"
+#include "benchmark/perf/network_figures.h"
 #include "benchmark/perf/process.h"
 #include "benchmark/perf/run_figures.h"
 #include "benchmark/perf/simulator_figures.h"
@@ -20,13 +21,16 @@ namespace {
 struct BenchOptions {
   SceneOptions scene;
   bool json = false;
-  std::string only;  // "simulator", "runs", or all
+  std::string only;  // "simulator", "networks", "runs", or all
 };
 
 void Bench(const BenchOptions& options) {
+  const auto is_wanted = [&](const char* kind) {
+    return options.only.empty() || options.only == kind;
+  };
   std::optional<sim::TemporaryFolder> houses;
   std::filesystem::path file = options.scene.file;
-  if (file.empty()) {
+  if (file.empty() && (is_wanted("simulator") || is_wanted("runs"))) {
     fmt::print(stderr, "generating a house (seed 0)\n");
     const std::filesystem::path folder = houses.emplace().path();
     sim::WriteHouseSet(folder, {.count = 1, .first_seed = 0, .workers = 1}, [] {});
@@ -38,10 +42,14 @@ void Bench(const BenchOptions& options) {
     fmt::print(stderr, "{}: {:.4g} {}\n", figure.name, figure.value, figure.unit);
   };
   const BenchScene scene = {file, options.scene.import()};
-  if (options.only != "runs") {
+  if (is_wanted("simulator")) {
     MeasureSimulator(scene, std::filesystem::read_symlink("/proc/self/exe"), tell);
   }
-  if (options.only != "simulator") MeasureRuns(scene, tell);
+  if (is_wanted("networks")) MeasureNetworks(tell);
+  if (is_wanted("runs")) {
+    MeasureRuns(scene, tell);
+    MeasureLearnedRuns(scene, tell);
+  }
   fmt::print("{}", options.json ? ToJson(figures) : ToText(figures));
 }
 
@@ -54,8 +62,8 @@ void AddBenchCommand(CLI::App* program) {
   command->add_flag("--json", options->json, "Print a list of JSON objects");
   command->add_option("--scene", options->scene.file,
                       "Scene to measure on; without it, a house is generated");
-  command->add_option("--only", options->only, "Only these figures: simulator or runs")
-      ->check(CLI::IsMember({"simulator", "runs"}));
+  command->add_option("--only", options->only, "Only these figures: simulator, networks or runs")
+      ->check(CLI::IsMember({"simulator", "networks", "runs"}));
   options->scene.AddImportOptions(command);
   command->callback([options] {
     Bench(*options);

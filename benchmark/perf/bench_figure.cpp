@@ -7,12 +7,20 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "sim/base/instruction_set.h"
+
 namespace bulletnav::bench {
 namespace {
 
 constexpr int kRuns = 7;
 
 }  // namespace
+
+std::string WidestInstructionSet() {
+  if (sim::MayUse(sim::InstructionSet::kAvx512)) return "avx512";
+  if (sim::MayUse(sim::InstructionSet::kAvx2)) return "avx2";
+  return sim::MayUse(sim::InstructionSet::kSse41) ? "sse41" : "";
+}
 
 double Median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
@@ -46,17 +54,18 @@ std::string ToJson(const std::vector<BenchFigure>& figures) {
                     {"unit", f.unit},
                     {"scene", f.scene},
                     {"backend", f.backend},
-                    {"workers", f.workers}});
+                    {"workers", f.workers},
+                    {"instruction_set", f.instruction_set}});
   }
   return list.dump(1) + "\n";
 }
 
 std::string ToText(const std::vector<BenchFigure>& figures) {
-  std::string text = fmt::format("{:<34} {:>10} {:<14} {:<8} {:>7}  {}\n", "figure", "value",
-                                 "unit", "backend", "workers", "scene");
+  std::string text = fmt::format("{:<34} {:>10} {:<14} {:<8} {:>7}  {:<12}  {}\n", "figure",
+                                 "value", "unit", "backend", "workers", "isa", "scene");
   for (const BenchFigure& f : figures) {
-    text += fmt::format("{:<34} {:>10.4g} {:<14} {:<8} {:>7}  {}\n", f.name, f.value, f.unit,
-                        f.backend, f.workers, f.scene);
+    text += fmt::format("{:<34} {:>10.4g} {:<14} {:<8} {:>7}  {:<12}  {}\n", f.name, f.value,
+                        f.unit, f.backend, f.workers, f.instruction_set, f.scene);
   }
   return text;
 }

@@ -6,6 +6,9 @@
 
 namespace bulletnav::bench {
 
+/// What kernels are taken here, as BULLETNAV_ISA says it: avx512, avx2, sse41, or "" for none.
+std::string WidestInstructionSet();
+
 /// One measured figure.
 struct BenchFigure {
   std::string name;
@@ -14,6 +17,7 @@ struct BenchFigure {
   std::string scene;
   std::string backend;
   int workers = 1;
+  std::string instruction_set = WidestInstructionSet();
 };
 
 /// How often per second `work` can be done: the median of several runs of at least `seconds` each.
@@ -23,7 +27,7 @@ double MedianRate(const std::function<void()>& work, int units, double seconds =
 /// Middle value; the mean of the middle two if their number is even.
 double Median(std::vector<double> values);
 
-/// A list of {name, value, unit, scene, backend, workers}.
+/// A list of {name, value, unit, scene, backend, workers, instruction_set}.
 std::string ToJson(const std::vector<BenchFigure>& figures);
 /// A table for people.
 std::string ToText(const std::vector<BenchFigure>& figures);

@@ -8,6 +8,7 @@
 
 #include <fmt/core.h>
 
+#include "agent/integer/kernels/kernels.h"
 #include "benchmark/play/environment.h"
 #include "benchmark/runs/runner.h"
 #include "sim/base/temporary_folder.h"
@@ -24,13 +25,13 @@ double SecondsSince(Clock::time_point start) {
 }
 
 // The files' places are put in afterwards: they may hold anything.
-constexpr const char* kConfig =
+const std::string kConfig =
     "name: bench\n"
     "backend: embree\n"
     "episodes:\n"
     "  file: episodes.json.gz\n"
     "  draw: {scenes: [scene], counts: {easy: 8, medium: 8, hard: 8}, seed: 0}\n"
-    "agents: [{agent: metric_map_fbe, models: {semantic_model: oracle}}]\n";
+    "agents: [";
 
 /// What playing the episodes without the runner took.
 struct PlainTimes {
@@ -41,7 +42,8 @@ struct PlainTimes {
 
 class RunBench {
  public:
-  explicit RunBench(const BenchScene& scene) : config_(ParseRunConfig(kConfig, "bench.yaml")) {
+  RunBench(const BenchScene& scene, const std::string& agent)
+      : config_(ParseRunConfig(kConfig + agent + "]\n", "bench.yaml")) {
     config_.episodes.file = (folder_.path() / "episodes.json.gz").string();
     config_.episodes.draw->scenes = {scene.file.string()};
     config_.import.scale = scene.import.scale;
@@ -131,7 +133,7 @@ class RunBench {
 }  // namespace
 
 void MeasureRuns(const BenchScene& scene, const std::function<void(const BenchFigure&)>& tell) {
-  RunBench bench(scene);
+  RunBench bench(scene, "{agent: metric_map_fbe, models: {semantic_model: oracle}}");
   std::vector<double> plain;
   std::vector<double> one;
   std::vector<double> two;
@@ -153,6 +155,19 @@ void MeasureRuns(const BenchScene& scene, const std::function<void(const BenchFi
   tell({"runner_overhead", 100.0 * (alone - Median(plain)) / alone, "%", name, "embree", 1});
   tell({"fbe_run_steps_two_workers", steps / Median(two), "steps/s", name, "embree", 2});
   tell({"run_two_workers_over_one", alone / Median(two), "ratio", name, "embree", 2});
+}
+
+void MeasureLearnedRuns(const BenchScene& scene,
+                        const std::function<void(const BenchFigure&)>& tell) {
+  RunBench bench(scene, "{agent: nts}");
+  const double steps = static_cast<double>(bench.Plain().steps);
+  std::vector<double> seconds;
+  for (int round = 0; round < kRounds; ++round) {
+    const double load = bench.LoadSeconds();
+    seconds.push_back(bench.WithRunner(1) - load);
+  }
+  tell({"nts_run_steps", steps / Median(seconds), "steps/s", scene.file.filename().string(),
+        "embree", 1, agent::SupportedIntegerKernels().front()->name});
 }
 
 }  // namespace bulletnav::bench

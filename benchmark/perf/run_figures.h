@@ -13,4 +13,8 @@ namespace bulletnav::bench {
 /// loop. `tell` is called with each as it is ready. Throws sim::Error if no episodes can be drawn.
 void MeasureRuns(const BenchScene& scene, const std::function<void(const BenchFigure&)>& tell);
 
+/// Steps a second of a run of `nts` with the shipped weights, rgbd, one worker.
+void MeasureLearnedRuns(const BenchScene& scene,
+                        const std::function<void(const BenchFigure&)>& tell);
+
 }  // namespace bulletnav::bench

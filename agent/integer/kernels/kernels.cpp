@@ -94,39 +94,47 @@ void RunDot(const DotJob& job) {
 #endif
 }
 
-/// Of kLanes outputs; `kept` is added unless null, as is `kept2`.
-inline Lanes Fine(const ScaleJob& job, Lanes sum, std::int32_t output, const std::int16_t* kept,
-                  const std::int16_t* kept2) {
-  const Lanes value = Add(sum, Load(job.bias + output));
+/// kLanes outputs of all pixels, so that what belongs to the outputs stays in registers. kKept: how
+/// many values are added to each.
+template <int kKept>
+inline void ScaleLanes(const ScaleJob& job, std::int32_t output) {
+  const Lanes bias = Load(job.bias + output);
   const Lanes factor = Load(job.factor + output);
+  const Lanes odd_factor = OddToEven(factor);
+  const Lanes kept_factor = Splat(job.kept_factor);
   const Wide half = SplatWide(std::int64_t{1} << (job.shift - 1));
-  Wide even = AddWide(Multiply(value, factor), half);
-  Wide odd = AddWide(Multiply(OddToEven(value), OddToEven(factor)), half);
-  if (kept != nullptr) {
-    Lanes more = Load16(kept + output);
-    if (kept2 != nullptr) more = Add(more, Load16(kept2 + output));
-    const Lanes kept_factor = Splat(job.kept_factor);
-    even = AddWide(even, Multiply(more, kept_factor));
-    odd = AddWide(odd, Multiply(OddToEven(more), kept_factor));
+  const Lanes low = Splat(job.low);
+  const Lanes high = Splat(job.high);
+  const Lanes half8 = Splat(1 << (kFineBits - 1));
+  const std::int32_t* sums = job.sums + output;
+  for (std::int32_t pixel = 0; pixel < job.pixels; ++pixel, sums += job.outputs) {
+    const Lanes value = Add(Load(sums), bias);
+    Wide even = AddWide(Multiply(value, factor), half);
+    Wide odd = AddWide(Multiply(OddToEven(value), odd_factor), half);
+    if constexpr (kKept > 0) {
+      Lanes more = Load16(job.kept + job.kept_offsets[pixel] + output);
+      if constexpr (kKept > 1) {
+        more = Add(more, Load16(job.kept2 + job.kept2_offsets[pixel] + output));
+      }
+      even = AddWide(even, Multiply(more, kept_factor));
+      odd = AddWide(odd, Multiply(OddToEven(more), kept_factor));
+    }
+    const Lanes fine = Min(Max(Interleave(even, odd, job.shift), low), high);
+    if (job.out16 != nullptr) Store16(job.out16 + job.out16_offsets[pixel] + output, fine);
+    if (job.out8 == nullptr) continue;
+    const Lanes coarse = ShiftRight<kFineBits>(Add(fine, half8));
+    Store8(job.out8 + job.out8_offsets[pixel] + output, Min(Max(coarse, Splat(0)), Splat(255)));
   }
-  return Min(Max(Interleave(even, odd, job.shift), Splat(job.low)), Splat(job.high));
 }
 
 void Scale(const ScaleJob& job) {
-  const Lanes half = Splat(1 << (kFineBits - 1));
-  for (std::int32_t pixel = 0; pixel < job.pixels; ++pixel) {
-    const std::int32_t* sums = job.sums + std::int64_t{pixel} * job.outputs;
-    const std::int16_t* kept = job.kept == nullptr ? nullptr : job.kept + job.kept_offsets[pixel];
-    const std::int16_t* kept2 =
-        job.kept2 == nullptr ? nullptr : job.kept2 + job.kept2_offsets[pixel];
-    std::uint8_t* out8 = job.out8 == nullptr ? nullptr : job.out8 + job.out8_offsets[pixel];
-    std::int16_t* out16 = job.out16 == nullptr ? nullptr : job.out16 + job.out16_offsets[pixel];
-    for (std::int32_t output = 0; output < job.outputs; output += kLanes) {
-      const Lanes fine = Fine(job, Load(sums + output), output, kept, kept2);
-      if (out16 != nullptr) Store16(out16 + output, fine);
-      if (out8 == nullptr) continue;
-      const Lanes coarse = ShiftRight<kFineBits>(Add(fine, half));
-      Store8(out8 + output, Min(Max(coarse, Splat(0)), Splat(255)));
+  for (std::int32_t output = 0; output < job.outputs; output += kLanes) {
+    if (job.kept2 != nullptr) {
+      ScaleLanes<2>(job, output);
+    } else if (job.kept != nullptr) {
+      ScaleLanes<1>(job, output);
+    } else {
+      ScaleLanes<0>(job, output);
     }
   }
 }
