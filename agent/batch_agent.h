@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "agent/agent.h"
+#include "agent/models/encodes_together.h"
 
 namespace bulletnav::agent {
 
@@ -43,10 +44,12 @@ class BatchAgent {
   virtual Belief belief(int /*lane*/) const { return {}; }
 };
 
-/// One plain agent a lane.
+/// One plain agent a lane. Models that the lanes share are told what they will be asked for.
 class LaneAgents final : public BatchAgent {
  public:
-  explicit LaneAgents(std::vector<std::unique_ptr<Agent>> agents) : agents_(std::move(agents)) {}
+  explicit LaneAgents(std::vector<std::unique_ptr<Agent>> agents,
+                      std::vector<std::shared_ptr<EncodesTogether>> models = {})
+      : agents_(std::move(agents)), models_(std::move(models)) {}
 
   int lanes() const override { return static_cast<int>(agents_.size()); }
   void Reset(int lane, const Panorama& goal, std::uint64_t seed) override {
@@ -56,6 +59,7 @@ class LaneAgents final : public BatchAgent {
     agent(lane).NextGoal(goal, seed);
   }
   void Act(std::span<const LaneObservation> observations, std::span<sim::Action> actions) override {
+    const Expected expected(models_, observations);
     for (std::size_t i = 0; i < observations.size(); ++i) {
       actions[i] = agent(observations[i].lane).Act(observations[i].observation);
     }
@@ -66,9 +70,36 @@ class LaneAgents final : public BatchAgent {
   }
 
  private:
+  /// While a step is decided: panoramas change with the next one.
+  class Expected {
+   public:
+    Expected(const std::vector<std::shared_ptr<EncodesTogether>>& models,
+             std::span<const LaneObservation> observations)
+        : models_(models) {
+      if (models_.empty() || observations.size() < 2) return;
+      std::vector<Panorama> panoramas;
+      panoramas.reserve(observations.size());
+      for (const LaneObservation& one : observations) {
+        panoramas.push_back(one.observation.panorama);
+      }
+      for (const auto& model : models_) model->Expect(panoramas);
+    }
+    ~Expected() {
+      for (const auto& model : models_) model->Expect({});
+    }
+    Expected(const Expected&) = delete;
+    Expected& operator=(const Expected&) = delete;
+    Expected(Expected&&) = delete;
+    Expected& operator=(Expected&&) = delete;
+
+   private:
+    const std::vector<std::shared_ptr<EncodesTogether>>& models_;
+  };
+
   Agent& agent(int lane) { return *agents_.at(static_cast<std::size_t>(lane)); }
 
   std::vector<std::unique_ptr<Agent>> agents_;
+  std::vector<std::shared_ptr<EncodesTogether>> models_;
 };
 
 }  // namespace bulletnav::agent

@@ -61,7 +61,9 @@ std::unique_ptr<BatchAgent> MakeLanes(const typename A::Config& config,
     for (const AgentContext& context : contexts) {
       agents.push_back(std::make_unique<A>(config, context));
     }
-    return std::make_unique<LaneAgents>(std::move(agents));
+    std::vector<std::shared_ptr<EncodesTogether>> shared;
+    if (contexts.size() > 1) shared = contexts.front().models.All<EncodesTogether>();
+    return std::make_unique<LaneAgents>(std::move(agents), std::move(shared));
   }
 }
 

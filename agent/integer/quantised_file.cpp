@@ -145,12 +145,6 @@ void AddQuantised(const QuantisedNet& net, const std::filesystem::path& file,
   WriteTensorFile(out, content, type);
 }
 
-bool HoldsQuantised(const TensorFile& content) {
-  return std::any_of(content.tensors.begin(), content.tensors.end(), [](const auto& entry) {
-    return entry.first.starts_with(kIntegerPrefix);
-  });
-}
-
 QuantisedNet ReadQuantised(const TensorFile& content, const std::filesystem::path& file) {
   return Reader(content, file).Read();
 }

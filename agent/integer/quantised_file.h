@@ -3,24 +3,19 @@
 #include <filesystem>
 
 #include "agent/integer/quantised_layer.h"
+#include "agent/models/model_registry.h"
 #include "agent/models/safetensors.h"
 
 namespace bulletnav::agent {
 
-/// In a file of weights, names of what a network in integers needs start so; the others are the
-/// trained numbers, which it is made from. Of layer NAME: integer.NAME.weight, .scale and .bias;
-/// of a scale: integer.NAME.step.
-inline constexpr const char* kIntegerPrefix = "integer.";
-
-/// Takes out what was there of the kind, and puts `net` in.
+/// Names after kIntegerPrefix. Of layer NAME: integer.NAME.weight, .scale and .bias; of a scale:
+/// integer.NAME.step. Takes out what was there of the kind, and puts `net` in.
 void SetQuantised(const QuantisedNet& net, TensorFile* content);
 
 /// Writes the weights of `file` to `out`, which may be the same, with `net` in them; floats as
 /// narrow as they were. Throws FileError.
 void AddQuantised(const QuantisedNet& net, const std::filesystem::path& file,
                   const std::filesystem::path& out);
-
-bool HoldsQuantised(const TensorFile& content);
 
 /// Throws FileError naming `file` if there is none, or it is not whole: integers that are not of 8
 /// or 16 bits, shapes that do not agree, numbers that are not finite.

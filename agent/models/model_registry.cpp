@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "agent/models/model_registry.h"
 
+#include <algorithm>
 #include <map>
 #include <mutex>
 #include <utility>
@@ -13,9 +14,11 @@
 namespace bulletnav::agent {
 namespace {
 
+using Loaders = std::map<NumberForm, ModelLoader>;
+
 /// Filled before main, or by SetMoreModelKinds' function, and only read after that.
-std::map<std::string, ModelLoader, std::less<>>& Registered() {
-  static std::map<std::string, ModelLoader, std::less<>> kinds;
+std::map<std::string, Loaders, std::less<>>& Registered() {
+  static std::map<std::string, Loaders, std::less<>> kinds;
   return kinds;
 }
 
@@ -30,8 +33,12 @@ MoreKinds& More() {
 }
 
 const ModelLoader* FindLoader(const TensorFile& file) {
-  for (const auto& [key, loader] : Registered()) {
-    if (file.metadata.contains(key)) return &loader;
+  for (const auto& [key, loaders] : Registered()) {
+    if (!file.metadata.contains(key)) continue;
+    const auto integers = loaders.find(NumberForm::kIntegers);
+    if (integers != loaders.end() && HoldsIntegers(file)) return &integers->second;
+    const auto trained = loaders.find(NumberForm::kTrained);
+    if (trained != loaders.end()) return &trained->second;
   }
   return nullptr;
 }
@@ -60,9 +67,15 @@ std::optional<std::int64_t> FramesOfOldFile(const TensorFile& file) {
 
 }  // namespace
 
+bool HoldsIntegers(const TensorFile& file) {
+  return std::any_of(file.tensors.begin(), file.tensors.end(), [](const auto& entry) {
+    return entry.first.starts_with(kIntegerPrefix);
+  });
+}
+
 std::vector<std::string> ModelKinds() {
   std::vector<std::string> keys;
-  for (const auto& [key, loader] : Registered()) keys.push_back(key);
+  for (const auto& [key, loaders] : Registered()) keys.push_back(key);
   return keys;
 }
 
@@ -93,8 +106,8 @@ void SetMoreModelKinds(std::function<void()> take_in) {
   More().take_in = std::move(take_in);
 }
 
-void internal::RegisterModel(std::string_view key, ModelLoader loader) {
-  if (!Registered().try_emplace(std::string(key), std::move(loader)).second) {
+void internal::RegisterModel(std::string_view key, NumberForm form, ModelLoader loader) {
+  if (!Registered()[std::string(key)].try_emplace(form, std::move(loader)).second) {
     throw sim::Error("two kinds of models are called '" + std::string(key) + "'");
   }
 }

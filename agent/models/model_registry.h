@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "agent/models/model.h"
+#include "agent/models/safetensors.h"
 #include "agent/observation.h"
 
 namespace bulletnav::agent {
@@ -20,10 +21,21 @@ namespace bulletnav::agent {
 using ModelLoader =
     std::function<std::shared_ptr<Model>(const std::filesystem::path& weights, const Rig& rig)>;
 
+/// What a model works with: the numbers that were trained, or the integers beside them.
+enum class NumberForm { kTrained, kIntegers };
+
+/// In a file of weights, names of what a network in integers needs start so; the others are the
+/// trained numbers, which it is made from.
+inline constexpr const char* kIntegerPrefix = "integer.";
+
+/// Whether weights hold a network in integers beside the trained one.
+bool HoldsIntegers(const TensorFile& weights);
+
 /// Keys of all registered kinds of models, in alphabetical order.
 std::vector<std::string> ModelKinds();
 
-/// The model that a file of weights holds. Its kind is the one whose key is in the file's metadata.
+/// The model that a file of weights holds. Its kind is the one whose key is in the file's metadata;
+/// it works in integers if the file has them and the kind has a loader for them.
 /// Throws what the kind's loader throws, and FileError if the file cannot be read or is of a kind
 /// that this program does not know, listing those it does.
 std::shared_ptr<Model> LoadModel(const std::filesystem::path& weights, const Rig& rig);
@@ -38,18 +50,19 @@ void SetMoreModelKinds(std::function<void()> take_in);
 
 namespace internal {
 
-/// Throws Error if the key is taken.
-void RegisterModel(std::string_view key, ModelLoader loader);
+/// Throws Error if the key is taken in that form.
+void RegisterModel(std::string_view key, NumberForm form, ModelLoader loader);
 
 }  // namespace internal
 
 /// Makes a kind of model known: one constant of this type at the end of its file does it. `key`:
 /// the entry of a file's metadata that holds the model's configuration, and by which it is told
-/// from other kinds.
+/// from other kinds. A kind may have a loader for each form of its numbers.
 class ModelRegistration {
  public:
-  ModelRegistration(std::string_view key, ModelLoader loader) {
-    internal::RegisterModel(key, std::move(loader));
+  ModelRegistration(std::string_view key, ModelLoader loader,
+                    NumberForm form = NumberForm::kTrained) {
+    internal::RegisterModel(key, form, std::move(loader));
   }
 };
 

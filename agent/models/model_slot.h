@@ -5,6 +5,8 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "agent/models/model.h"
 
@@ -55,6 +57,16 @@ class Models {
   std::shared_ptr<M> Need(std::string_view slot) const {
     if (auto model = Find<M>(slot)) return model;
     FailWithout(slot, M::kWhat);
+  }
+
+  /// Those that can be asked this way, whatever their slots.
+  template <class M>
+  std::vector<std::shared_ptr<M>> All() const {
+    std::vector<std::shared_ptr<M>> all;
+    for (const auto& [slot, model] : models_) {
+      if (auto found = std::dynamic_pointer_cast<M>(model)) all.push_back(std::move(found));
+    }
+    return all;
   }
 
  private:

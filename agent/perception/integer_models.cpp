@@ -6,6 +6,7 @@
 #include "agent/integer/integer_mapper.h"
 #include "agent/integer/integer_model.h"
 #include "agent/integer/quantised_file.h"
+#include "agent/models/model_registry.h"
 #include "agent/perception/model_file.h"
 #include "sim/base/error.h"
 
@@ -25,10 +26,6 @@ auto Made(const std::filesystem::path& weights, const F& f) {
 }
 
 }  // namespace
-
-bool HoldsIntegers(const std::filesystem::path& weights) {
-  return HoldsQuantised(ReadTensorFile(weights));
-}
 
 std::shared_ptr<SemanticModel> LoadIntegerModel(const std::filesystem::path& weights,
                                                 const Rig& rig) {
@@ -51,5 +48,12 @@ std::shared_ptr<FreeSpaceModel> LoadIntegerMapper(const std::filesystem::path& w
     return std::make_shared<IntegerMapper>(net, config.rows);
   });
 }
+
+namespace {
+
+const ModelRegistration model(kModelKey, LoadIntegerModel, NumberForm::kIntegers);
+const ModelRegistration mapper(kMapperKey, LoadIntegerMapper, NumberForm::kIntegers);
+
+}  // namespace
 
 }  // namespace bulletnav::agent

@@ -9,10 +9,6 @@
 
 namespace bulletnav::agent {
 
-/// Whether a file of weights holds a network in integers beside the trained one. Throws FileError
-/// if it cannot be read.
-bool HoldsIntegers(const std::filesystem::path& weights);
-
 /// The semantic model in integers that a file holds; needs no torch. Throws FileError if there is
 /// none or it cannot be used, Error if `rig` does not give what it takes.
 std::shared_ptr<SemanticModel> LoadIntegerModel(const std::filesystem::path& weights,

@@ -3,7 +3,6 @@
 
 #include "agent/models/model_registry.h"
 #include "agent/perception/encoder.h"
-#include "agent/perception/integer_models.h"
 #include "agent/perception/mapper_net.h"
 #include "agent/perception/model_file.h"
 #include "agent/perception/one_thread.h"
@@ -57,13 +56,10 @@ FreeSpace LearnedMapper::Predict(const Panorama& panorama) {
 
 namespace {
 
-const ModelRegistration registration(kMapperKey, [](const std::filesystem::path& weights,
-                                                    const Rig& rig) {
-  if (HoldsIntegers(weights)) {
-    return std::shared_ptr<Model>(LoadIntegerMapper(weights, rig));
-  }
-  return std::shared_ptr<Model>(std::make_shared<LearnedMapper>(weights, rig));
-});
+const ModelRegistration registration(kMapperKey,
+                                     [](const std::filesystem::path& weights, const Rig& rig) {
+                                       return std::make_shared<LearnedMapper>(weights, rig);
+                                     });
 
 }  // namespace
 

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "agent/models/model_registry.h"
-#include "agent/perception/integer_models.h"
 #include "agent/perception/model_file.h"
 #include "agent/perception/one_thread.h"
 #include "agent/perception/semantic_net.h"
@@ -133,13 +132,10 @@ std::vector<PairPrediction> LearnedModel::Compare(std::span<const PanoramaCode* 
 
 namespace {
 
-const ModelRegistration registration(kModelKey, [](const std::filesystem::path& weights,
-                                                   const Rig& rig) {
-  if (HoldsIntegers(weights)) {
-    return std::shared_ptr<Model>(LoadIntegerModel(weights, rig));
-  }
-  return std::shared_ptr<Model>(std::make_shared<LearnedModel>(weights, rig));
-});
+const ModelRegistration registration(kModelKey,
+                                     [](const std::filesystem::path& weights, const Rig& rig) {
+                                       return std::make_shared<LearnedModel>(weights, rig);
+                                     });
 
 }  // namespace
 

@@ -6,6 +6,8 @@
 #include <CLI/Formatter.hpp>
 #include <fmt/core.h>
 
+#include "agent/models/model_registry.h"
+#include "agent/models/safetensors.h"
 #include "agent/perception/integer_models.h"
 #include "agent/perception/learned_model.h"
 #include "benchmark/base/file_hash.h"
@@ -43,7 +45,7 @@ PerceptionConfig ConfigOf(const PerceptionOptions& options) {
 }
 
 ModelMaker MakerOf(const fs::path& weights, const agent::Rig& rig, bool trained) {
-  if (!trained && agent::HoldsIntegers(weights)) {
+  if (!trained && agent::HoldsIntegers(agent::ReadTensorFile(weights))) {
     return [=] {
       return agent::LoadIntegerModel(weights, rig);
     };

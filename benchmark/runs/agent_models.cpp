@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "agent/integer/quantised_file.h"
 #include "agent/models/model_registry.h"
 #include "agent/models/usual_slots.h"
 #include "agent/registry.h"
@@ -110,6 +111,13 @@ std::map<std::string, fs::path> UsedWeights(const RunConfig& config) {
     for (const std::string& setting : settings) note(entry, setting);
   }
   return used;
+}
+
+bool ActsInFloats(const RunConfig& config) {
+  const std::map<std::string, fs::path> used = UsedWeights(config);
+  return std::any_of(used.begin(), used.end(), [](const auto& entry) {
+    return !agent::HoldsIntegers(agent::ReadTensorFile(entry.second));
+  });
 }
 
 fs::path FindWeights(const std::string& weights) {

@@ -123,11 +123,11 @@ void RequireSameConfig(const Part& part, const Part& first) {
                               DifferenceOf(part, first)));
 }
 
-void RequireAlike(const std::vector<Part>& parts, bool has_learned_agents) {
+void RequireAlike(const std::vector<Part>& parts) {
   const Part& first = parts.front();
   for (const Part& part : parts) {
     RequireSameConfig(part, first);
-    const std::string difference = DifferenceOf(first.record, part.record, has_learned_agents);
+    const std::string difference = DifferenceOf(first.record, part.record);
     if (difference.empty()) continue;
     throw FileError(part.folder, "",
                     fmt::format("is {} than {}; delete the folder of the wrong one and play it "
@@ -195,7 +195,7 @@ void BringTrajectories(const Part& part, const fs::path& folder) {
 RunOutcome MergeShards(const fs::path& folder) {
   const std::vector<Part> parts = ReadParts(folder);
   const RunConfig config = LoadRunConfig(parts.front().folder / "config.yaml");
-  RequireAlike(parts, UsesWeights(config));
+  RequireAlike(parts);
   const ResolvedRun run = ResolveRun(config, false);
   const std::vector<Episode> episodes = ReadChosenEpisodes(config, parts.front().record);
   for (const Part& part : parts) RequireWhole(part, run, episodes);

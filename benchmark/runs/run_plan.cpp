@@ -36,10 +36,6 @@ ResolvedRun ResolveRun(RunConfig config, bool require_all) {
   return run;
 }
 
-bool UsesWeights(const RunConfig& config) {
-  return !config.fingerprints.value().weights.empty();
-}
-
 RunPlan PlanRun(ResolvedRun run, RunEpisodes episodes) {
   RunPlan plan;
   plan.rows = RowsOf(run.config, run.agents);

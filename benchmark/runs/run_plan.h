@@ -18,9 +18,6 @@ struct ResolvedRun {
 /// Throws as RequireSome and, with `require_all`, RequireAll.
 ResolvedRun ResolveRun(RunConfig config, bool require_all);
 
-/// Whether an agent of it takes learned models from files. Expects fingerprints.
-bool UsesWeights(const RunConfig& config);
-
 /// Stage "plan": each agent, in its settings, under every condition and seed.
 RunPlan PlanRun(ResolvedRun run, RunEpisodes episodes);
 /// Every episode of every row, scene by scene, so that each is loaded once; in a scene row by row.

@@ -8,7 +8,9 @@
 #include <fmt/core.h>
 
 #include "benchmark/base/counted.h"
+#include "benchmark/base/processor_kind.h"
 #include "benchmark/base/program_version.h"
+#include "benchmark/runs/agent_models.h"
 #include "benchmark/runs/result_store.h"
 #include "benchmark/runs/run_play.h"
 #include "benchmark/runs/shard_record.h"
@@ -137,8 +139,8 @@ RunOutcome RunBenchmark(RunConfig config, const fs::path& folder, const RunOptio
     return LacksOnlyWeights(saved, plan.config);
   });
   if (options.shard) {
-    BeginShard(place, MakeShardRecord(*options.shard, options.episodes, plan.config.backend),
-               UsesWeights(plan.config));
+    BeginShard(place, MakeShardRecord(*options.shard, options.episodes, plan.config.backend,
+                                      ActsInFloats(plan.config) ? ProcessorKind() : kAnyProcessor));
   }
   if (options.retry_failed) store.ForgetFailed();
   PlayRest(plan, options.workers, hooks, &scenes, &store);

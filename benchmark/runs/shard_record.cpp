@@ -2,10 +2,10 @@
 #include "benchmark/runs/shard_record.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/core.h>
 
-#include "benchmark/base/processor_kind.h"
 #include "benchmark/base/program_version.h"
 #include "sim/base/error.h"
 #include "sim/base/files.h"
@@ -39,16 +39,17 @@ std::string RendererName(sim::Backend backend) {
   return scene->backend() == sim::Backend::kEmbree ? name : name + ", " + scene->description();
 }
 
-ShardRecord MakeShardRecord(const Shard& shard, std::optional<int> episodes, sim::Backend backend) {
-  return {shard.number,     shard.of,        episodes,
-          ProgramVersion(), ProcessorKind(), RendererName(backend)};
+ShardRecord MakeShardRecord(const Shard& shard, std::optional<int> episodes, sim::Backend backend,
+                            std::string processor) {
+  return {shard.number,         shard.of, episodes, ProgramVersion(), std::move(processor),
+          RendererName(backend)};
 }
 
 ShardRecord ReadShardRecord(const fs::path& shard_folder) {
   return sim::LoadYaml<ShardRecord>(shard_folder / kRecordFile);
 }
 
-std::string DifferenceOf(const ShardRecord& a, const ShardRecord& b, bool has_learned_agents) {
+std::string DifferenceOf(const ShardRecord& a, const ShardRecord& b) {
   const auto other = [](const std::string& what, const std::string& here,
                         const std::string& there) {
     return fmt::format("of {} ({}, not {})", what, here, there);
@@ -58,8 +59,8 @@ std::string DifferenceOf(const ShardRecord& a, const ShardRecord& b, bool has_le
     return other("other episodes", EpisodesText(b.episodes), EpisodesText(a.episodes));
   }
   if (a.program != b.program) return other("another program", b.program, a.program);
-  if (has_learned_agents && a.processor != b.processor) {
-    return other("another kind of processor, on which learned agents differ", b.processor,
+  if (a.processor != b.processor) {
+    return other("another kind of processor, on which networks in floats differ", b.processor,
                  a.processor);
   }
   if (a.renderer != b.renderer) {
@@ -89,14 +90,13 @@ void RequireSplit(const fs::path& run_folder, const std::optional<Shard>& shard)
                   other->of, shard->of));
 }
 
-void BeginShard(const fs::path& shard_folder, const ShardRecord& record, bool has_learned_agents) {
+void BeginShard(const fs::path& shard_folder, const ShardRecord& record) {
   const fs::path file = shard_folder / kRecordFile;
   if (!fs::exists(file)) {
     sim::WriteFileAtomically(file, sim::ToYaml(record));
     return;
   }
-  const std::string difference =
-      DifferenceOf(record, ReadShardRecord(shard_folder), has_learned_agents);
+  const std::string difference = DifferenceOf(record, ReadShardRecord(shard_folder));
   if (difference.empty()) return;
   throw sim::FileError(shard_folder, "",
                        "was begun as a shard " + difference +

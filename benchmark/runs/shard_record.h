@@ -9,6 +9,9 @@
 
 namespace bulletnav::bench {
 
+/// Of results that are the same bits on every processor: no network acts in floats.
+inline constexpr const char* kAnyProcessor = "any";
+
 /// What a shard's results depend on besides its config.yaml: shard.yaml in its folder, written
 /// before the first episode.
 struct ShardRecord {
@@ -16,7 +19,7 @@ struct ShardRecord {
   int of = 1;
   std::optional<int> episodes;  // only the first so many of the run were split
   std::string program;          // ProgramVersion
-  std::string processor;        // ProcessorKind
+  std::string processor;        // ProcessorKind, or kAnyProcessor
   std::string renderer;         // RendererName
 
   template <class V>
@@ -34,14 +37,15 @@ struct ShardRecord {
 /// "egl, " and its GL_RENDERER. Throws sim::RenderError if there is no such backend.
 std::string RendererName(sim::Backend backend);
 
-/// Of this process.
-ShardRecord MakeShardRecord(const Shard& shard, std::optional<int> episodes, sim::Backend backend);
+/// Of this process. `processor`: kAnyProcessor, or that of this process where it counts.
+ShardRecord MakeShardRecord(const Shard& shard, std::optional<int> episodes, sim::Backend backend,
+                            std::string processor);
 /// Throws sim::FileError.
 ShardRecord ReadShardRecord(const std::filesystem::path& shard_folder);
 
 /// "of other episodes (the first 20, not all)" and the like, `b` being not as `a`: empty if both
-/// can be parts of one run. The processor counts where agents are learned.
-std::string DifferenceOf(const ShardRecord& a, const ShardRecord& b, bool has_learned_agents);
+/// can be parts of one run.
+std::string DifferenceOf(const ShardRecord& a, const ShardRecord& b);
 
 /// Throws sim::Error, with a remedy, if `run_folder` is split into another number of shards; or, if
 /// `shard` is none, if it is split and nothing has been merged yet.
@@ -49,7 +53,6 @@ void RequireSplit(const std::filesystem::path& run_folder, const std::optional<S
 
 /// Writes the record of a shard that begins. Throws sim::FileError, with a remedy, if the folder
 /// holds one that differs.
-void BeginShard(const std::filesystem::path& shard_folder, const ShardRecord& record,
-                bool has_learned_agents);
+void BeginShard(const std::filesystem::path& shard_folder, const ShardRecord& record);
 
 }  // namespace bulletnav::bench

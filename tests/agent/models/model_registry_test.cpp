@@ -86,7 +86,7 @@ TEST_F(ModelRegistryTest, AnUnknownKindIsRefusedOnceMoreKindsWereAskedFor) {
 TEST_F(ModelRegistryTest, KindsThatComeLaterAreFound) {
   const auto file = Write({{"later", "{}"}});
   SetMoreModelKinds([] {
-    internal::RegisterModel("later", LoadNumber);
+    internal::RegisterModel("later", NumberForm::kTrained, LoadNumber);
   });
   EXPECT_NE(LoadModel(file, {}), nullptr);
 }

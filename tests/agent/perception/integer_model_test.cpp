@@ -188,14 +188,31 @@ TEST_F(IntegerModelTest, IsTheSameToTheBitWithAllKernelsAndTogether) {
   }
 }
 
+TEST_F(IntegerModelTest, WhatIsExpectedIsEncodedTogetherAndNothingElseChanges) {
+  SemanticNet net(Small(), 3);
+  IntegerModel model(Quantised(net, pictures_), 32, true);
+  const auto codes = model.Encode(pictures_.panoramas);
+  const auto ask = [&](std::size_t i) {
+    return model.Encode(std::span(pictures_.panoramas).subspan(i, 1)).front();
+  };
+  model.Expect(std::span(pictures_.panoramas).first(3));
+  EXPECT_EQ(ask(1), codes[1]);
+  // Those that it was told of were taken then: what their memory holds now is not looked at.
+  std::fill(pictures_.pictures[0].color.begin(), pictures_.pictures[0].color.end(), 0);
+  EXPECT_EQ(ask(0), codes[0]);
+  EXPECT_EQ(ask(5), codes[5]);
+  model.Expect({});
+  EXPECT_NE(ask(0), codes[0]);
+}
+
 TEST_F(IntegerModelTest, AFileWithIntegersPlaysInIntegers) {
   const auto file = Save(Small());
-  EXPECT_TRUE(HoldsIntegers(file));
+  EXPECT_TRUE(HoldsIntegers(ReadTensorFile(file)));
   EXPECT_NE(std::dynamic_pointer_cast<IntegerModel>(LoadModel(file, Rig{})), nullptr);
   // The trained weights are still there, alone.
   const auto net = LoadNet(file);
   SaveNet(*net, {}, StoredType::kFloat32, file);
-  EXPECT_FALSE(HoldsIntegers(file));
+  EXPECT_FALSE(HoldsIntegers(ReadTensorFile(file)));
   EXPECT_NE(std::dynamic_pointer_cast<LearnedModel>(LoadModel(file, Rig{})), nullptr);
   EXPECT_THROW(LoadIntegerModel(file, Rig{}), sim::FileError);
 }

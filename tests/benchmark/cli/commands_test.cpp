@@ -242,5 +242,46 @@ TEST_F(CommandsTest, ShardsOfASlurmArrayAreMergedIntoOneRun) {
   EXPECT_EQ(CountFiles("parts/trajectories", ".json"), 8);
 }
 
+/// One processor plays the parts of others: what is made, drawn, seen, answered and decided is the
+/// same to the bit, with and without fused multiply-add in the C library, for any number of workers
+/// and lanes, and after a kill.
+TEST_F(CommandsTest, HousesAndEpisodesAreTheSameOnEveryInstructionSet) {
+  struct Machine {
+    std::string name;
+    std::string variables;
+    int workers;
+    int lanes;
+  };
+  const std::vector<Machine> machines = {
+      {"widest", "", 1, 1},
+      {"sse41", "BULLETNAV_ISA=sse41 GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA", 2, 3},
+      {"avx2", "BULLETNAV_ISA=avx2", 1, 8}};
+  std::vector<std::string> houses;
+  std::vector<std::string> episodes;
+  for (const Machine& machine : machines) {
+    Output("scenes generate --count 1 --out houses", machine.variables);
+    houses.push_back(Read("houses/house_000.glb"));
+    Write(
+        machine.name + ".yaml",
+        fmt::format("max_steps: 30\nbackend: embree\ntrajectories: false\nepisodes:\n"
+                    "  file: episodes.json\n"
+                    "  draw: {{scenes: [houses/house_000.glb], sequential_goals: 2, seed: 3,\n"
+                    "         counts: {{easy: 1, medium: 1, sequential: 1}}}}\n"
+                    "settings: [rgb, rgbd]\n"
+                    "agents: [{{agent: nts, lanes: {0}}}, {{agent: metric_map_fbe, lanes: {0}}}]\n",
+                    machine.lanes));
+    const std::string run = fmt::format("run {0}.yaml --workers {1} --no-plots --out {0}",
+                                        machine.name, machine.workers);
+    if (machine.name == "avx2") Run(run, machine.variables + " timeout -s KILL 3");
+    Output(run, machine.variables);
+    episodes.push_back(Read(fs::path(machine.name) / "episodes.jsonl"));
+  }
+  EXPECT_EQ(std::count(episodes[0].begin(), episodes[0].end(), '\n'), 2 * 2 * 3);
+  for (std::size_t i = 1; i < machines.size(); ++i) {
+    EXPECT_TRUE(houses[i] == houses[0]) << machines[i].name;
+    EXPECT_EQ(episodes[i], episodes[0]) << machines[i].name;
+  }
+}
+
 }  // namespace
 }  // namespace bulletnav::bench

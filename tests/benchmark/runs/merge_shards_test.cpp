@@ -12,7 +12,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "agent/integer/quantised_file.h"
+#include "agent/models/safetensors.h"
 #include "benchmark/play/trajectory.h"
+#include "benchmark/runs/agent_models.h"
 #include "benchmark/runs/result_store.h"
 #include "benchmark/runs/shard_record.h"
 #include "sim/base/error.h"
@@ -213,11 +216,10 @@ TEST_F(MergeShardsTest, RefusesShardsThatAreNoPartsOfOneRun) {
                 record->renderer = "egl, X1";
               }),
               HasSubstr("2-of-2: is of another renderer, whose pictures differ (egl, X1, not "));
-  // Without learned agents all kinds of processor give the same results.
-  EXPECT_EQ(complaint([](ShardRecord* record) {
-              record->processor = "AVX2";
-            }),
-            "nothing");
+  EXPECT_THAT(complaint([](ShardRecord* record) {
+                record->processor = "AVX2";
+              }),
+              HasSubstr("2-of-2: is of another kind of processor"));
   Play("other", Shard{2, 2}, {}, Config("seeds: [5]"));
   fs::remove_all(ShardFolder(folder("run"), {2, 2}));
   fs::copy(ShardFolder(folder("other"), {2, 2}), ShardFolder(folder("run"), {2, 2}),
@@ -319,13 +321,34 @@ TEST_F(MergeShardsTest, WaitsForAnotherProcessThatDrawsTheEpisodes) {
   EXPECT_EQ(Files("run"), Files("whole"));
 }
 
-TEST_F(MergeShardsTest, LearnedAgentsAreOfOneKindOfProcessor) {
-  const ShardRecord here = MakeShardRecord({1, 2}, {}, sim::Backend::kEmbree);
-  ShardRecord there = MakeShardRecord({2, 2}, {}, sim::Backend::kEmbree);
+TEST_F(MergeShardsTest, NetworksInFloatsAreOfOneKindOfProcessor) {
+  const ShardRecord here = MakeShardRecord({1, 2}, {}, sim::Backend::kEmbree, "AVX2");
+  ShardRecord there = MakeShardRecord({2, 2}, {}, sim::Backend::kEmbree, "AVX2");
+  EXPECT_EQ(DifferenceOf(here, there), "");
   there.processor = "AVX1";
-  EXPECT_EQ(DifferenceOf(here, there, false), "");
-  EXPECT_THAT(DifferenceOf(here, there, true),
-              AllOf(HasSubstr("another kind of processor"), HasSubstr("(AVX1, not ")));
+  EXPECT_THAT(DifferenceOf(here, there),
+              AllOf(HasSubstr("another kind of processor"), HasSubstr("(AVX1, not AVX2)")));
+}
+
+TEST_F(MergeShardsTest, TheProcessorCountsWhereANetworkActsInFloats) {
+  Play("run", Shard{1, 2});
+  EXPECT_EQ(ReadShardRecord(ShardFolder(folder("run"), {1, 2})).processor, kAnyProcessor);
+
+  // The shipped weights hold integers.
+  RunConfig config = Config();
+  config.agents.resize(1);
+  config.agents[0].agent = "nts";
+  EXPECT_FALSE(ActsInFloats(config));
+  agent::TensorFile floats =
+      agent::ReadTensorFile(FindWeights("assets/weights/nts_rgbd.safetensors"));
+  std::erase_if(floats.tensors, [](const auto& entry) {
+    return entry.first.starts_with(agent::kIntegerPrefix);
+  });
+  fs::create_directories(folder("weights"));
+  const fs::path file = folder("weights") / "floats.safetensors";
+  agent::WriteTensorFile(file, floats, agent::StoredType::kBfloat16);
+  config.agents[0].models["semantic_model"] = file.string();
+  EXPECT_TRUE(ActsInFloats(config));
 }
 
 TEST_F(MergeShardsTest, AFolderHasOneSplit) {

@@ -65,9 +65,9 @@ TEST_F(MapperTrainerTest, QuantisesAtItsEndAndTellsBothAccuracies) {
   Watcher watcher;
   Train(config, &watcher);
   const fs::path weights = folder_.path() / "weights.safetensors";
-  EXPECT_TRUE(agent::HoldsQuantised(agent::ReadTensorFile(weights)));
+  EXPECT_TRUE(agent::HoldsIntegers(agent::ReadTensorFile(weights)));
   EXPECT_FALSE(
-      agent::HoldsQuantised(agent::ReadTensorFile(folder_.path() / "weights_best.safetensors")));
+      agent::HoldsIntegers(agent::ReadTensorFile(folder_.path() / "weights_best.safetensors")));
   // As trained, in integers: not the same, but near.
   const std::string card = sim::ReadTextFile(folder_.path() / "weights.md");
   EXPECT_THAT(card, HasSubstr("| measure | as trained | in integers |"));
