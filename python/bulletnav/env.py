@@ -46,6 +46,8 @@ class Env(_Base):
             raise _core.Error(f"reset knows no options, but got {sorted(options)}")
         if seed is not None and (not isinstance(seed, int) or seed < 0):
             raise _core.Error(f"seed must be a whole number, not {seed!r}")
+        if _Base is not object:
+            super().reset(seed=seed)
         self._lanes.reset(seed)
         return dict(self._views), {}
 

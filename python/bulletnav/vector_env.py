@@ -124,6 +124,8 @@ class VectorEnv(_Base):
             raise _core.Error(f"reset knows no option {sorted(options)}; it knows 'reset_mask'")
         if seed is not None and (not isinstance(seed, int) or seed < 0):
             raise _core.Error(f"seed must be one whole number for all lanes, not {seed!r}")
+        if _Base is not object:
+            super().reset(seed=seed)
         if mask is None:
             self._lanes.reset(seed)
         elif seed is not None:
