@@ -12,12 +12,16 @@ from bulletnav import spaces
 from bulletnav._core import Array, Error, FileError, PoseError, RenderError, __version__
 from bulletnav.actions import Action
 from bulletnav.env import Env
+from bulletnav.episodes import draw_episodes, read_episodes, write_episodes
 from bulletnav.houses import generate
+from bulletnav.results import measures, read_results, read_trajectory
+from bulletnav.scene import Scene
 from bulletnav.vector_env import AutoresetMode, VectorEnv
 
 __all__ = [
     "Action", "Array", "AutoresetMode", "Env", "Error", "FileError", "PoseError", "RenderError",
-    "VectorEnv", "__version__", "generate", "spaces",
+    "Scene", "VectorEnv", "__version__", "draw_episodes", "generate", "measures", "read_episodes",
+    "read_results", "read_trajectory", "spaces", "write_episodes",
 ]
 
 

@@ -165,7 +165,7 @@ Array MakeArray(const sim::ArraySpec& spec) {
 }
 
 void BindArray(py::module_* module) {
-  py::class_<Array>(*module, "Array", py::buffer_protocol(),
+  py::class_<Array>(*module, "Array", py::buffer_protocol(), py::module_local(),
                     "Numbers in BulletNav's memory, seen without a copy: numpy.asarray(a),\n"
                     "memoryview(a) and torch.from_dlpack(a) all look at the same bytes.")
       .def_buffer(&Buffer)

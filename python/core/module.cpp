@@ -51,6 +51,8 @@ PYBIND11_MODULE(_core, module) {  // NOLINT
   BindErrors(&module);
   BindArray(&module);
   BindLanes(&module);
+  BindScene(&module);
+  BindFiles(&module);
   module.def("generate", &Generate, py::arg("folder"), py::arg("count"), py::arg("first_seed"),
              py::arg("workers"), py::call_guard<py::gil_scoped_release>());
 }
