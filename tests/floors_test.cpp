@@ -45,7 +45,8 @@ const std::vector<std::vector<std::string>> kFloors = {
     {"benchmark/training/", "benchmark/perf/"},
     {"benchmark/evaluate_perception/"},
     {"benchmark/slam/io/", "benchmark/slam/metrics/"},
-    {"benchmark/cli/", "python/"},
+    {"python/"},
+    {"benchmark/cli/"},
 };
 
 struct Room {
