@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "python/core/array.h"
+#include "python/core/batch_speed.h"
 #include "python/core/bindings.h"
 #include "python/core/lanes.h"
 
@@ -121,7 +122,14 @@ void BindLanes(py::module_* module) {
       .def("outcome", &Outcome)
       .def("finished", &Finished)
       .def("episode", &EpisodeOf)
-      .def("truth", &Truth);
+      .def("truth", &Truth)
+      .def(
+          "batch_seconds",
+          [](Lanes& lanes, const std::vector<std::vector<std::int64_t>>& actions,
+             std::size_t warm_up) {
+            return BatchSeconds(&lanes, actions, warm_up);
+          },
+          unlocked);
 }
 
 }  // namespace bulletnav::python
