@@ -70,7 +70,7 @@ class PythonAgent final : public agent::Agent {
     static python::MakePythonAgent* const make = OpenLibrary();
     const nlohmann::json options =
         config.options ? ToJson(config.options->yaml()) : nlohmann::json::object();
-    own_ = make(config.module, options.dump(), context);
+    make(config.module, options.dump(), context, &own_);
   }
 
   void Reset(const agent::Panorama& goal, std::uint64_t seed) override { own_->Reset(goal, seed); }

@@ -18,9 +18,9 @@ namespace bulletnav::python {
 ///   act(self, observation)            an action, 0 to 3; observation: {array's name: array, ...,
 ///                                     "step": actions since reset}
 /// Arrays are copies that it may keep. What it raises is thrown, with its traceback as the text.
-using MakePythonAgent = std::unique_ptr<agent::Agent>(const std::string& module,
-                                                      const std::string& options,
-                                                      const agent::AgentContext& context);
+using MakePythonAgent = void(const std::string& module, const std::string& options,
+                             const agent::AgentContext& context,
+                             std::unique_ptr<agent::Agent>* made);
 inline constexpr const char* kMakePythonAgent = "BulletnavMakePythonAgent";
 inline constexpr const char* kPythonLibrary = "bulletnav-python.so";
 

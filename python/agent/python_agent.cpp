@@ -82,7 +82,7 @@ class PythonAgent final : public agent::Agent {
     }
   }
 
-  ~PythonAgent() override {
+  ~PythonAgent() override {  // NOLINT(bugprone-exception-escape): taking the lock throws nothing
     const py::gil_scoped_acquire lock;
     own_.release().dec_ref();
   }
@@ -171,8 +171,8 @@ class PythonAgent final : public agent::Agent {
 }  // namespace
 }  // namespace bulletnav::python
 
-extern "C" __attribute__((visibility("default"))) std::unique_ptr<bulletnav::agent::Agent>
-BulletnavMakePythonAgent(const std::string& module, const std::string& options,
-                         const bulletnav::agent::AgentContext& context) {
-  return std::make_unique<bulletnav::python::PythonAgent>(module, options, context);
+extern "C" __attribute__((visibility("default"))) void BulletnavMakePythonAgent(
+    const std::string& module, const std::string& options,
+    const bulletnav::agent::AgentContext& context, std::unique_ptr<bulletnav::agent::Agent>* made) {
+  *made = std::make_unique<bulletnav::python::PythonAgent>(module, options, context);
 }

@@ -253,7 +253,7 @@ class Misuse(unittest.TestCase):
         outcomes = []
 
         def step():
-            for _ in range(5):
+            while len(outcomes) < 2000 and set(outcomes) <= {"stepped"}:  # Until they meet.
                 try:
                     envs.step([1] * 8)
                     outcomes.append("stepped")
@@ -266,7 +266,6 @@ class Misuse(unittest.TestCase):
         for thread in threads:
             thread.join()
         others = {o for o in outcomes if o != "stepped"}
-        self.assertEqual(len(outcomes), 20)
         self.assertIn("stepped", outcomes)
         self.assertEqual(len(others), 1, others)  # They met, and were told so.
         self.assertIn("another thread", others.pop())
