@@ -63,7 +63,7 @@ py::buffer_info Buffer(Array& array) {
 struct DlHolder {
   std::shared_ptr<const void> owner;
   std::vector<std::int64_t> shape;
-  DlManagedTensor tensor;
+  DlManagedTensor tensor = {};
 };
 
 void DropUnused(PyObject* capsule) {
