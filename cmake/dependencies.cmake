@@ -42,6 +42,24 @@ endif()
 if(BULLETNAV_TOOLS)
   find_package(CLI11 REQUIRED)
 endif()
+if(BULLETNAV_PYTHON)
+  # The interpreter that the module is for. Asked itself, as CMake's own finder keeps the first.
+  set(BULLETNAV_PYTHON_EXECUTABLE /usr/bin/python3 CACHE FILEPATH "Python to build the module for")
+  find_path(BULLETNAV_PYBIND11_INCLUDE pybind11/pybind11.h REQUIRED)
+  execute_process(COMMAND ${BULLETNAV_PYTHON_EXECUTABLE} -c
+    "import sysconfig as s; print(s.get_path('include'), s.get_config_var('EXT_SUFFIX'), (s.get_config_var('LIBDIR') or '') + '/' + (s.get_config_var('LDLIBRARY') or ''), sep=';')"
+    OUTPUT_VARIABLE python_facts OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+  list(GET python_facts 0 BULLETNAV_PYTHON_INCLUDE)
+  list(GET python_facts 1 BULLETNAV_PYTHON_SUFFIX)
+  list(GET python_facts 2 BULLETNAV_LIBPYTHON)
+  if(NOT BULLETNAV_LIBPYTHON MATCHES "\\.so")
+    set(BULLETNAV_LIBPYTHON "")  # to be taken in whole
+  endif()
+  if(NOT EXISTS ${BULLETNAV_PYTHON_INCLUDE}/Python.h)
+    message(FATAL_ERROR "${BULLETNAV_PYTHON_INCLUDE}/Python.h is missing: install the headers of "
+      "${BULLETNAV_PYTHON_EXECUTABLE} (Debian's python3-dev)")
+  endif()
+endif()
 if(BULLETNAV_TESTS)
   find_package(benchmark REQUIRED)
   find_package(GTest REQUIRED)

@@ -47,6 +47,7 @@ const std::vector<std::vector<std::string>> kFloors = {
     {"benchmark/training/", "benchmark/perf/"},
     {"benchmark/evaluate_perception/"},
     {"benchmark/slam/io/", "benchmark/slam/metrics/"},
+    {"python/"},
     {"benchmark/cli/"},
 };
 
@@ -79,7 +80,7 @@ std::vector<std::string> IncludesOf(const fs::path& file) {
 
 std::vector<fs::path> Sources() {
   std::vector<fs::path> sources;
-  for (const char* part : {"sim", "agent", "benchmark"}) {
+  for (const char* part : {"sim", "agent", "benchmark", "python"}) {
     for (const auto& entry :
          fs::recursive_directory_iterator(fs::path(BULLETNAV_SOURCE_DIR) / part)) {
       const fs::path extension = entry.path().extension();

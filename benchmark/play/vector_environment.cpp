@@ -72,12 +72,12 @@ void VectorEnvironment::Require(bool is_right, const std::string& what) const {
 }
 
 const Episode& VectorEnvironment::episode(int lane) const {
-  Require(is_begun_, "call Reset first");
+  Require(is_begun_, "call reset first");
   return playing_.at(static_cast<std::size_t>(lane));
 }
 
 const GroundTruth& VectorEnvironment::truth(int lane) const {
-  Require(is_begun_, "call Reset first");
+  Require(is_begun_, "call reset first");
   return truths_.at(static_cast<std::size_t>(lane));
 }
 
@@ -106,46 +106,60 @@ void VectorEnvironment::Reset(std::uint64_t seed) {
   std::fill(truncated_.begin(), truncated_.end(), std::uint8_t{0});
   finished_.clear();
   TakeGoals();
-  Observe();
+  environment_->Observe(AllOf(spec_.lanes));
+}
+
+void VectorEnvironment::RequireLanes(std::span<const int> lanes) const {
+  int last = -1;
+  for (const int lane : lanes) {
+    Require(lane >= 0 && lane < spec_.lanes, fmt::format("there is no lane {}", lane));
+    Require(lane > last, "lanes must rise");
+    last = lane;
+  }
 }
 
 void VectorEnvironment::ResetLanes(std::span<const int> lanes) {
-  Require(is_begun_, "call Reset first");
-  for (const int lane : lanes) {
-    Require(lane >= 0 && lane < spec_.lanes, fmt::format("there is no lane {}", lane));
-    Start(lane);
-  }
+  Require(is_begun_, "call reset first");
+  RequireLanes(lanes);
+  for (const int lane : lanes) Start(lane);
   TakeGoals();
   environment_->Observe(lanes);
 }
 
 void VectorEnvironment::Step(std::span<const sim::Action> actions) {
-  Require(is_begun_, "call Reset first");
-  Require(actions.size() == playing_.size(),
-          fmt::format("got {} actions for {} lanes", actions.size(), playing_.size()));
+  Step(AllOf(spec_.lanes), actions);
+}
+
+void VectorEnvironment::Step(std::span<const int> lanes, std::span<const sim::Action> actions) {
+  Require(is_begun_, "call reset first");
+  RequireLanes(lanes);
+  Require(actions.size() == lanes.size(),
+          fmt::format("got {} actions for {} lanes", actions.size(), lanes.size()));
   std::vector<int> moving;
   std::vector<sim::Action> taken;
   std::vector<int> ended;
-  for (const int lane : AllOf(spec_.lanes)) {
-    if (environment_->is_over(lane)) {
-      ended.push_back(lane);
+  for (std::size_t i = 0; i < lanes.size(); ++i) {
+    if (environment_->is_over(lanes[i])) {
+      ended.push_back(lanes[i]);
     } else {
-      moving.push_back(lane);
-      taken.push_back(actions[static_cast<std::size_t>(lane)]);
+      moving.push_back(lanes[i]);
+      taken.push_back(actions[i]);
     }
   }
   Require(ended.empty() || spec_.autoreset != Autoreset::kNever,
-          fmt::format("the episode of lane {} is over; call ResetLanes",
+          fmt::format("the episode of lane {} is over; reset it first",
                       ended.empty() ? 0 : ended.front()));
-  std::fill(rewards_.begin(), rewards_.end(), 0.0);
-  std::fill(terminated_.begin(), terminated_.end(), std::uint8_t{0});
-  std::fill(truncated_.begin(), truncated_.end(), std::uint8_t{0});
+  for (const int lane : lanes) {
+    const auto i = static_cast<std::size_t>(lane);
+    rewards_[i] = 0.0;
+    terminated_[i] = truncated_[i] = 0;
+  }
   finished_.clear();
   const std::span<const StepOutcome> outcomes = environment_->Step(moving, taken);
   for (std::size_t i = 0; i < moving.size(); ++i) Note(moving[i], outcomes[i]);
   for (const int lane : ended) Start(lane);
   TakeGoals();
-  Observe();
+  environment_->Observe(lanes);
 }
 
 /// What a step of a lane came to.
@@ -170,10 +184,6 @@ void VectorEnvironment::TakeGoals() {
     std::copy(goal.depth.begin(), goal.depth.end(),
               goal_depth_.begin() + static_cast<std::ptrdiff_t>(first));
   }
-}
-
-void VectorEnvironment::Observe() {
-  environment_->Observe(AllOf(spec_.lanes));
 }
 
 }  // namespace bulletnav::bench

@@ -63,8 +63,10 @@ class VectorEnvironment {
   /// One action for each lane. Throws sim::Error before the first Reset, if there are not as many
   /// actions as lanes, or for a lane whose episode is over and is not begun anew by itself.
   void Step(std::span<const sim::Action> actions);
+  /// The same for some lanes, rising; others stay as they are, what was observed there too.
+  void Step(std::span<const int> lanes, std::span<const sim::Action> actions);
 
-  /// Of the last Step: [lanes].
+  /// Of the last Step, of lanes that it moved: [lanes].
   std::span<const double> rewards() const { return rewards_; }
   std::span<const std::uint8_t> terminated() const { return terminated_; }
   std::span<const std::uint8_t> truncated() const { return truncated_; }
@@ -84,7 +86,7 @@ class VectorEnvironment {
   void Start(int lane);
   void Note(int lane, const StepOutcome& outcome);
   void TakeGoals();
-  void Observe();
+  void RequireLanes(std::span<const int> lanes) const;
   void Require(bool is_right, const std::string& what) const;
 
   VectorSpec spec_;

@@ -173,6 +173,28 @@ TEST(VectorEnvironment, WithoutAutoresetLanesWait) {
   environment.Step(kForward);
 }
 
+TEST(VectorEnvironment, SomeLanesStepAndOthersStay) {
+  VectorEnvironment some(Spec(), Room);
+  VectorEnvironment all(Spec(), Room);
+  some.Reset(0);
+  all.Reset(0);
+  const std::vector<float> before = Values<float>(some, "panorama.depth");
+  some.Step(std::vector{0, 2}, std::vector{Action::kMoveForward, Action::kMoveForward});
+  all.Step(kForward);
+  const std::vector<float> moved = Values<float>(some, "panorama.depth");
+  const std::vector<float> expected = Values<float>(all, "panorama.depth");
+  const std::ptrdiff_t lane = 16 * 64;
+  EXPECT_TRUE(std::equal(moved.begin(), moved.begin() + lane, expected.begin()));
+  EXPECT_TRUE(std::equal(moved.begin() + lane, moved.begin() + 2 * lane, before.begin() + lane));
+  EXPECT_TRUE(std::equal(moved.begin() + 2 * lane, moved.end(), expected.begin() + 2 * lane));
+  EXPECT_EQ(some.rewards()[2], all.rewards()[2]);
+  EXPECT_EQ(some.rewards()[1], 0.0);
+  const std::vector two = {Action::kStop, Action::kStop};
+  EXPECT_THROW(some.Step(std::vector{2, 0}, two), sim::Error);
+  EXPECT_THROW(some.Step(std::vector{0, 3}, two), sim::Error);
+  EXPECT_THROW(some.Step(std::vector{0}, two), sim::Error);
+}
+
 TEST(VectorEnvironment, ShuffledPassesHoldEveryEpisodeOnce) {
   VectorSpec spec = Spec(Autoreset::kSameStep);
   spec.lanes = 1;

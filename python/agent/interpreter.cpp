@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "python/agent/interpreter.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <stdexcept>
+
+namespace bulletnav::python {
+namespace {
+
+namespace py = pybind11;
+
+void Initialize() {
+  PyConfig config;
+  PyConfig_InitPythonConfig(&config);
+  config.install_signal_handlers = 0;
+  // Else the first python3 in PATH, perhaps of another version, would say where modules are.
+  PyStatus status =
+      PyConfig_SetBytesString(&config, &config.program_name, BULLETNAV_PYTHON_EXECUTABLE);
+  if (PyStatus_Exception(status) == 0) status = Py_InitializeFromConfig(&config);
+  PyConfig_Clear(&config);
+  if (PyStatus_Exception(status) != 0) {
+    throw std::runtime_error(std::string("Python cannot be started: ") +
+                             (status.err_msg != nullptr ? status.err_msg : "no reason given"));
+  }
+}
+
+void FindModules() {
+  const auto path = py::module_::import("sys").attr("path");
+  if (const char* environment = std::getenv("VIRTUAL_ENV")) {
+    const std::string folder = std::string(environment) + "/lib/python" +
+                               std::to_string(PY_MAJOR_VERSION) + "." +
+                               std::to_string(PY_MINOR_VERSION) + "/site-packages";
+    py::module_::import("site").attr("addsitedir")(folder);
+  }
+  path.attr("insert")(0, std::filesystem::current_path().string());
+}
+
+bool Start() {
+  Initialize();
+  FindModules();
+  PyEval_SaveThread();
+  return true;
+}
+
+}  // namespace
+
+void StartInterpreter() {
+  static const bool is_started = Start();
+  static_cast<void>(is_started);
+}
+
+std::string Traceback(const py::error_already_set& error) {
+  try {
+    const py::object trace = error.trace() ? error.trace() : py::none();  // none if C raised it
+    const auto lines = py::module_::import("traceback")
+                           .attr("format_exception")(error.type(), error.value(), trace);
+    auto text = py::str("").attr("join")(lines).cast<std::string>();
+    while (!text.empty() && text.back() == '\n') text.pop_back();
+    return text;
+  } catch (const py::error_already_set&) {
+    return error.what();  // An exception that cannot even be shown.
+  }
+}
+
+std::string LastLine(const std::string& text) {
+  return text.substr(text.rfind('\n') + 1);
+}
+
+}  // namespace bulletnav::python

@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: MIT
+"""One body."""
+import json
+
+from bulletnav import _core, actions as _actions, arrays, spaces
+from bulletnav.vector_env import make_lanes, result
+
+try:
+    from gymnasium import Env as _Base
+except ImportError:
+    _Base = object
+
+
+class Env(_Base):
+    """Image-goal navigation for one body: bulletnav.VectorEnv with one lane, without the first
+    dimension and without autoreset. Its arguments are those, but num_envs and autoreset_mode.
+
+    Observations are views of one memory that the next step writes into: copy what you keep.
+    Raises bulletnav.Error, in one line with the remedy, for all misuse.
+    """
+
+    metadata = {"render_modes": ["rgb_array"]}
+    spec = None
+
+    def __init__(self, *, render_mode=None, **options):
+        for name in ("num_envs", "autoreset_mode"):
+            if name in options:
+                raise _core.Error(f"{name} is an argument of bulletnav.VectorEnv, not of Env")
+        if render_mode not in (None, "rgb_array"):
+            raise _core.Error(f"render_mode is 'rgb_array' or None, not {render_mode!r}")
+        self._lanes = make_lanes({"threads": 1, **options, "num_envs": 1,
+                                  "autoreset_mode": "disabled"})
+        self.render_mode = render_mode
+        self.arrays = {array.name: array[0] for array in self._lanes.observed()}
+        self._views = {name: arrays.view(array) for name, array in self.arrays.items()}
+        self._outcome = self._lanes.outcome()
+        depth = self._lanes.max_depth_m
+        self.observation_space = spaces.Dict(
+            {name: arrays.space(a, depth, a.shape) for name, a in self.arrays.items()})
+        self.action_space = spaces.Discrete(len(_actions.Action))
+
+    def reset(self, *, seed=None, options=None):
+        """Begins anew as a new environment with this seed would; without one, the next episode.
+        Returns (observation, {})."""
+        if options:
+            raise _core.Error(f"reset knows no options, but got {sorted(options)}")
+        if seed is not None and (not isinstance(seed, int) or seed < 0):
+            raise _core.Error(f"seed must be a whole number, not {seed!r}")
+        if _Base is not object:
+            super().reset(seed=seed)
+        self._lanes.reset(seed)
+        return dict(self._views), {}
+
+    def step(self, action):
+        """Returns (observation, reward, terminated, truncated, info); info["episode"] is what an
+        episode came to when it ended: {"success", "spl", ...}."""
+        self._lanes.step(_actions.read([action.item() if hasattr(action, "item") else action]),
+                         None)
+        reward, terminated, truncated = (array[0] for array in self._outcome)
+        finished = self._lanes.finished()
+        info = {"episode": result(finished[0][1])} if finished else {}
+        return dict(self._views), reward, terminated, truncated, info
+
+    def episode(self):
+        """The present episode: a dict in Habitat's form (see docs/python.md)."""
+        return json.loads(self._lanes.episode(0))
+
+    def truth(self):
+        """What no agent may see: {"pose", "goal": [x, y, z, yaw] in the world, metres and radians;
+        "distance": geodesic metres between them}."""
+        pose, goal, distance = self._lanes.truth(0)
+        return {"pose": pose, "goal": goal, "distance": distance}
+
+    def render(self):
+        """With render_mode="rgb_array": a copy of the panorama, uint8 [rows, cols, 3]."""
+        if self.render_mode is None:
+            return None
+        self._lanes.outcome()  # Raises where there is no environment any more.
+        if "panorama.color" not in self.arrays:
+            raise _core.Error("there is nothing to render: the body has no 'panorama.color'")
+        return arrays.copy(self.arrays["panorama.color"])
+
+    def close(self):
+        """Views of what was observed last stay readable, and keep memory and threads."""
+        self._lanes.close()
+        self.arrays, self._views, self._outcome = {}, {}, []
+
+    @property
+    def unwrapped(self):
+        return self
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *ignored):
+        self.close()
+
+    def __del__(self):
+        lanes = getattr(self, "_lanes", None)
+        if lanes is not None:
+            lanes.close()

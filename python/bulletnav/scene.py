@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: MIT
+"""A scene to look at and to ask the way in."""
+import json
+import os
+
+from bulletnav import _core, arrays
+
+
+class Scene:
+    """A mesh file, ready to be drawn from anywhere and walked in.
+
+    Frame: metres, y up; yaw in radians about +y, 0 looks along -z, positive turns left.
+    Arguments by name: import={"up": "y" | "z", "scale", "ground_plane"}, navmesh={...},
+    backend="auto" | "egl" | "embree". Raises FileError for what is no scene.
+    """
+
+    def __init__(self, file, **options):
+        self.file = os.fspath(file)
+        self._scene = _core.Scene(self.file, json.dumps(options))
+
+    def render(self, poses, camera=None):
+        """Pictures at `poses`: the eye's [x, y, z, yaw], one or a list of n.
+
+        `camera`: {"type": "panorama", "rows", "cols", "projection", "max_depth_m"} (the default,
+        128 x 512) or {"type": "pinhole", "hfov_deg", "rows", "cols", "pitch_deg", "max_depth_m"}.
+        Returns {"color": uint8 [n, rows, cols, 3] RGB, "depth": float32 [n, rows, cols] metres
+        along the ray, 0: nothing there}; without n for one pose. Arrays of their own.
+        """
+        settings = dict(camera or {})
+        kind = settings.pop("type", "panorama")
+        poses = poses.tolist() if hasattr(poses, "tolist") else list(poses)
+        is_one = bool(poses) and not hasattr(poses[0], "__len__")
+        rows = [poses] if is_one else poses
+        if any(len(row) != 4 for row in rows):
+            raise _core.Error("bulletnav scene: a pose is [x, y, z, yaw]: the eye in metres, radians")
+        color, depth = self._scene.render([list(map(float, row)) for row in rows], kind,
+                                          json.dumps(settings))
+        if is_one:
+            color, depth = color[0], depth[0]
+        return {"color": arrays.view(color), "depth": arrays.view(depth)}
+
+    def snap(self, point):
+        """The nearest point (x, y, z) of the walkable floor, within 2 m sideways and 4 m up or
+        down; None if there is none."""
+        found = self._scene.snap(point)
+        return None if found is None else tuple(found)
+
+    def path(self, start, end):
+        """(metres, [(x, y, z), ...]): the shortest walk between the floor near two points; None
+        between islands."""
+        found = self._scene.path(start, end)
+        return None if found is None else (found[0], [tuple(point) for point in found[1]])
+
+    def distance(self, start, end):
+        """Metres of the shortest walk; infinite where there is none."""
+        return self._scene.distance(start, end)
+
+    def island(self, point):
+        """Number of the island of the floor near `point`; None if there is no floor."""
+        return self._scene.island(point)
+
+    def random_points(self, count, seed=0, island=0):
+        """Points (x, y, z) drawn evenly from an island's area, -1: from all, furniture too. The
+        same for the same seed."""
+        return [tuple(point) for point in self._scene.random_points(count, seed, island)]
+
+    @property
+    def islands(self):
+        """Connected parts of the floor, largest first: [{"area": m2, "radius": m}]."""
+        return self._scene.islands()
+
+    @property
+    def report(self):
+        """What was imported: {"triangles", "materials", "textures", "textures_missing": names with
+        reasons, "extent": metres, "skipped": lines}."""
+        return self._scene.report()
+
+    @property
+    def renderer(self):
+        """What draws: "Embree 3, AVX-512" or the name of a graphics processor."""
+        return self._scene.renderer()
