@@ -30,6 +30,7 @@ const std::vector<std::vector<std::string>> kFloors = {
     {"agent/observation.h", "agent/belief.h"},
     {"agent/models/"},
     {"agent/slam/pose_graph/", "agent/slam/retrieval/"},
+    {"agent/slam/features/"},
     {"agent/"},
     {"agent/mapping/"},
     {"agent/integer/"},
