@@ -46,6 +46,7 @@ const std::vector<std::vector<std::string>> kFloors = {
     {"benchmark/training/", "benchmark/perf/"},
     {"benchmark/evaluate_perception/"},
     {"benchmark/slam/io/", "benchmark/slam/metrics/"},
+    {"benchmark/slam/traversal/"},
     {"benchmark/cli/"},
 };
 
