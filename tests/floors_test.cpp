@@ -32,6 +32,7 @@ const std::vector<std::vector<std::string>> kFloors = {
     {"agent/observation.h", "agent/belief.h"},
     {"agent/models/"},
     {"agent/slam/pose_graph/", "agent/slam/retrieval/"},
+    {"agent/slam/features/"},
     {"agent/"},
     {"agent/mapping/"},
     {"agent/integer/"},
@@ -47,6 +48,7 @@ const std::vector<std::vector<std::string>> kFloors = {
     {"benchmark/training/", "benchmark/perf/"},
     {"benchmark/evaluate_perception/"},
     {"benchmark/slam/io/", "benchmark/slam/metrics/"},
+    {"benchmark/slam/traversal/"},
     {"python/"},
     {"benchmark/cli/"},
 };

@@ -14,6 +14,7 @@
 #include "agent/slam/pose_graph/optimize.h"
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/program.h"
+#include "benchmark/cli/slam_commands.h"
 #include "benchmark/slam/io/g2o.h"
 #include "sim/base/error.h"
 
@@ -98,9 +99,10 @@ void AddOptimizeCommand(CLI::App* slam) {
 }  // namespace
 
 void AddSlamCommand(CLI::App* program) {
-  CLI::App* slam = program->add_subcommand("slam", "Topological SLAM: pose graphs");
+  CLI::App* slam = program->add_subcommand("slam", "Topological SLAM: recordings, pose graphs");
   slam->require_subcommand(1);
   AddOptimizeCommand(slam);
+  AddSlamTraverseCommand(slam);
 }
 
 }  // namespace bulletnav::bench

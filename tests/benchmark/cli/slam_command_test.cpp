@@ -8,6 +8,7 @@
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/program.h"
 #include "benchmark/slam/io/g2o.h"
+#include "benchmark/slam/io/tum.h"
 #include "tests/support/temporary_folder.h"
 
 namespace bulletnav::bench {
@@ -80,6 +81,24 @@ TEST(SlamOptimize, TellsBadUseInOneLine) {
   EXPECT_THAT(ran.err, HasSubstr("pieces.g2o: the pose graph is in 2 pieces"));
   EXPECT_FALSE(std::filesystem::exists(out));
   EXPECT_EQ(RunSlam({"optimize", pieces, "--out", out, "--pieces"}).status, 0);
+}
+
+/// A room of 8 x 6 m: a floor and nothing else.
+constexpr const char* kFloor = "v 0 0 0\nv 8 0 0\nv 8 0 -6\nv 0 0 -6\nf 1 2 3\nf 1 3 4\n";
+
+TEST(SlamTraverse, WritesARecordingOnce) {
+  const tests::TemporaryFolder folder;
+  const std::string scene = folder.Write("floor.obj", kFloor).string();
+  const std::filesystem::path out = folder.path() / "run";
+  const std::vector<std::string> words = {"traverse", scene,    "--out", out.string(), "--actions",
+                                          "4",        "--rows", "24",    "--cols",     "32"};
+  const Ran ran = RunSlam(words);
+  EXPECT_EQ(ran.status, 0) << ran.err;
+  EXPECT_THAT(ran.err, HasSubstr("5 frames"));
+  EXPECT_EQ(ReadTumFolder(out, {}).frames.size(), 5u);
+  const Ran again = RunSlam(words);
+  EXPECT_EQ(again.status, 1);
+  EXPECT_THAT(again.err, HasSubstr("run: holds a recording already"));
 }
 
 }  // namespace

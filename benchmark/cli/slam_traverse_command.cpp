@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// The command that drives. It is in bulletnav-slam.so; see slam.h.
+#include <filesystem>
+#include <memory>
+
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <fmt/core.h>
+
+#include "benchmark/cli/scene_options.h"
+#include "benchmark/cli/slam_commands.h"
+#include "benchmark/slam/traversal/tum_recorder.h"
+
+namespace bulletnav::bench {
+namespace {
+
+struct SlamTraverseOptions {
+  SceneOptions scene;
+  std::filesystem::path out;
+  TraversalSpec traversal;
+};
+
+void DriveAndRecord(const SlamTraverseOptions& options) {
+  options.traversal.Validate();
+  TumRecorder recorder(options.out, options.traversal);
+  sim::WorldOptions world;
+  world.import = options.scene.import();
+  Traverse(sim::World::Load(options.scene.file, world), options.traversal,
+           [&](const TraversalFrame& frame) {
+             recorder.Add(frame);
+           });
+  recorder.Finish();
+  fmt::print(stderr, "{} frames written to {}\n", options.traversal.actions + 1,
+             options.out.string());
+}
+
+}  // namespace
+
+void AddSlamTraverseCommand(CLI::App* slam) {
+  auto options = std::make_shared<SlamTraverseOptions>();
+  options->traversal.camera.rows = 240;
+  options->traversal.camera.cols = 320;
+  CLI::App* command =
+      slam->add_subcommand("traverse", "Drive through a scene and write what is seen as TUM files");
+  options->scene.AddTo(command);
+  command->add_option("--out", options->out, "Folder for the recording")->required();
+  TraversalSpec& traversal = options->traversal;
+  command->add_option("--actions", traversal.actions, "Actions, one frame after each")
+      ->check(CLI::Range(1, 1'000'000))
+      ->capture_default_str();
+  command->add_option("--seed", traversal.seed, "Of the route and the noise")
+      ->capture_default_str();
+  AddEnumOption(command, "--noise", &traversal.noise, "Of motion and odometry")
+      ->default_str("ans_released");
+  command->add_option("--rows", traversal.camera.rows, "Of pictures")->capture_default_str();
+  command->add_option("--cols", traversal.camera.cols, "Of pictures")->capture_default_str();
+  command->add_option("--hfov", traversal.camera.hfov_deg, "Horizontal field of view, degrees")
+      ->capture_default_str();
+  command->callback([options] {
+    DriveAndRecord(*options);
+  });
+}
+
+}  // namespace bulletnav::bench

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/slam/traversal/traversal.h"
+
+#include <cmath>
+#include <optional>
+
+#include "benchmark/privileged/shortest_path.h"
+#include "benchmark/slam/traversal/route.h"
+#include "sim/base/check.h"
+#include "sim/base/error.h"
+#include "sim/sensors/cameras.h"
+#include "sim/simulator.h"
+
+namespace bulletnav::bench {
+namespace {
+
+constexpr const char* kCamera = "camera";
+constexpr int kMostActionsToAPlace = 400;  // where physics does not let it through, it goes on
+constexpr int kMostStarts = 100;
+
+sim::SimulatorSpec SimulatorSpecOf(const TraversalSpec& spec) {
+  sim::SimulatorSpec of;
+  of.body = spec.body;
+  of.noise = spec.noise;
+  sim::PinholeSensorConfig camera;
+  camera.camera = spec.camera;
+  of.sensors.Add(kCamera, sim::PinholeSensor(camera));
+  return of;
+}
+
+/// Leads the body by the places of a route.
+class Driver {
+ public:
+  Driver(const TraversalSpec& spec, std::shared_ptr<const sim::World> world, Route* route)
+      : agent_({}), route_(route) {
+    truth_.world = std::move(world);
+    truth_.body = spec.body;
+  }
+
+  sim::Action Next(const sim::BodyPose& pose) {
+    truth_.pose = pose;
+    while (true) {
+      if (!has_goal_ || ++taken_ > kMostActionsToAPlace) Start();
+      const sim::Action action = agent_.Act(truth_);
+      if (action != sim::Action::kStop) return action;
+      has_goal_ = false;
+      // A route that comes by where the body stands already must still end.
+      if (++passed_ > kMostStarts) return sim::Action::kTurnLeft;
+    }
+  }
+
+  void Moved() { passed_ = 0; }
+
+ private:
+  void Start() {
+    truth_.goal = {route_->Next().cast<double>(), 0.0};
+    agent_.Reset(truth_);
+    has_goal_ = true;
+    taken_ = 0;
+  }
+
+  ShortestPathAgent agent_;
+  Route* route_;
+  GroundTruth truth_;
+  bool has_goal_ = false;
+  int taken_ = 0;
+  int passed_ = 0;
+};
+
+TraversalFrame FrameOf(const sim::Observation& seen, const TraversalSpec& spec) {
+  TraversalFrame frame;
+  frame.color = sim::Image(spec.camera.cols, spec.camera.rows, 3);
+  const auto color = seen.values<std::uint8_t>("camera.color");
+  frame.color.pixels.assign(color.begin(), color.end());
+  frame.depth = AlongAxis(seen.values<float>("camera.depth"), spec.camera);
+  return frame;
+}
+
+/// Puts the body down at the first place of the floor where it fits.
+const sim::Observation& Placed(sim::Simulator* simulator, const TraversalSpec& spec,
+                               const sim::NavmeshQuery& query, sim::Rng* rng) {
+  for (int i = 0; i < kMostStarts; ++i) {
+    const Eigen::Vector3d place = query.RandomPoint(rng, 0).cast<double>();
+    const double yaw = rng->Uniform(-M_PI, M_PI);
+    try {
+      return simulator->Reset({place, yaw}, {spec.seed, 0});
+    } catch (const sim::PoseError&) {
+      continue;
+    }
+  }
+  throw sim::Error("the body found nowhere to stand; is it too large for this scene?");
+}
+
+}  // namespace
+
+void TraversalSpec::Validate() const {
+  body.Validate();
+  camera.Validate();
+  if (camera.pitch_deg != 0.0) throw sim::Error("a traversal's camera must be level: pitch_deg 0");
+  if (actions < 1) throw sim::Error("a traversal needs at least one action");
+}
+
+void Traverse(const std::shared_ptr<const sim::World>& world, const TraversalSpec& spec,
+              const std::function<void(const TraversalFrame&)>& take) {
+  spec.Validate();
+  world->RequireFloor();
+  sim::Simulator simulator(world, SimulatorSpecOf(spec));
+  const sim::NavmeshQuery query(world->navmesh());
+  sim::Rng rng(sim::MixSeed(spec.seed, world->id()), "traversal");
+  const sim::Observation* seen = &Placed(&simulator, spec, query, &rng);
+  Route route(query, simulator.body().true_pose().position.cast<float>(), rng);
+  Driver driver(spec, world, &route);
+  sim::PlanarPose dead_reckoned;
+  for (int step = 0;; ++step) {
+    TraversalFrame frame = FrameOf(*seen, spec);
+    frame.step = step;
+    frame.true_pose = simulator.body().true_pose();
+    frame.dead_reckoned = dead_reckoned;
+    take(frame);
+    if (step == spec.actions) return;
+    seen = &simulator.Step(driver.Next(frame.true_pose));
+    driver.Moved();
+    dead_reckoned = sim::Compose(dead_reckoned, seen->sensors.odometry);
+  }
+}
+
+Intrinsics IntrinsicsOf(const sim::PinholeSpec& camera) {
+  const double fx = camera.cols / 2.0 / camera.tan_x();
+  const double fy = camera.rows / 2.0 / camera.tan_y();
+  return {fx, fy, (camera.cols - 1) / 2.0, (camera.rows - 1) / 2.0};
+}
+
+DepthPicture AlongAxis(std::span<const float> ranges, const sim::PinholeSpec& camera) {
+  BULLETNAV_CHECK(ranges.size() == camera.pixels());
+  const Intrinsics k = IntrinsicsOf(camera);
+  DepthPicture depth{camera.cols, camera.rows, {}};
+  depth.metres.reserve(ranges.size());
+  for (int row = 0; row < camera.rows; ++row) {
+    for (int col = 0; col < camera.cols; ++col) {
+      const float range = ranges[depth.metres.size()];
+      const double length = std::hypot((col - k.cx) / k.fx, (row - k.cy) / k.fy, 1.0);
+      depth.metres.push_back(range < camera.max_depth_m ? static_cast<float>(range / length)
+                                                        : 0.0f);
+    }
+  }
+  return depth;
+}
+
+}  // namespace bulletnav::bench

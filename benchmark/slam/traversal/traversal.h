@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+
+#include "benchmark/slam/io/tum.h"
+#include "sim/image/image.h"
+#include "sim/math/pose.h"
+#include "sim/noise/noise_model.h"
+#include "sim/physics/body_spec.h"
+#include "sim/render/projection.h"
+#include "sim/world.h"
+
+namespace bulletnav::bench {
+
+/// A drive through a scene with one level camera.
+struct TraversalSpec {
+  sim::BodySpec body;
+  sim::PinholeSpec camera;
+  sim::NoiseMode noise = sim::NoiseMode::kAnsReleased;  // of motion and odometry
+  int actions = 700;
+  std::uint64_t seed = 1;
+
+  /// Throws sim::Error for bad cameras, a camera that is not level, and no actions.
+  void Validate() const;
+};
+
+struct TraversalFrame {
+  int step = 0;  // actions taken before it
+  sim::Image color;
+  DepthPicture depth;             // along the camera's axis; 0 from the camera's limit on
+  sim::BodyPose true_pose;        // for measuring only
+  sim::PlanarPose dead_reckoned;  // odometry added up, from the first frame's body
+};
+
+/// Drives and calls `take` with the first frame and that after each action, `actions` + 1 in all.
+/// The route goes by places spread over the largest floor, nearest first, then by the same places
+/// the other way round, so that they are seen from other headings, then to places at random.
+/// The driver knows the truth, as the shortest_path agent does; frames have noise in odometry.
+/// Deterministic: a function of world and spec. Throws sim::Error if there is nowhere to stand.
+/// Source: Sharma et al., "Hierarchical Unsupervised Topological SLAM", 2023, section IV; the route
+/// is ours.
+void Traverse(const std::shared_ptr<const sim::World>& world, const TraversalSpec& spec,
+              const std::function<void(const TraversalFrame&)>& take);
+
+/// Of a camera's pictures.
+Intrinsics IntrinsicsOf(const sim::PinholeSpec& camera);
+
+/// Turns distances along rays into depth along the camera's axis; what lies at the camera's limit
+/// or beyond becomes 0, none. Expects: as many values as pixels (checked).
+DepthPicture AlongAxis(std::span<const float> ranges, const sim::PinholeSpec& camera);
+
+}  // namespace bulletnav::bench

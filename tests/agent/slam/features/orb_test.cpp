@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "agent/slam/features/orb.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sim/base/error.h"
+#include "sim/math/rng.h"
+
+namespace bulletnav::agent {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+constexpr int kWidth = 200;
+constexpr int kHeight = 150;
+
+struct Picture {
+  std::vector<std::uint8_t> rgb;
+  std::uint8_t* at(int x, int y) { return &rgb[static_cast<std::size_t>(3 * (y * kWidth + x))]; }
+};
+
+/// Grey with rectangles of random colours, all moved by dx and dy.
+Picture Rectangles(int dx, int dy) {
+  Picture picture = {std::vector<std::uint8_t>(3 * kWidth * kHeight, 128)};
+  sim::Rng rng(1, "rectangles");
+  for (int i = 0; i < 250; ++i) {
+    const int x0 = rng.Between(40, 140) + dx;
+    const int y0 = rng.Between(40, 95) + dy;
+    const int x1 = x0 + rng.Between(3, 8);
+    const int y1 = y0 + rng.Between(3, 8);
+    for (int channel = 0; channel < 3; ++channel) {
+      const auto value = static_cast<std::uint8_t>(rng.Below(256));
+      for (int y = y0; y < y1; ++y) {
+        for (int x = x0; x < x1; ++x) picture.at(x, y)[channel] = value;
+      }
+    }
+  }
+  return picture;
+}
+
+OrbFeatures Find(const Picture& picture, const OrbSpec& spec = {}) {
+  return FindOrb(picture.rgb, kWidth, kHeight, spec);
+}
+
+/// What moved is found again as far from where it was: of one level, so that all is by whole
+/// pixels. Most nearest descriptors are those of the same corner.
+TEST(FindOrb, FindsMovedCornersAgain) {
+  constexpr int kDx = 6;
+  constexpr int kDy = -4;
+  const OrbSpec spec = {.features = 300, .levels = 1};
+  const OrbFeatures before = Find(Rectangles(0, 0), spec);
+  const OrbFeatures after = Find(Rectangles(kDx, kDy), spec);
+  ASSERT_GT(before.corners.size(), 30u);
+  ASSERT_EQ(before.corners.size(), before.descriptors.size());
+  int right = 0;
+  for (std::size_t i = 0; i < before.corners.size(); ++i) {
+    const auto& all = after.descriptors;
+    const auto nearest =
+        std::min_element(all.begin(), all.end(), [&](const auto& a, const auto& b) {
+          return Distance(a, before.descriptors[i]) < Distance(b, before.descriptors[i]);
+        });
+    const Corner& corner = after.corners[static_cast<std::size_t>(nearest - all.begin())];
+    const double off =
+        std::hypot(corner.x - before.corners[i].x - kDx, corner.y - before.corners[i].y - kDy);
+    right += off < 1.5 ? 1 : 0;
+  }
+  EXPECT_GE(right, static_cast<int>(0.9 * static_cast<double>(before.corners.size())));
+}
+
+TEST(FindOrb, IsTheSameEachTimeAndNoMoreThanAskedFor) {
+  const Picture picture = Rectangles(0, 0);
+  const OrbFeatures first = Find(picture, {.features = 40});
+  const OrbFeatures second = Find(picture, {.features = 40});
+  EXPECT_LE(first.corners.size(), 45u);  // OpenCV keeps those as good as the last
+  EXPECT_EQ(first.descriptors, second.descriptors);
+  ASSERT_EQ(first.corners.size(), second.corners.size());
+  for (std::size_t i = 0; i < first.corners.size(); ++i) {
+    EXPECT_EQ(first.corners[i].x, second.corners[i].x);
+    EXPECT_EQ(first.corners[i].angle_deg, second.corners[i].angle_deg);
+  }
+}
+
+TEST(FindOrb, FindsNothingInAPlainPicture) {
+  const Picture plain = {std::vector<std::uint8_t>(3 * kWidth * kHeight, 90)};
+  EXPECT_TRUE(Find(plain).corners.empty());
+  EXPECT_TRUE(Find(plain).descriptors.empty());
+}
+
+TEST(FindOrb, TellsWhatIsWrong) {
+  const Picture picture = Rectangles(0, 0);
+  EXPECT_THAT(
+      [&] {
+        FindOrb(picture.rgb, kWidth + 1, kHeight, {});
+      },
+      ThrowsMessage<sim::Error>(HasSubstr("a picture of 201 x 150 cannot have 90000")));
+  EXPECT_THAT(
+      [&] {
+        Find(picture, {.scale = 1.0});
+      },
+      ThrowsMessage<sim::Error>(HasSubstr("scale must be above 1")));
+}
+
+}  // namespace
+}  // namespace bulletnav::agent

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/slam/traversal/traversal.h"
+
+#include <cmath>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "benchmark/slam/io/file_frames.h"
+#include "benchmark/slam/traversal/route.h"
+#include "benchmark/slam/traversal/tum_recorder.h"
+#include "sim/base/error.h"
+#include "sim/base/files.h"
+#include "tests/support/scenes.h"
+#include "tests/support/temporary_folder.h"
+
+namespace bulletnav::bench {
+namespace {
+
+using ::testing::HasSubstr;
+
+TraversalSpec SmallSpec() {
+  TraversalSpec spec;
+  spec.camera.rows = 24;
+  spec.camera.cols = 32;
+  spec.actions = 60;
+  return spec;
+}
+
+std::shared_ptr<const sim::World> Room() {
+  return sim::World::FromMesh(tests::BoxRoom(8, 2.6f, 6), "room");
+}
+
+std::vector<TraversalFrame> Frames(const TraversalSpec& spec) {
+  std::vector<TraversalFrame> frames;
+  Traverse(Room(), spec, [&](const TraversalFrame& frame) {
+    frames.push_back(frame);
+  });
+  return frames;
+}
+
+TEST(Traversal, OdometryWithoutNoiseIsTheTruth) {
+  TraversalSpec spec = SmallSpec();
+  spec.noise = sim::NoiseMode::kNone;
+  const auto frames = Frames(spec);
+  ASSERT_EQ(frames.size(), 61u);
+  const auto flat = [](const TraversalFrame& frame) {
+    return PlanarFromFile(CameraInFile(frame.true_pose, 1.0));
+  };
+  double moved = 0.0;
+  for (const TraversalFrame& frame : frames) {
+    const sim::PlanarPose guess = sim::Compose(flat(frames[0]), frame.dead_reckoned);
+    EXPECT_NEAR(guess.x, flat(frame).x, 1e-3) << frame.step;
+    EXPECT_NEAR(guess.y, flat(frame).y, 1e-3) << frame.step;
+    EXPECT_NEAR(sim::WrapAngle(guess.yaw - flat(frame).yaw), 0.0, 1e-6) << frame.step;
+    moved = std::max(moved, std::hypot(frame.dead_reckoned.x, frame.dead_reckoned.y));
+  }
+  EXPECT_GT(moved, 1.0);
+}
+
+TEST(Traversal, NoiseDriftsAndFollowsTheSeed) {
+  const auto frames = Frames(SmallSpec());
+  const auto again = Frames(SmallSpec());
+  TraversalSpec other = SmallSpec();
+  other.seed = 2;
+  const auto& last = frames.back().dead_reckoned;
+  EXPECT_EQ(last.x, again.back().dead_reckoned.x);
+  EXPECT_EQ(frames.back().color.pixels, again.back().color.pixels);
+  EXPECT_NE(last.x, Frames(other).back().dead_reckoned.x);
+  const auto first = PlanarFromFile(CameraInFile(frames[0].true_pose, 1.0));
+  const auto truth = PlanarFromFile(CameraInFile(frames.back().true_pose, 1.0));
+  const auto guess = sim::Compose(first, last);
+  EXPECT_GT(std::hypot(guess.x - truth.x, guess.y - truth.y), 1e-3);
+}
+
+TEST(Traversal, DepthIsAlongTheAxis) {
+  const sim::PinholeSpec camera = SmallSpec().camera;
+  const Intrinsics k = IntrinsicsOf(camera);
+  EXPECT_DOUBLE_EQ(k.fx, 16.0);
+  EXPECT_DOUBLE_EQ(k.cx, 15.5);
+  std::vector<float> ranges(camera.pixels(), camera.max_depth_m);
+  ranges[0] = 3.0f;
+  const DepthPicture depth = AlongAxis(ranges, camera);
+  // The corner's ray leaves through (-15.5, -11.5) of a picture 16 pixels ahead.
+  EXPECT_NEAR(depth.metres[0], 3.0 * 16.0 / std::sqrt(15.5 * 15.5 + 11.5 * 11.5 + 256.0), 1e-6);
+  EXPECT_EQ(depth.metres[1], 0.0f);
+}
+
+TEST(Traversal, RoutesComeBack) {
+  const auto world = Room();
+  const sim::NavmeshQuery query(world->navmesh());
+  Route route(query, {1, 0, -1}, sim::Rng(1, "test"));
+  const auto places = route.places();
+  ASSERT_GE(places.size(), 3u);
+  for (const auto& place : places) EXPECT_EQ(route.Next(), place);
+  for (auto place = places.rbegin(); place != places.rend(); ++place) {
+    EXPECT_EQ(route.Next(), *place);
+  }
+}
+
+TEST(TumRecorder, WritesWhatIsRead) {
+  const tests::TemporaryFolder folder;
+  TraversalSpec spec = SmallSpec();
+  spec.actions = 5;
+  TumRecorder recorder(folder.path() / "run", spec);
+  std::vector<TraversalFrame> frames;
+  Traverse(Room(), spec, [&](const TraversalFrame& frame) {
+    recorder.Add(frame);
+    frames.push_back(frame);
+  });
+  EXPECT_THROW(ReadTumFolder(folder.path() / "run", {}), sim::FileError);
+  recorder.Finish();
+  const TumFolder read = ReadTumFolder(folder.path() / "run", {});
+  ASSERT_EQ(read.frames.size(), 6u);
+  EXPECT_DOUBLE_EQ(read.intrinsics.fx, 16.0);
+  const sim::Image color = sim::DecodeImage(sim::ReadFile(read.frames[5].color));
+  EXPECT_EQ(color.at(3, 2)[1], frames[5].color.at(3, 2)[1]);
+  const DepthPicture depth = ReadTumDepth(read.frames[5].depth);
+  EXPECT_NEAR(depth.metres[40], frames[5].depth.metres[40], 1e-4);
+  const auto pose = BodyFromFile(read.truth[5].pose, spec.body.camera_height);
+  EXPECT_NEAR((pose.position - frames[5].true_pose.position).norm(), 0.0, 1e-6);
+  EXPECT_EQ(ReadTumTrajectory(folder.path() / "run" / "odometry.txt").size(), 6u);
+  EXPECT_THROW(TumRecorder(folder.path() / "run", spec), sim::FileError);
+}
+
+TEST(Traversal, RefusesBadSpecs) {
+  TraversalSpec tilted = SmallSpec();
+  tilted.camera.pitch_deg = -10.0;
+  EXPECT_THROW(Frames(tilted), sim::Error);
+  TraversalSpec none = SmallSpec();
+  none.actions = 0;
+  EXPECT_THROW(Frames(none), sim::Error);
+}
+
+}  // namespace
+}  // namespace bulletnav::bench
