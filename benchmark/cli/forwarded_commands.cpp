@@ -45,7 +45,8 @@ void AddForwardedCommands(CLI::App* program, CommandLine line) {
       program, line,
       {"quantise", "Put a network in integers beside the trained one in a file of weights"},
       RunLearningCommand);
-  AddForwarded(program, line, {"slam", "Topological SLAM: recordings, pose graphs"}, RunSlamCommand);
+  AddForwarded(program, line, {"slam", "Topological SLAM: recordings, pose graphs"},
+               RunSlamCommand);
 }
 
 }  // namespace bulletnav::bench

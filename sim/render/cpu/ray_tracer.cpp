@@ -41,11 +41,11 @@ bool RayTracer::IsBlocked(const Eigen::Vector3f& from, const Eigen::Vector3f& to
 void RayTracer::CastPacket(const Eigen::Vector3f& origin,
                            const std::array<std::array<float, 16>, 3>& directions,
                            std::array<RayHit, 16>* hits) const {
-  std::array<KernelRay, 16> rays;
+  std::array<KernelRay, 16> rays{};
   for (std::size_t i = 0; i < 16; ++i) {
     rays[i] = MakeRay(origin, {directions[0][i], directions[1][i], directions[2][i]}, kFar);
   }
-  std::array<KernelHit, 16> found;
+  std::array<KernelHit, 16> found{};
   kernels_->trace(scene(), rays.data(), 16, false, found.data());
   for (std::size_t i = 0; i < 16; ++i) {
     (*hits)[i] = {found[i].triangle < 0 ? 0.0f : found[i].t, found[i].triangle};
