@@ -18,8 +18,12 @@ std::array<float, 3> Sample(const TexturePyramids& textures, const TextureInfo& 
   const int log2_side = info.log2_side - level;
   const int side = 1 << log2_side;
   const int largest = 1 << info.log2_side;
-  const std::uint32_t* texels = &textures.texels[static_cast<std::size_t>(
-      info.first + 4 * (largest * largest - side * side) / 3)];
+  const auto first = static_cast<std::size_t>(info.first) +
+                     4 *
+                         (static_cast<std::size_t>(largest) * static_cast<std::size_t>(largest) -
+                          static_cast<std::size_t>(side) * static_cast<std::size_t>(side)) /
+                         3;
+  const std::uint32_t* texels = &textures.texels[first];
   const float x = u * static_cast<float>(side) - 0.5f;
   const float y = v * static_cast<float>(side) - 0.5f;
   const int x0 = static_cast<int>(std::floor(x));
@@ -59,7 +63,9 @@ Rgb8 ShadePoint(const RenderMesh& mesh, std::size_t triangle, const Eigen::Vecto
     const float c0 = Channel(t.color[0], c);
     const float color =
         c0 + b1 * (Channel(t.color[1], c) - c0) + b2 * (Channel(t.color[2], c) - c0);
-    rgb[c] = static_cast<std::uint8_t>(texel[c] * color / 255.0f + 0.5f);
+    const float value = texel[c] * color / 255.0f;
+    // As the kernels round.
+    rgb[c] = static_cast<std::uint8_t>(value + 0.5f);  // NOLINT(bugprone-incorrect-roundings)
   }
   return rgb;
 }

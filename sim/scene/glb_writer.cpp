@@ -74,7 +74,7 @@ class GlbEncoder {
   }
 
  private:
-  void AddMaterials() {
+  void AddMaterials() {  // NOLINT(readability-function-size): one table after the other
     for (const Texture& texture : mesh_.textures) {
       Image rgb(texture.image.width, texture.image.height, 3);
       for (std::size_t i = 0; i < rgb.pixels.size() / 3; ++i) {
