@@ -2,17 +2,14 @@
 #include "benchmark/cli/learning.h"
 
 #include <cstdlib>
-#include <filesystem>
-#include <string>
 
-#include <dlfcn.h>
-
-#include "sim/base/error.h"
+#include "benchmark/cli/library.h"
 
 namespace bulletnav::bench {
 namespace {
 
-constexpr const char* kLibrary = "bulletnav-learning.so";
+constexpr ProgramLibrary kLibrary = {"bulletnav-learning.so", "learning", "BULLETNAV_LEARNING",
+                                     RTLD_GLOBAL};
 
 /// OpenBLAS reads these when it is loaded. Its threads only get in the way of ours. Debian 12's
 /// takes processors that are newer than it for ones without AVX-512.
@@ -26,21 +23,11 @@ void SetUpOpenBlas() {
 #endif
 }
 
-void* OpenLibrary() {
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe");
-  const std::filesystem::path file = program.parent_path() / kLibrary;
-  if (!std::filesystem::exists(file)) {
-    throw sim::Error("this program was built without learning (BULLETNAV_LEARNING=OFF): " +
-                     file.string() + " is not there");
-  }
-  SetUpOpenBlas();
-  void* library = ::dlopen(file.c_str(), RTLD_NOW | RTLD_GLOBAL);
-  if (library == nullptr) throw sim::FileError(file, "", ::dlerror());
-  return library;
-}
-
 void* Library() {
-  static void* const library = OpenLibrary();
+  static void* const library = [] {
+    SetUpOpenBlas();
+    return OpenLibrary(kLibrary);
+  }();
   return library;
 }
 
@@ -52,9 +39,7 @@ void LoadLearning() {
 
 int RunLearningCommand(int argc, char** argv) {
   using Run = int(int, char**);
-  const auto run = reinterpret_cast<Run*>(::dlsym(Library(), "BulletnavRunLearningCommand"));
-  if (run == nullptr) throw sim::Error(std::string(kLibrary) + ": " + ::dlerror());
-  return run(argc, argv);
+  return FindFunction<Run>(kLibrary, Library(), "BulletnavRunLearningCommand")(argc, argv);
 }
 
 }  // namespace bulletnav::bench

@@ -3,34 +3,20 @@
 // its own, which is loaded when it is asked for.
 #include "python/agent/make_agent.h"
 
-#include <filesystem>
 #include <memory>
 #include <string>
 
-#include <dlfcn.h>
 #include <nlohmann/json.hpp>
 
 #include "agent/registry.h"
-#include "sim/base/error.h"
+#include "benchmark/cli/library.h"
 
 namespace bulletnav::bench {
 namespace {
 
-python::MakePythonAgent* OpenLibrary() {
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe");
-  const std::filesystem::path file = program.parent_path() / python::kPythonLibrary;
-  if (!std::filesystem::exists(file)) {
-    throw sim::Error("this program was built without agents in Python (BULLETNAV_PYTHON=OFF): " +
-                     file.string() + " is not there");
-  }
-  // Extension modules of Python look for libpython among what everybody sees.
-  void* library = ::dlopen(file.c_str(), RTLD_NOW | RTLD_GLOBAL);
-  if (library == nullptr) throw sim::FileError(file, "", ::dlerror());
-  const auto make =
-      reinterpret_cast<python::MakePythonAgent*>(::dlsym(library, python::kMakePythonAgent));
-  if (make == nullptr) throw sim::FileError(file, "", ::dlerror());
-  return make;
-}
+// Extension modules of Python look for libpython among what everybody sees.
+constexpr ProgramLibrary kLibrary = {python::kPythonLibrary, "agents in Python", "BULLETNAV_PYTHON",
+                                     RTLD_GLOBAL};
 
 nlohmann::json ToJson(const YAML::Node& node) {
   if (node.IsMap()) {
@@ -67,7 +53,8 @@ class PythonAgent final : public agent::Agent {
   };
 
   PythonAgent(const Config& config, const agent::AgentContext& context) {
-    static python::MakePythonAgent* const make = OpenLibrary();
+    static python::MakePythonAgent* const make = FindFunction<python::MakePythonAgent>(
+        kLibrary, OpenLibrary(kLibrary), python::kMakePythonAgent);
     const nlohmann::json options =
         config.options ? ToJson(config.options->yaml()) : nlohmann::json::object();
     make(config.module, options.dump(), context, &own_);

@@ -3,6 +3,7 @@
 import json
 
 from bulletnav import _core, actions as _actions, arrays, spaces
+from bulletnav.lanes_owner import LanesOwner, require_render_mode, told
 from bulletnav.vector_env import make_lanes, result
 
 try:
@@ -11,7 +12,7 @@ except ImportError:
     _Base = object
 
 
-class Env(_Base):
+class Env(LanesOwner, _Base):
     """Image-goal navigation for one body: bulletnav.VectorEnv with one lane, without the first
     dimension and without autoreset. Its arguments are those, but num_envs and autoreset_mode.
 
@@ -26,8 +27,7 @@ class Env(_Base):
         for name in ("num_envs", "autoreset_mode"):
             if name in options:
                 raise _core.Error(f"{name} is an argument of bulletnav.VectorEnv, not of Env")
-        if render_mode not in (None, "rgb_array"):
-            raise _core.Error(f"render_mode is 'rgb_array' or None, not {render_mode!r}")
+        require_render_mode(render_mode)
         self._lanes = make_lanes({"threads": 1, **options, "num_envs": 1,
                                   "autoreset_mode": "disabled"})
         self.render_mode = render_mode
@@ -68,34 +68,9 @@ class Env(_Base):
     def truth(self):
         """What no agent may see: {"pose", "goal": [x, y, z, yaw] in the world, metres and radians;
         "distance": geodesic metres between them}."""
-        pose, goal, distance = self._lanes.truth(0)
-        return {"pose": pose, "goal": goal, "distance": distance}
+        return told(self._lanes.truth(0))
 
     def render(self):
         """With render_mode="rgb_array": a copy of the panorama, uint8 [rows, cols, 3]."""
-        if self.render_mode is None:
-            return None
-        self._lanes.outcome()  # Raises where there is no environment any more.
-        if "panorama.color" not in self.arrays:
-            raise _core.Error("there is nothing to render: the body has no 'panorama.color'")
-        return arrays.copy(self.arrays["panorama.color"])
-
-    def close(self):
-        """Views of what was observed last stay readable, and keep memory and threads."""
-        self._lanes.close()
-        self.arrays, self._views, self._outcome = {}, {}, []
-
-    @property
-    def unwrapped(self):
-        return self
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *ignored):
-        self.close()
-
-    def __del__(self):
-        lanes = getattr(self, "_lanes", None)
-        if lanes is not None:
-            lanes.close()
+        color = self.rendered()
+        return None if color is None else arrays.copy(color)

@@ -5,6 +5,7 @@ import json
 import os
 
 from bulletnav import _core, actions as _actions, arrays, spaces
+from bulletnav.lanes_owner import LanesOwner, require_render_mode, told
 
 try:
     from gymnasium.vector import VectorEnv as _Base
@@ -56,7 +57,7 @@ def result(text):
     return facts
 
 
-class VectorEnv(_Base):
+class VectorEnv(LanesOwner, _Base):
     """`num_envs` lanes that play image-goal navigation, episode after episode.
 
     Lane i plays number i, i + num_envs, ... of the episodes. What a lane sees is a function of the
@@ -96,8 +97,7 @@ class VectorEnv(_Base):
     spec = None
 
     def __init__(self, *, num_envs=1, render_mode=None, **options):
-        if render_mode not in (None, "rgb_array"):
-            raise _core.Error(f"render_mode is 'rgb_array' or None, not {render_mode!r}")
+        require_render_mode(render_mode)
         self._lanes = make_lanes({"num_envs": num_envs, **options})
         self.num_envs = self._lanes.num_envs
         self.render_mode = render_mode
@@ -197,38 +197,18 @@ class VectorEnv(_Base):
     def truth(self, lane):
         """What no agent may see, for teachers and rewards: {"pose", "goal": [x, y, z, yaw] in the
         world, metres and radians; "distance": geodesic metres between them}."""
-        pose, goal, distance = self._lanes.truth(lane)
-        return {"pose": pose, "goal": goal, "distance": distance}
+        return told(self._lanes.truth(lane))
 
     def render(self):
         """With render_mode="rgb_array": a tuple of copies of the panoramas, one a lane."""
-        if self.render_mode is None:
+        colors = self.rendered()
+        if colors is None:
             return None
-        self._lanes.outcome()  # Raises where there is no environment any more.
-        if "panorama.color" not in self.arrays:
-            raise _core.Error("there is nothing to render: the body has no 'panorama.color'")
-        colors = self.arrays["panorama.color"]
         return tuple(arrays.copy(colors[lane]) for lane in range(self.num_envs))
 
     def close(self, **kwargs):
         """Views of what was observed last stay readable, and keep memory and threads."""
-        self._lanes.close()
-        self.arrays, self._views, self._outcome = {}, {}, []
+        LanesOwner.close(self)
         self.closed = True
 
     closed = False
-
-    @property
-    def unwrapped(self):
-        return self
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *ignored):
-        self.close()
-
-    def __del__(self):
-        lanes = getattr(self, "_lanes", None)
-        if lanes is not None:
-            lanes.close()

@@ -3,7 +3,6 @@
 
 #include <chrono>
 
-#include "sim/base/error.h"
 #include "sim/batch_simulator.h"
 
 namespace bulletnav::python {
@@ -46,16 +45,6 @@ Batch::Batch(const bench::VectorEnvironment& environment, const LanesConfig& con
   }
 }
 
-std::vector<sim::Action> Read(const std::vector<std::int64_t>& numbers) {
-  std::vector<sim::Action> actions;
-  actions.reserve(numbers.size());
-  for (const std::int64_t number : numbers) {
-    if (number < 0 || number > 3) throw sim::Error("an action is a number from 0 to 3");
-    actions.push_back(static_cast<sim::Action>(number));
-  }
-  return actions;
-}
-
 }  // namespace
 
 double BatchSeconds(Lanes* lanes, const std::vector<std::vector<std::int64_t>>& actions,
@@ -65,7 +54,7 @@ double BatchSeconds(Lanes* lanes, const std::vector<std::vector<std::int64_t>>& 
     Clock::time_point start = Clock::now();
     for (std::size_t step = 0; step < actions.size(); ++step) {
       if (step == warm_up) start = Clock::now();
-      batch.Step(Read(actions[step]));
+      batch.Step(ReadActions(actions[step]));
     }
     return std::chrono::duration<double>(Clock::now() - start).count();
   });

@@ -30,6 +30,19 @@ bool HasArray(const sim::SensorSet& sensors, std::string_view name) {
 
 }  // namespace
 
+std::vector<sim::Action> ReadActions(const std::vector<std::int64_t>& numbers) {
+  std::vector<sim::Action> actions;
+  actions.reserve(numbers.size());
+  for (const std::int64_t number : numbers) {
+    if (number < 0 || number >= static_cast<std::int64_t>(sim::kAllActions.size())) {
+      throw Misuse(fmt::format(
+          "{} is no action; 0: stop, 1: move forward, 2: turn left, 3: turn right", number));
+    }
+    actions.push_back(static_cast<sim::Action>(number));
+  }
+  return actions;
+}
+
 void LanesConfig::Validate() const {
   if (scenes.empty() == episodes.empty()) {
     throw sim::Error(
@@ -157,14 +170,7 @@ Lanes::Order Lanes::Read(const std::vector<std::int64_t>& actions,
   if (actions.size() != order.lanes.size()) {
     throw Misuse(fmt::format("got {} actions for {} lanes", actions.size(), order.lanes.size()));
   }
-  order.actions.reserve(actions.size());
-  for (const std::int64_t action : actions) {
-    if (action < 0 || action >= static_cast<std::int64_t>(sim::kAllActions.size())) {
-      throw Misuse(fmt::format(
-          "{} is no action; 0: stop, 1: move forward, 2: turn left, 3: turn right", action));
-    }
-    order.actions.push_back(static_cast<sim::Action>(action));
-  }
+  order.actions = ReadActions(actions);
   return order;
 }
 

@@ -18,6 +18,9 @@
 
 namespace bulletnav::python {
 
+/// Throws sim::Error, naming the actions there are, for what is none.
+std::vector<sim::Action> ReadActions(const std::vector<std::int64_t>& numbers);
+
 /// A bench::VectorEnvironment that no misuse from Python can hurt: calls after Close, in a process
 /// that was forked off, from two threads at once, or between Send and Receive throw sim::Error.
 /// Knows nothing of Python; its calls are made without the interpreter's lock.

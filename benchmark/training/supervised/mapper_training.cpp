@@ -8,9 +8,9 @@
 #include "agent/integer/integer_mapper.h"
 #include "agent/integer/quantised_file.h"
 #include "agent/perception/mapper_net.h"
-#include "agent/perception/one_thread.h"
 #include "agent/perception/quantise.h"
 #include "benchmark/training/core/registry.h"
+#include "benchmark/training/supervised/answer_batches.h"
 #include "benchmark/training/supervised/augment.h"
 #include "benchmark/training/supervised/batch_tensors.h"
 #include "benchmark/training/supervised/calibration.h"
@@ -86,15 +86,10 @@ class MapperLearner final : public Learner {
       torch::Tensor told;
       torch::Tensor truth;
     };
-    std::vector<Answered> all(static_cast<std::size_t>(count));
-    pool->ForEach(count, [&](int i, int) {
-      const torch::NoGradGuard no_grad;
-      agent::StayInThisThread();
+    const auto all = AnswerBatches(batches, count, pool, [&](PairBatch* batch) {
       TrueFreeSpace truth(RigOf(config_));
-      PairBatch batch = batches.Batch(static_cast<std::uint64_t>(i));
-      batch.Check();
-      const torch::Tensor told = answer(&batch);
-      all[static_cast<std::size_t>(i)] = {told, FreeSpaceLabels(batch, &truth)};
+      const torch::Tensor told = answer(batch);
+      return Answered{told, FreeSpaceLabels(*batch, &truth)};
     });
     MapperSums sums;
     for (const Answered& one : all) sums.Add(one.told, one.truth, config_.obstacle_weight);

@@ -7,10 +7,10 @@
 
 #include "agent/integer/integer_model.h"
 #include "agent/integer/quantised_file.h"
-#include "agent/perception/one_thread.h"
 #include "agent/perception/quantise.h"
 #include "agent/perception/semantic_net.h"
 #include "benchmark/training/core/registry.h"
+#include "benchmark/training/supervised/answer_batches.h"
 #include "benchmark/training/supervised/augment.h"
 #include "benchmark/training/supervised/batch_tensors.h"
 #include "benchmark/training/supervised/calibration.h"
@@ -81,14 +81,9 @@ class NtsLearner final : public Learner {
       ModelAnswers answers;
       LabelledPairs truth;
     };
-    std::vector<Answered> all(static_cast<std::size_t>(count));
-    pool->ForEach(count, [&](int i, int) {
-      const torch::NoGradGuard no_grad;
-      agent::StayInThisThread();
-      PairBatch batch = batches.Batch(static_cast<std::uint64_t>(i));
-      batch.Check();
-      const LabelledPairs truth = Labels(batch, AllPairs(batch));
-      all[static_cast<std::size_t>(i)] = {answer(&batch, truth), truth};
+    const auto all = AnswerBatches(batches, count, pool, [&](PairBatch* batch) {
+      const LabelledPairs truth = Labels(*batch, AllPairs(*batch));
+      return Answered{answer(batch, truth), truth};
     });
     MetricSums sums;
     for (const Answered& one : all) sums.Add(one.answers.explorable, one.answers.pairs, one.truth);

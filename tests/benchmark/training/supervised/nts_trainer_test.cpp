@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <cstdio>
 #include <limits>
 #include <sstream>
 
 #include <gmock/gmock.h>
 
-#include "agent/integer/quantised_file.h"
 #include "agent/models/model_registry.h"
 #include "agent/models/safetensors.h"
 #include "benchmark/training/core/training_log.h"
@@ -13,6 +11,7 @@
 #include "sim/base/error.h"
 #include "sim/base/files.h"
 #include "tests/benchmark/training/supervised/bar_world.h"
+#include "tests/benchmark/training/supervised/integers_beside_weights.h"
 #include "tests/benchmark/training/supervised/watchers.h"
 #include "tests/support/temporary_folder.h"
 
@@ -93,19 +92,7 @@ TEST_F(TrainNtsTest, QuantisesAtItsEndAndTellsBothAccuracies) {
   config.model.width = 16;
   Watcher watcher;
   Train(config, &watcher);
-  const fs::path weights = folder_.path() / "weights.safetensors";
-  EXPECT_TRUE(agent::HoldsIntegers(agent::ReadTensorFile(weights)));
-  EXPECT_FALSE(
-      agent::HoldsIntegers(agent::ReadTensorFile(folder_.path() / "weights_best.safetensors")));
-  // As trained, in integers: not the same, but near.
-  const std::string card = sim::ReadTextFile(folder_.path() / "weights.md");
-  EXPECT_THAT(card, HasSubstr("| measure | as trained | in integers |"));
-  double floats = 0.0;
-  double integers = 0.0;
-  const std::size_t row = card.find("| loss | ");
-  ASSERT_NE(row, std::string::npos) << card;
-  ASSERT_EQ(std::sscanf(card.c_str() + row, "| loss | %lf | %lf |", &floats, &integers), 2);
-  EXPECT_NEAR(floats, integers, 0.05 * floats) << card;
+  tests::ExpectIntegersBesideWeights(folder_.path());
 }
 
 TEST_F(TrainNtsTest, RefusesToGoOnByAnotherConfig) {

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/cli/library.h"
+
+#include <filesystem>
+
+namespace bulletnav::bench {
+
+void* OpenLibrary(const ProgramLibrary& library) {
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe");
+  const std::filesystem::path file = program.parent_path() / library.file;
+  if (!std::filesystem::exists(file)) {
+    throw sim::Error(std::string("this program was built without ") + library.what + " (" +
+                     library.option + "=OFF): " + file.string() + " is not there");
+  }
+  void* open = ::dlopen(file.c_str(), RTLD_NOW | library.mode);
+  if (open == nullptr) throw sim::FileError(file, "", ::dlerror());
+  return open;
+}
+
+}  // namespace bulletnav::bench
