@@ -17,6 +17,7 @@ constexpr int kRuns = 7;
 }  // namespace
 
 std::string WidestInstructionSet() {
+  if (sim::MayUse(sim::InstructionSet::kAmx)) return "amx";
   if (sim::MayUse(sim::InstructionSet::kAvx512)) return "avx512";
   if (sim::MayUse(sim::InstructionSet::kAvx2)) return "avx2";
   return sim::MayUse(sim::InstructionSet::kSse41) ? "sse41" : "";

@@ -6,7 +6,7 @@
 
 namespace bulletnav::bench {
 
-/// What kernels are taken here, as BULLETNAV_ISA says it: avx512, avx2, sse41, or "" for none.
+/// What kernels are taken here, as BULLETNAV_ISA says it: amx, avx512, avx2, sse41, or "" for none.
 std::string WidestInstructionSet();
 
 /// One measured figure.

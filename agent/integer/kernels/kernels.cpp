@@ -4,6 +4,9 @@
 #include "agent/integer/kernels/kernels.h"
 
 #include "agent/integer/kernels/lanes.h"
+#ifdef __AMX_INT8__
+#include "agent/integer/kernels/tiles.h"
+#endif
 
 namespace bulletnav::agent {
 namespace {
@@ -94,6 +97,13 @@ void RunDot(const DotJob& job) {
 #endif
 }
 
+void RunDot8(const DotJob& job) {
+#ifdef __AMX_INT8__
+  if (FitsTiles(job)) return RunDotTiles(job);
+#endif
+  RunDot<Dot8>(job);
+}
+
 /// kLanes outputs of all pixels, so that what belongs to the outputs stays in registers. kKept: how
 /// many values are added to each.
 template <int kKept>
@@ -141,7 +151,6 @@ void Scale(const ScaleJob& job) {
 
 }  // namespace
 
-const IntegerKernels BULLETNAV_KERNELS = {BULLETNAV_KERNELS_NAME, RunDot<Dot8>, RunDot<Dot16>,
-                                          Scale};
+const IntegerKernels BULLETNAV_KERNELS = {BULLETNAV_KERNELS_NAME, RunDot8, RunDot<Dot16>, Scale};
 
 }  // namespace bulletnav::agent

@@ -71,6 +71,7 @@ extern const IntegerKernels kIntegerKernelsSse41;
 extern const IntegerKernels kIntegerKernelsAvx2;
 extern const IntegerKernels kIntegerKernelsAvx512;
 extern const IntegerKernels kIntegerKernelsVnni;
+extern const IntegerKernels kIntegerKernelsAmx;
 #endif
 
 }  // namespace bulletnav::agent

@@ -11,6 +11,7 @@ std::vector<const IntegerKernels*> FindSupported() {
   using sim::InstructionSet;
   std::vector<const IntegerKernels*> supported;
 #ifdef __x86_64__
+  if (sim::MayUse(InstructionSet::kAmx)) supported.push_back(&kIntegerKernelsAmx);
   if (sim::MayUse(InstructionSet::kAvx512)) {
     if (__builtin_cpu_supports("avx512vnni") != 0) supported.push_back(&kIntegerKernelsVnni);
     supported.push_back(&kIntegerKernelsAvx512);

@@ -23,9 +23,11 @@ struct DotShape {
 };
 
 const std::vector<DotShape> kShapes = {
-    {"OneOfAll", 1, 1, 1, 1},           {"ATileAndMore", 13, 3, 5, 1}, {"TwoBlocks", 25, 3, 24, 2},
-    {"ThreeBlocks", 7, 2, 3, 3},        {"SevenBlocks", 31, 1, 9, 7},  {"AsStem", 64, 7, 7, 2},
-    {"AsTheLastStage", 16, 3, 192, 16},
+    {"OneOfAll", 1, 1, 1, 1},           {"ATileAndMore", 13, 3, 5, 1},
+    {"TwoBlocks", 25, 3, 24, 2},        {"ThreeBlocks", 7, 2, 3, 3},
+    {"SevenBlocks", 31, 1, 9, 7},       {"AsStem", 64, 7, 7, 2},
+    {"AsTheLastStage", 16, 3, 192, 16}, {"WordsOfAPrime", 17, 1, 37, 5},
+    {"TooLongForTiles", 3, 3, 217, 2},
 };
 
 enum class Values { kRandom, kLargest, kAlternating };

@@ -19,12 +19,17 @@ class InstructionSetTest : public testing::Test {
 TEST_F(InstructionSetTest, TheVariableNarrowsAndNeverWidens) {
   unsetenv("BULLETNAV_ISA");
   const bool has_avx2 = MayUse(InstructionSet::kAvx2);
+  const bool has_amx = MayUse(InstructionSet::kAmx);
   const bool has_avx512 = MayUse(InstructionSet::kAvx512);
   const bool has_sse41 = MayUse(InstructionSet::kSse41);
   Allow("avx512");
   EXPECT_EQ(MayUse(InstructionSet::kAvx512), has_avx512);
   EXPECT_EQ(MayUse(InstructionSet::kAvx2), has_avx2);
+  EXPECT_FALSE(MayUse(InstructionSet::kAmx));
+  Allow("amx");
+  EXPECT_EQ(MayUse(InstructionSet::kAmx), has_amx);
   Allow("avx2");
+  EXPECT_FALSE(MayUse(InstructionSet::kAmx));
   EXPECT_FALSE(MayUse(InstructionSet::kAvx512));
   EXPECT_EQ(MayUse(InstructionSet::kAvx2), has_avx2);
   Allow("sse41");
