@@ -66,6 +66,7 @@ constexpr std::array kTitles = {
     Title{"metric_map_fbe", "Metric Spatial Map + FBE + Local"},
     Title{"active_neural_slam", "Active Neural SLAM (ANS)"},
     Title{"nts", "Neural Topological SLAM (NTS)"},
+    Title{"nts_paper", "NTS, the paper's rules alone"},
     Title{"nts_without_graph", "NTS w/o Graph"},
     Title{"nts_without_score", "NTS w/o Score Function"},
 };

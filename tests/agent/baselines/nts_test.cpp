@@ -40,7 +40,8 @@ TEST_P(NtsTest, FindsAGoalRoundTheCorner) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Agents, NtsTest,
-                         testing::Values("nts", "nts_without_graph", "nts_without_score"));
+                         testing::Values("nts", "nts_paper", "nts_without_graph",
+                                         "nts_without_score"));
 
 }  // namespace
 }  // namespace bulletnav::agent
