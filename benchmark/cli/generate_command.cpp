@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include <map>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include <fmt/core.h>
 
 #include "benchmark/base/program_version.h"
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/progress.h"
+#include "sim/config/yaml_reader.h"
+#include "sim/house/building/kind.h"
 #include "sim/house/house_set.h"
 
 namespace bulletnav::bench {
@@ -15,16 +19,59 @@ namespace {
 struct GenerateOptions {
   sim::HouseSetSpec set;
   std::filesystem::path out = "data/houses";
+  sim::SetPart part{.kind = ""};
+  std::string split;
+  std::filesystem::path file;  // of a set
 };
+
+/// A set of buildings as a file.
+struct SetFile {
+  std::uint64_t first_seed = 0;
+  std::vector<sim::SetPart> parts;
+
+  template <class V>
+  void Visit(V& v) {
+    v("first_seed", first_seed);
+    v.Required("parts", parts);
+  }
+  void Validate() const {
+    if (parts.empty()) throw sim::KeyError("parts", "'parts' has no entry");
+  }
+};
+
+sim::HouseSetSpec SetOf(const GenerateOptions& options) {
+  sim::HouseSetSpec set = options.set;
+  if (!options.file.empty()) {
+    const auto file = sim::LoadYaml<SetFile>(options.file);
+    set.first_seed = file.first_seed;
+    set.parts = file.parts;
+  } else if (!options.part.kind.empty()) {
+    sim::SetPart part = options.part;
+    part.count = set.count;
+    for (const auto& [name, split] : sim::EnumNames<sim::Split>::kNames) {
+      if (options.split == name) part.split = split;
+    }
+    set.parts = {part};
+  }
+  set.made_by = CommittedVersion();
+  return set;
+}
+
+std::string KnownKinds() {
+  std::string known = "home";
+  for (const auto* kind : sim::building::AllKinds()) known.append("|").append(kind->name);
+  return known;
+}
 
 void Generate(const GenerateOptions& options) {
   std::vector<sim::HouseEntry> houses;
   {
-    sim::HouseSetSpec set = options.set;
-    set.made_by = CommittedVersion();
+    const sim::HouseSetSpec set = SetOf(options);
+    int count = set.parts.empty() ? set.count : 0;
+    for (const sim::SetPart& part : set.parts) count += part.count;
     const int unmade = sim::CountUnmade(options.out, set);
-    if (unmade < set.count) {
-      fmt::print(stderr, "{} of {} houses are there already\n", set.count - unmade, set.count);
+    if (unmade < count) {
+      fmt::print(stderr, "{} of {} houses are there already\n", count - unmade, count);
     }
     Progress progress("houses", unmade);
     houses = sim::WriteHouseSet(options.out, set, [&] {
@@ -49,7 +96,7 @@ void Generate(const GenerateOptions& options) {
 void AddGenerateCommand(CLI::App* scenes) {
   auto options = std::make_shared<GenerateOptions>();
   CLI::App* command =
-      scenes->add_subcommand("generate", "Make furnished houses with their descriptions");
+      scenes->add_subcommand("generate", "Make furnished buildings with their descriptions");
   command->add_option("--count", options->set.count, "How many")
       ->check(CLI::Range(1, 9999))
       ->capture_default_str();
@@ -58,6 +105,18 @@ void AddGenerateCommand(CLI::App* scenes) {
                    "Seed of the first house; the others count on from it")
       ->check(CLI::Range(0, 1'000'000'000))
       ->capture_default_str();
+  CLI::Option* kind = command->add_option(
+      "--kind", options->part.kind,
+      "Kind of building: " + KnownKinds() + "; without it, homes as older versions made them");
+  command->add_option("--split", options->split, "Put all into this split; else shared out 68:4:14")
+      ->check(CLI::IsMember({"train", "val", "test"}))
+      ->needs(kind);
+  command->add_option("--min-area", options->part.min_area_m2, "Least floor, m2; 0: the kind's")
+      ->needs(kind);
+  command->add_option("--max-area", options->part.max_area_m2, "Most floor, m2; 0: the kind's")
+      ->needs(kind);
+  command->add_option("--set", options->file, "A YAML file of kinds, splits and counts instead")
+      ->excludes(kind);
   command->add_option("--out", options->out, "Folder to write to")->capture_default_str();
   command->add_option("--workers", options->set.workers, "Threads; 0: one per processor")
       ->check(CLI::Range(0, 1024))

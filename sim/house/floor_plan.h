@@ -13,6 +13,7 @@
 
 namespace bulletnav::sim {
 
+/// What a room is for; homes have those up to kStorage.
 enum class RoomType {
   kLivingRoom,
   kKitchen,
@@ -25,7 +26,28 @@ enum class RoomType {
   kEntry,
   kStudy,
   kLaundry,
-  kStorage
+  kStorage,
+  // Not in homes.
+  kOpenOffice,
+  kOffice,
+  kMeetingRoom,
+  kReception,
+  kBreakRoom,
+  kRestroom,
+  kStockRoom,
+  kTechnicalRoom,
+  kWard,
+  kExamRoom,
+  kWaitingRoom,
+  kShopFloor,
+  kFittingRoom,
+  kClassroom,
+  kLaboratory,
+  kCanteen,
+  kHotelRoom,
+  kLobby,
+  kWorkshop,
+  kWarehouse
 };
 
 template <>
@@ -41,7 +63,27 @@ struct EnumNames<RoomType> {
                                         std::pair{"entry", RoomType::kEntry},
                                         std::pair{"study", RoomType::kStudy},
                                         std::pair{"laundry", RoomType::kLaundry},
-                                        std::pair{"storage", RoomType::kStorage}};
+                                        std::pair{"storage", RoomType::kStorage},
+                                        std::pair{"open_office", RoomType::kOpenOffice},
+                                        std::pair{"office", RoomType::kOffice},
+                                        std::pair{"meeting_room", RoomType::kMeetingRoom},
+                                        std::pair{"reception", RoomType::kReception},
+                                        std::pair{"break_room", RoomType::kBreakRoom},
+                                        std::pair{"restroom", RoomType::kRestroom},
+                                        std::pair{"stock_room", RoomType::kStockRoom},
+                                        std::pair{"technical_room", RoomType::kTechnicalRoom},
+                                        std::pair{"ward", RoomType::kWard},
+                                        std::pair{"exam_room", RoomType::kExamRoom},
+                                        std::pair{"waiting_room", RoomType::kWaitingRoom},
+                                        std::pair{"shop_floor", RoomType::kShopFloor},
+                                        std::pair{"fitting_room", RoomType::kFittingRoom},
+                                        std::pair{"classroom", RoomType::kClassroom},
+                                        std::pair{"laboratory", RoomType::kLaboratory},
+                                        std::pair{"canteen", RoomType::kCanteen},
+                                        std::pair{"hotel_room", RoomType::kHotelRoom},
+                                        std::pair{"lobby", RoomType::kLobby},
+                                        std::pair{"workshop", RoomType::kWorkshop},
+                                        std::pair{"warehouse", RoomType::kWarehouse}};
 };
 
 /// Plan coordinates are the world's (x, z) in metres, seen from above with x right and z down.

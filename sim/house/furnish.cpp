@@ -1,53 +1,78 @@
 // SPDX-License-Identifier: MIT
 #include "sim/house/furnish.h"
 
+#include <algorithm>
+#include <array>
+#include <utility>
+
 #include "sim/base/check.h"
+#include "sim/base/elementary.h"
 #include "sim/house/placing/programs.h"
 
 namespace bulletnav::sim {
 namespace {
 
-void FurnishRoom(RoomType type, placing::RoomFurnisher* room) {
-  switch (type) {
-    case RoomType::kLivingRoom:
-      return placing::FurnishLivingRoom(room);
-    case RoomType::kKitchen:
-      return placing::FurnishKitchen(room);
-    case RoomType::kDiningRoom:
-      return placing::FurnishDiningRoom(room);
-    case RoomType::kBedroom:
-      return placing::FurnishBedroom(room);
-    case RoomType::kKidsRoom:
-      return placing::FurnishKidsRoom(room);
-    case RoomType::kBathroom:
-      return placing::FurnishBathroom(room);
-    case RoomType::kToilet:
-      return placing::FurnishToilet(room);
-    case RoomType::kCorridor:
-      return placing::FurnishCorridor(room);
-    case RoomType::kEntry:
-      return placing::FurnishEntry(room);
-    case RoomType::kStudy:
-      return placing::FurnishStudy(room);
-    case RoomType::kLaundry:
-      return placing::FurnishLaundry(room);
-    case RoomType::kStorage:
-      return placing::FurnishStorage(room);
-  }
+using Program = void (*)(placing::RoomFurnisher*);
+
+constexpr std::array kHomePrograms = {
+    std::pair<RoomType, Program>{RoomType::kLivingRoom, placing::FurnishLivingRoom},
+    std::pair<RoomType, Program>{RoomType::kKitchen, placing::FurnishKitchen},
+    std::pair<RoomType, Program>{RoomType::kDiningRoom, placing::FurnishDiningRoom},
+    std::pair<RoomType, Program>{RoomType::kBedroom, placing::FurnishBedroom},
+    std::pair<RoomType, Program>{RoomType::kKidsRoom, placing::FurnishKidsRoom},
+    std::pair<RoomType, Program>{RoomType::kBathroom, placing::FurnishBathroom},
+    std::pair<RoomType, Program>{RoomType::kToilet, placing::FurnishToilet},
+    std::pair<RoomType, Program>{RoomType::kCorridor, placing::FurnishCorridor},
+    std::pair<RoomType, Program>{RoomType::kEntry, placing::FurnishEntry},
+    std::pair<RoomType, Program>{RoomType::kStudy, placing::FurnishStudy},
+    std::pair<RoomType, Program>{RoomType::kLaundry, placing::FurnishLaundry},
+    std::pair<RoomType, Program>{RoomType::kStorage, placing::FurnishStorage}};
+
+Furnishing Told(const placing::Placed& placed, int room) {
+  Furnishing furnishing;
+  furnishing.kind = placed.kind->name;
+  furnishing.room = room;
+  const Eigen::Vector3f forward = placed.pose.linear().col(2);
+  furnishing.yaw = Atan2(forward.x(), forward.z());
+  furnishing.position = placed.pose.translation();
+  furnishing.low = placed.bounds.min();
+  furnishing.high = placed.bounds.max();
+  return furnishing;
 }
 
 }  // namespace
 
+void FurnishHomeRoom(RoomType type, placing::RoomFurnisher* room) {
+  const auto program = std::find_if(kHomePrograms.begin(), kHomePrograms.end(), [&](const auto& p) {
+    return p.first == type;
+  });
+  BULLETNAV_CHECK(program != kHomePrograms.end());
+  program->second(room);
+}
+
+std::vector<Furnishing> FurnishRooms(const FloorPlan& plan, const HouseStyle& style,
+                                     void (*furnish)(RoomType, placing::RoomFurnisher*),
+                                     const Rng& rng, MeshBuilder* builder) {
+  BULLETNAV_CHECK_EQ(plan.rooms.size(), style.rooms.size());
+  std::vector<Furnishing> furniture;
+  for (std::size_t i = 0; i < plan.rooms.size(); ++i) {
+    const int room = static_cast<int>(i);
+    placing::RoomSpace space(plan, style, room);
+    placing::RoomFurnisher furnisher(&space, style.rooms[i], rng.Fork("room", i), builder);
+    furnish(plan.rooms[i].type, &furnisher);
+    for (const placing::Placed& placed : furnisher.placed()) {
+      furniture.push_back(Told(placed, room));
+    }
+  }
+  return furniture;
+}
+
 std::vector<std::vector<std::string_view>> FurnishHouse(const FloorPlan& plan,
                                                         const HouseStyle& style, const Rng& rng,
                                                         MeshBuilder* builder) {
-  BULLETNAV_CHECK_EQ(plan.rooms.size(), style.rooms.size());
-  std::vector<std::vector<std::string_view>> kinds;
-  for (std::size_t i = 0; i < plan.rooms.size(); ++i) {
-    placing::RoomSpace space(plan, style, static_cast<int>(i));
-    placing::RoomFurnisher furnisher(&space, style.rooms[i], rng.Fork("room", i), builder);
-    FurnishRoom(plan.rooms[i].type, &furnisher);
-    kinds.push_back(furnisher.kinds());
+  std::vector<std::vector<std::string_view>> kinds(plan.rooms.size());
+  for (const Furnishing& piece : FurnishRooms(plan, style, FurnishHomeRoom, rng, builder)) {
+    kinds[static_cast<std::size_t>(piece.room)].push_back(FindFurniture(piece.kind).name);
   }
   return kinds;
 }

@@ -4,11 +4,16 @@
 #include <vector>
 
 #include "sim/house/floor_plan.h"
+#include "sim/house/furnishing.h"
 #include "sim/house/house_style.h"
 #include "sim/house/mesh_builder.h"
 #include "sim/math/rng.h"
 
 namespace bulletnav::sim {
+
+namespace placing {
+class RoomFurnisher;
+}
 
 /// Furnishes every room of a house by its type: the pieces that tell what the room is, against the
 /// walls where people put them, then rugs, curtains, lamps, pictures and small things.
@@ -21,5 +26,14 @@ namespace bulletnav::sim {
 std::vector<std::vector<std::string_view>> FurnishHouse(const FloorPlan& plan,
                                                         const HouseStyle& style, const Rng& rng,
                                                         MeshBuilder* builder);
+
+/// Furnishes every room by what `furnish` does with one of its type; else as FurnishHouse. Returns
+/// what stands or hangs in the rooms, in the order of rooms and then of placing.
+std::vector<Furnishing> FurnishRooms(const FloorPlan& plan, const HouseStyle& style,
+                                     void (*furnish)(RoomType, placing::RoomFurnisher*),
+                                     const Rng& rng, MeshBuilder* builder);
+
+/// What homes have in a room of a type.
+void FurnishHomeRoom(RoomType type, placing::RoomFurnisher* room);
 
 }  // namespace bulletnav::sim

@@ -31,7 +31,9 @@ std::vector<FurnitureKind> Collect() {
                              Screens(),        Shelves(),
                              Sofas(),          Study(),
                              Tables(),         Toys(),
-                             WallArt(),        Windows()}) {
+                             WallArt(),        Windows(),
+                             Fixtures(),       Industry(),
+                             Workplaces()}) {
     all.insert(all.end(), family.begin(), family.end());
   }
   std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) {

@@ -16,7 +16,8 @@ House GenerateHouse(std::uint64_t seed, TextureCache* textures, const PlanOption
   house.style = DrawHouseStyle(house.plan, rng.Fork("style"));
   MeshBuilder builder;
   BuildArchitecture(house.plan, house.style, &builder);
-  FurnishHouse(house.plan, house.style, rng.Fork("furnish"), &builder);
+  house.furniture =
+      FurnishRooms(house.plan, house.style, FurnishHomeRoom, rng.Fork("furnish"), &builder);
   house.mesh = builder.Finish(textures);
   std::vector<Glow> glows = builder.glows();
   RemoveHidden(&house.mesh, &glows);

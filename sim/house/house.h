@@ -1,19 +1,25 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
+#include <string>
+#include <vector>
 
 #include "sim/house/floor_plan_generator.h"
+#include "sim/house/furnishing.h"
 #include "sim/house/house_style.h"
 #include "sim/house/lighting.h"
 #include "sim/scene/mesh.h"
 
 namespace bulletnav::sim {
 
-/// A furnished home: its shell, furniture by room type, light baked into its vertex colours.
+/// A furnished home or other building: its shell, furniture by room type, light baked into its
+/// vertex colours.
 struct House {
   std::uint64_t seed = 0;
+  std::string kind = "home";  // or another in building::AllKinds
   FloorPlan plan;
   HouseStyle style;
+  std::vector<Furnishing> furniture;
   SceneMesh mesh;
 };
 

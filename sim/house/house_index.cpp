@@ -2,6 +2,7 @@
 #include "sim/house/house_index.h"
 
 #include <cmath>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -13,11 +14,13 @@ namespace bulletnav::sim {
 nlohmann::ordered_json ToJson(const std::vector<HouseEntry>& houses) {
   auto list = nlohmann::ordered_json::array();
   for (const HouseEntry& house : houses) {
-    list.push_back({{"file", house.file},
-                    {"split", NameOf(house.split)},
-                    {"seed", house.seed},
-                    {"rooms", house.rooms},
-                    {"area_m2", std::round(100.0 * house.area_m2) / 100.0}});
+    nlohmann::ordered_json item = {{"file", house.file},
+                                   {"split", NameOf(house.split)},
+                                   {"seed", house.seed},
+                                   {"rooms", house.rooms},
+                                   {"area_m2", std::round(100.0 * house.area_m2) / 100.0}};
+    if (!house.kind.empty()) item["kind"] = house.kind;
+    list.push_back(std::move(item));
   }
   return list;
 }
@@ -31,7 +34,8 @@ std::vector<HouseEntry> ReadHouseIndex(const std::filesystem::path& index) {
     const JsonNode<FloatJson> house = houses.Item(i);
     entries.push_back({house.At("file").Text(), house.At("split").Enum<Split>(),
                        house.At("seed").Whole(), static_cast<int>(house.At("rooms").Whole()),
-                       static_cast<double>(house.At("area_m2").Positive())});
+                       static_cast<double>(house.At("area_m2").Positive()),
+                       house.Has("kind") ? house.At("kind").Text() : ""});
   }
   return entries;
 }

@@ -28,12 +28,15 @@ struct HouseEntry {
   std::uint64_t seed = 0;
   int rooms = 0;
   double area_m2 = 0.0;
+  std::string kind = {};  // of a building; empty for the homes of sets that name no kinds
 };
 
-/// [{"file", "split", "seed", "rooms", "area_m2"}], as in index.json; areas to two digits.
+/// [{"file", "split", "seed", "rooms", "area_m2"}], as in index.json, and "kind" where there is
+/// one; areas to two digits.
 nlohmann::ordered_json ToJson(const std::vector<HouseEntry>& houses);
 
-/// Reads index.json: {"first_seed", "houses": [{"file", "split", "seed", "rooms", "area_m2"}]}.
+/// Reads index.json: {"first_seed", "houses": [{"file", "split", "seed", "rooms", "area_m2"}]}, and
+/// "kind" of those that have one.
 /// Throws FileError naming the file and what is wrong in it.
 std::vector<HouseEntry> ReadHouseIndex(const std::filesystem::path& index);
 

@@ -89,6 +89,23 @@ Json WallsJson(const FloorPlan& plan) {
   return json;
 }
 
+Json VectorJson(const Eigen::Vector3f& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+Json FurnitureJson(const std::vector<Furnishing>& furniture) {
+  Json json = Json::array();
+  for (const Furnishing& piece : furniture) {
+    json.push_back({{"kind", piece.kind},
+                    {"room", piece.room},
+                    {"position", VectorJson(piece.position)},
+                    {"yaw", piece.yaw},
+                    {"low", VectorJson(piece.low)},
+                    {"high", VectorJson(piece.high)}});
+  }
+  return json;
+}
+
 /// Lists of objects get a line an object, all else a line a key.
 std::string Lines(const Json& json) {
   std::string text = "{";
@@ -204,6 +221,30 @@ std::vector<Wall> ReadWalls(const Node& node) {
   return walls;
 }
 
+Eigen::Vector3f ReadVector(const Node& node) {
+  if (node.Size() != 3) node.Fail("is not a place [x, y, z]");
+  return {node.Item(0).Number(), node.Item(1).Number(), node.Item(2).Number()};
+}
+
+std::vector<Furnishing> ReadFurniture(const Node& node, std::size_t rooms) {
+  std::vector<Furnishing> furniture;
+  const std::size_t n = node.Size();
+  furniture.reserve(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const Node item = node.Item(i);
+    Furnishing piece;
+    piece.kind = item.At("kind").Text();
+    piece.room = item.At("room").Index(rooms, "rooms");
+    piece.position = ReadVector(item.At("position"));
+    piece.yaw = item.At("yaw").Number();
+    piece.low = ReadVector(item.At("low"));
+    piece.high = ReadVector(item.At("high"));
+    if ((piece.high - piece.low).minCoeff() < 0.0f) item.At("high").Fail("is below low");
+    furniture.push_back(std::move(piece));
+  }
+  return furniture;
+}
+
 /// The rooms' doors follow from the openings: they are said for people and checked.
 void CheckDoors(const Node& rooms, const FloorPlan& plan) {
   for (std::size_t i = 0; i < plan.rooms.size(); ++i) {
@@ -223,14 +264,13 @@ void CheckDoors(const Node& rooms, const FloorPlan& plan) {
 
 std::string ToJson(const HouseDescription& house) {
   const FloorPlan& plan = house.plan;
-  return Lines({{"seed", house.seed},
-                {"style", house.style},
-                {"ceiling", plan.ceiling},
-                {"area_m2", plan.area()},
-                {"rooms", RoomsJson(plan)},
-                {"openings", OpeningsJson(plan)},
-                {"walls", WallsJson(plan)},
-                {"footprint", PolygonJson(plan.footprint)}});
+  Json json = {{"seed", house.seed},       {"style", house.style},
+               {"ceiling", plan.ceiling},  {"area_m2", plan.area()},
+               {"rooms", RoomsJson(plan)}, {"openings", OpeningsJson(plan)},
+               {"walls", WallsJson(plan)}, {"footprint", PolygonJson(plan.footprint)}};
+  if (!house.kind.empty()) json["kind"] = house.kind;
+  if (!house.furniture.empty()) json["furniture"] = FurnitureJson(house.furniture);
+  return Lines(json);
 }
 
 HouseDescription ReadHouseJson(const std::filesystem::path& file) {
@@ -247,6 +287,10 @@ HouseDescription ReadHouseJson(const std::filesystem::path& file) {
   CheckDoors(root.At("rooms"), house.plan);
   house.plan.walls = ReadWalls(root.At("walls"));
   house.plan.footprint = ReadPolygon(root.At("footprint"));
+  if (root.Has("kind")) house.kind = root.At("kind").Text();
+  if (root.Has("furniture")) {
+    house.furniture = ReadFurniture(root.At("furniture"), house.plan.rooms.size());
+  }
   return house;
 }
 

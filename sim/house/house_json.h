@@ -3,8 +3,10 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "sim/house/floor_plan.h"
+#include "sim/house/furnishing.h"
 
 namespace bulletnav::sim {
 
@@ -13,6 +15,8 @@ struct HouseDescription {
   std::uint64_t seed = 0;
   std::string style;  // as in EnumNames<StyleKind>; any text
   FloorPlan plan;
+  std::string kind = {};  // of the building; empty where only homes are meant
+  std::vector<Furnishing> furniture = {};
 };
 
 /// JSON, a line for each room, opening and wall; metres, radians, points as the world's [x, z].
@@ -21,7 +25,11 @@ struct HouseDescription {
 ///   openings [{kind, a, b, bottom, top, wall_thickness, rooms, leaf}], rooms: [room to the left of
 ///   the way from a to b, room to the right or null for outside], leaf: null or {angle, hinge: "a"
 ///   or "b", opens_into: index of a room or null for outside};
-///   walls [{a, b, thickness, is_outer}]; footprint.
+///   walls [{a, b, thickness, is_outer}]; footprint;
+///   where they are known, kind, and furniture [{kind, room, position, yaw, low, high}]: the
+///   piece's frame stands at position [x, y, z], turned by yaw about y (0: its z is the world's);
+///   low and high are its box's corners in that frame. Small things on tops, rugs and lamps are
+///   left out.
 /// Everything reads back equal; of openings without a leaf nothing about a leaf is kept.
 std::string ToJson(const HouseDescription& house);
 

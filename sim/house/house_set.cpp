@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -10,6 +11,7 @@
 #include "sim/base/error.h"
 #include "sim/base/files.h"
 #include "sim/base/folder_lock.h"
+#include "sim/house/building/building.h"
 #include "sim/house/house.h"
 #include "sim/house/house_json.h"
 #include "sim/house/unfinished_houses.h"
@@ -25,6 +27,12 @@ constexpr int kTrain = 68;
 constexpr int kVal = 4;
 constexpr int kTest = 14;
 constexpr const char* kIndex = "index.json";
+constexpr int kMost = 9999;
+
+struct PlannedHouse {
+  HouseEntry entry;
+  building::AreaLimits limits;
+};
 
 Split SplitOf(int index, int count) {
   constexpr double kAll = kTrain + kVal + kTest;
@@ -34,43 +42,92 @@ Split SplitOf(int index, int count) {
   return index < count - test ? Split::kVal : Split::kTest;
 }
 
-HouseEntry WriteHouse(const std::filesystem::path& folder, const HouseEntry& planned,
+HouseEntry WriteHouse(const std::filesystem::path& folder, const PlannedHouse& planned,
                       TextureCache* textures) {
-  const House house = GenerateHouse(planned.seed, textures);
-  HouseEntry entry = planned;
+  const bool is_home = planned.entry.kind.empty() || planned.entry.kind == "home";
+  const House house =
+      is_home ? GenerateHouse(planned.entry.seed, textures)
+              : building::GenerateBuilding(building::FindKind(planned.entry.kind),
+                                           planned.entry.seed, textures, planned.limits);
+  HouseEntry entry = planned.entry;
   entry.rooms = static_cast<int>(house.plan.rooms.size());
   entry.area_m2 = static_cast<double>(house.plan.area());
   const std::filesystem::path glb = folder / entry.file;
   std::filesystem::path json = glb;
   json.replace_extension(".json");
-  const HouseDescription description{house.seed, std::string(NameOf(house.style.kind)), house.plan};
+  HouseDescription description{house.seed, std::string(NameOf(house.style.kind)), house.plan};
+  if (!entry.kind.empty()) {
+    description.kind = entry.kind;
+    description.furniture = house.furniture;
+  }
   WriteFileAtomically(glb, EncodeGlb(house.mesh));
   WriteFileAtomically(json, ToJson(description));
   return entry;
 }
 
-/// What is to be written, its rooms and area not known yet.
-std::vector<HouseEntry> Plan(const HouseSetSpec& spec) {
-  constexpr int kMost = 9999;
-  if (spec.count < 1 || spec.count > kMost) {
-    throw Error(fmt::format("count is {}; it must be in 1..{}", spec.count, kMost));
+void RequireCount(int count) {
+  if (count < 1 || count > kMost) {
+    throw Error(fmt::format("count is {}; it must be in 1..{}", count, kMost));
   }
-  std::vector<HouseEntry> entries;
-  entries.reserve(static_cast<std::size_t>(spec.count));
+}
+
+/// The homes of a set without parts.
+std::vector<PlannedHouse> PlanHomes(const HouseSetSpec& spec) {
+  RequireCount(spec.count);
+  std::vector<PlannedHouse> planned;
+  planned.reserve(static_cast<std::size_t>(spec.count));
   for (int i = 0; i < spec.count; ++i) {
-    entries.push_back({fmt::format("house_{:03}.glb", i), SplitOf(i, spec.count),
-                       spec.first_seed + static_cast<std::uint64_t>(i), 0, 0.0});
+    planned.push_back({{fmt::format("house_{:03}.glb", i), SplitOf(i, spec.count),
+                        spec.first_seed + static_cast<std::uint64_t>(i), 0, 0.0},
+                       {}});
   }
-  return entries;
+  return planned;
+}
+
+/// What is to be written, its rooms and area not known yet.
+std::vector<PlannedHouse> Plan(const HouseSetSpec& spec) {
+  if (spec.parts.empty()) return PlanHomes(spec);
+  std::vector<PlannedHouse> planned;
+  std::map<std::string, int> made;
+  for (const SetPart& part : spec.parts) {
+    part.Validate();
+    for (int i = 0; i < part.count; ++i) {
+      const int number = made[part.kind]++;
+      planned.push_back(
+          {{fmt::format("{}_{:03}.glb", part.kind, number),
+            part.split.value_or(SplitOf(i, part.count)),
+            spec.first_seed + static_cast<std::uint64_t>(number), 0, 0.0, part.kind},
+           {static_cast<float>(part.min_area_m2), static_cast<float>(part.max_area_m2)}});
+    }
+  }
+  RequireCount(static_cast<int>(planned.size()));
+  return planned;
 }
 
 /// Those of the planned houses that are not there yet; fills in the others.
-std::vector<HouseEntry*> Unmade(const UnfinishedHouses& left, std::vector<HouseEntry>* planned) {
-  std::vector<HouseEntry*> unmade;
-  for (HouseEntry& house : *planned) {
-    if (!left.Find(&house)) unmade.push_back(&house);
+std::vector<PlannedHouse*> Unmade(const UnfinishedHouses& left,
+                                  std::vector<PlannedHouse>* planned) {
+  std::vector<PlannedHouse*> unmade;
+  for (PlannedHouse& house : *planned) {
+    if (!left.Find(&house.entry)) unmade.push_back(&house);
   }
   return unmade;
+}
+
+std::vector<HouseEntry> Entries(const std::vector<PlannedHouse>& planned) {
+  std::vector<HouseEntry> entries;
+  entries.reserve(planned.size());
+  for (const PlannedHouse& house : planned) entries.push_back(house.entry);
+  return entries;
+}
+
+/// Whether two lists are of the same houses. Homes of a set without parts are told by their seeds.
+bool AreSame(const std::vector<HouseEntry>& a, const std::vector<HouseEntry>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const HouseEntry& p, const HouseEntry& q) {
+                      if (p.seed != q.seed || p.kind != q.kind) return false;
+                      return p.kind.empty() || (p.file == q.file && p.split == q.split);
+                    });
 }
 
 std::string HousesText(const std::vector<HouseEntry>& houses) {
@@ -82,16 +139,23 @@ std::string HousesText(const std::vector<HouseEntry>& houses) {
 
 }  // namespace
 
+void SetPart::Validate() const {
+  RequireCount(count);
+  if (kind != "home") {
+    building::CheckLimits(building::FindKind(kind),
+                          {static_cast<float>(min_area_m2), static_cast<float>(max_area_m2)});
+  } else if (min_area_m2 != 0.0 || max_area_m2 != 0.0) {
+    throw Error("homes are 60 to 200 m2; leave min_area_m2 and max_area_m2 out");
+  }
+}
+
 bool HasHouseSet(const std::filesystem::path& folder, const HouseSetSpec& spec) {
   const std::filesystem::path index = folder / kIndex;
   std::error_code ignored;  // who writes there will say it
   if (!std::filesystem::exists(index, ignored)) return false;
   const std::vector<HouseEntry> old = ReadHouseIndex(index);
-  const std::vector<HouseEntry> planned = Plan(spec);
-  const auto same_seed = [](const HouseEntry& a, const HouseEntry& b) {
-    return a.seed == b.seed;
-  };
-  if (std::equal(old.begin(), old.end(), planned.begin(), planned.end(), same_seed)) return true;
+  const std::vector<HouseEntry> planned = Entries(Plan(spec));
+  if (AreSame(old, planned)) return true;
   throw FileError(
       index, "",
       fmt::format(
@@ -102,26 +166,27 @@ bool HasHouseSet(const std::filesystem::path& folder, const HouseSetSpec& spec) 
 int CountUnmade(const std::filesystem::path& folder, const HouseSetSpec& spec) {
   HasHouseSet(folder, spec);
   const UnfinishedHouses left(folder, spec.made_by, spec.first_seed);
-  std::vector<HouseEntry> planned = Plan(spec);
+  std::vector<PlannedHouse> planned = Plan(spec);
   return static_cast<int>(Unmade(left, &planned).size());
 }
 
 std::vector<HouseEntry> WriteHouseSet(const std::filesystem::path& folder, const HouseSetSpec& spec,
                                       const std::function<void()>& advance) {
-  std::vector<HouseEntry> entries = Plan(spec);
+  std::vector<PlannedHouse> planned = Plan(spec);
   const FolderLock lock(folder);
   HasHouseSet(folder, spec);
   UnfinishedHouses left(folder, spec.made_by, spec.first_seed);
   left.Begin();
-  const std::vector<HouseEntry*> unmade = Unmade(left, &entries);
+  const std::vector<PlannedHouse*> unmade = Unmade(left, &planned);
   WorkerPool pool(spec.workers);
   std::vector<TextureCache> textures(static_cast<std::size_t>(pool.workers()));
   pool.ForEach(static_cast<int>(unmade.size()), [&](int task, int worker) {
-    HouseEntry& entry = *unmade[static_cast<std::size_t>(task)];
-    entry = WriteHouse(folder, entry, &textures[static_cast<std::size_t>(worker)]);
-    left.Add(entry);
+    PlannedHouse& house = *unmade[static_cast<std::size_t>(task)];
+    house.entry = WriteHouse(folder, house, &textures[static_cast<std::size_t>(worker)]);
+    left.Add(house.entry);
     advance();
   });
+  std::vector<HouseEntry> entries = Entries(planned);
   const Json index = {{"first_seed", spec.first_seed}, {"houses", ToJson(entries)}};
   WriteFileAtomically(folder / kIndex, index.dump(1) + "\n");
   left.Finish();

@@ -12,7 +12,6 @@ namespace {
 using Vec = Eigen::Vector3f;
 
 constexpr float kSkyRadiance = 2.6f;
-constexpr float kLampPower = 0.62f;    // of one lamp, whatever its size
 constexpr float kLampReach = 0.6f;     // parts nearer than this belong to one lamp, metres
 constexpr float kLongestPatch = 0.8f;  // windows are cut down to this, metres
 constexpr float kFarthest = 9.0f;      // light from farther away is left out, metres
@@ -30,7 +29,8 @@ Vec LampColor() {
 
 }  // namespace
 
-LightSources::LightSources(const SceneMesh& mesh, std::span<const int> glow_of_triangle) {
+LightSources::LightSources(const SceneMesh& mesh, std::span<const int> glow_of_triangle,
+                           float lamp_power) {
   const auto add_all = [&](Glow glow, const auto& add) {
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
       if (glow_of_triangle[t] != static_cast<int>(glow)) continue;
@@ -48,7 +48,7 @@ LightSources::LightSources(const SceneMesh& mesh, std::span<const int> glow_of_t
   for (std::size_t i = windows_; i < patches_.size(); ++i) {
     // Until here a lamp's centre is summed over its area, which power counts.
     patches_[i].centre /= patches_[i].power.x();
-    patches_[i].power = kLampPower * LampColor();
+    patches_[i].power = lamp_power * LampColor();
   }
 }
 

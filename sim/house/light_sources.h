@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include "sim/house/lighting.h"
 #include "sim/house/mesh_builder.h"
 #include "sim/render/cpu/ray_tracer.h"
 #include "sim/scene/mesh.h"
@@ -21,8 +22,10 @@ struct LightPatch {
 /// The light that windows and lamps throw directly.
 class LightSources {
  public:
-  /// Collects the glowing triangles: windows are cut into patches, a lamp's parts joined into one.
-  LightSources(const SceneMesh& mesh, std::span<const int> glow_of_triangle);
+  /// Collects the glowing triangles: windows are cut into patches, a lamp's parts joined into one,
+  /// of `lamp_power` (radiance times area) whatever its size.
+  LightSources(const SceneMesh& mesh, std::span<const int> glow_of_triangle,
+               float lamp_power = LightSpec{}.lamp_power);
 
   /// Irradiance at a point that faces `normal`, shadows by `scene`.
   Eigen::Vector3f Irradiance(const RayTracer& scene, const Eigen::Vector3f& point,

@@ -24,7 +24,6 @@ constexpr std::size_t kDirections = 32;  // all of them
 constexpr float kLift = 0.004f;          // sample points stand off their surface, metres
 constexpr float kInward = 0.06f;         // and are drawn in towards their triangle's middle
 constexpr float kNearBackFace = 0.12f;   // a back face this near: the point is inside something
-constexpr float kAmbient = 0.16f;        // light that has bounced more than once
 constexpr float kAmbientReach = 1.2f;    // occluders farther than this do not dim it, metres
 constexpr float kBounce = 1.25f;         // makes up for the bounces left out
 constexpr float kExposure = 2.3f;
@@ -82,7 +81,7 @@ class Baker {
   Baker(SceneMesh* mesh, std::span<const Glow> glows, const LightSpec& spec)
       : mesh_(*mesh), spec_(spec) {
     for (const Glow glow : glows) glow_.push_back(static_cast<int>(glow));
-    sources_.emplace(mesh_, glow_);
+    sources_.emplace(mesh_, glow_, spec.lamp_power);
   }
 
   void Bake() {
@@ -168,7 +167,7 @@ class Baker {
     if (!is_new) return known->second;
     const Vec point = p + kLift * n;
     const Vec direct = sources_->Irradiance(*coarse_, point, n);
-    known->second = Display(direct.mean() + kAmbient * Openness(*coarse_, point, n));
+    known->second = Display(direct.mean() + spec_.ambient * Openness(*coarse_, point, n));
     return known->second;
   }
 
@@ -245,11 +244,11 @@ class Baker {
       Vec e = Vec::Zero();
       for (const std::uint32_t v : mesh_.triangles[triangle]) e += direct[v] / 3.0f;
       bounced +=
-          albedo[mesh_.triangle_materials[triangle]].cwiseProduct(e + Vec::Constant(kAmbient));
+          albedo[mesh_.triangle_materials[triangle]].cwiseProduct(e + Vec::Constant(spec_.ambient));
     });
     constexpr float kCount = 16.0f * kPackets;
     if (inside > 16 * kPackets / 3) return std::nullopt;
-    return Vec(kBounce * bounced / kCount + Vec::Constant(kAmbient * open / kCount));
+    return Vec(kBounce * bounced / kCount + Vec::Constant(spec_.ambient * open / kCount));
   }
 
   static float Display(float light) {
@@ -267,7 +266,7 @@ class Baker {
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
       const bool glows = glow_[t] != static_cast<int>(Glow::kNone);
       for (const std::uint32_t v : mesh_.triangles[t]) {
-        const Vec e = light[v].value_or(Vec::Constant(kAmbient));
+        const Vec e = light[v].value_or(Vec::Constant(spec_.ambient));
         WriteColor(glows ? Vec::Ones() : Vec(e.unaryExpr(&Baker::Display)), v);
       }
     }

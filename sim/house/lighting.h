@@ -13,6 +13,8 @@ struct LightSpec {
   float change = 0.1f;         // by this share of full light
   int min_triangles = 0;       // below this, edges are halved down to less
   int max_triangles = 60'000;  // above this, no further round of halving
+  float lamp_power = 0.62f;    // of one lamp, whatever its size
+  float ambient = 0.16f;       // light that has bounced more than once
 };
 
 /// Bakes soft light into a house's vertex colours: daylight from the windows (Glow::kSky), lamps

@@ -21,7 +21,7 @@ std::vector<MaterialRecipe> Joined() {
         materials::Posters,     materials::Rugs,      materials::Screens,
         materials::Shelves,     materials::Stones,    materials::Tiles,
         materials::Toys,        materials::Views,     materials::Wallpapers,
-        materials::WoodFloors,  materials::Woods}) {
+        materials::WoodFloors,  materials::Woods,     materials::Fitouts}) {
     const auto recipes = family();
     all.insert(all.end(), recipes.begin(), recipes.end());
   }

@@ -7,41 +7,12 @@
 #include "sim/house/house.h"
 #include "sim/scene/glb_writer.h"
 #include "sim/simulated_body.h"
+#include "tests/support/house_checks.h"
 #include "tests/support/scene_checks.h"
 #include "tests/support/temporary_folder.h"
 
 namespace bulletnav::sim {
 namespace {
-
-constexpr float kCountedFloor = 0.5f;  // metres; tops of beds and tables are no floor of a room
-
-/// Share of the walkable floor, furniture tops left out, that hangs together.
-float ConnectedShare(const Navmesh& navmesh) {
-  const auto& corners = navmesh.triangle_corners();
-  float all = 0.0f;
-  float main = 0.0f;
-  for (std::size_t t = 0; t < navmesh.triangle_islands().size(); ++t) {
-    const Eigen::Vector3f& a = corners[3 * t];
-    if (a.y() > kCountedFloor) continue;
-    const float area = 0.5f * (corners[3 * t + 1] - a).cross(corners[3 * t + 2] - a).norm();
-    all += area;
-    if (navmesh.triangle_islands()[t] == 0) main += area;
-  }
-  return main / all;
-}
-
-bool IsReachable(const Room& room, const NavmeshQuery& query) {
-  Eigen::AlignedBox2f box;
-  for (const PlanPoint& p : room.outline) box.extend(p);
-  for (float x = box.min().x(); x < box.max().x(); x += 0.1f) {
-    for (float z = box.min().y(); z < box.max().y(); z += 0.1f) {
-      if (!IsInside(room.outline, {x, z})) continue;
-      const auto island = query.IslandOf({x, 0.0f, z});
-      if (island && *island == 0) return true;
-    }
-  }
-  return false;
-}
 
 class GeneratedHouseTest : public testing::TestWithParam<int> {};
 
@@ -61,9 +32,10 @@ TEST_P(GeneratedHouseTest, IsAHomeThatCanBeWalkedThroughAndSeen) {
   const ImportedScene scene = ImportScene(file);
   EXPECT_TRUE(scene.report.textures_missing.empty());
   const auto world = std::make_shared<const World>("house", scene, WorldOptions{});
-  EXPECT_GT(ConnectedShare(world->navmesh()), 0.95f);
+  EXPECT_GT(tests::ConnectedShare(world->navmesh()), 0.95f);
   const NavmeshQuery query(world->navmesh());
-  for (const Room& room : house.plan.rooms) EXPECT_TRUE(IsReachable(room, query)) << room.name;
+  for (const Room& room : house.plan.rooms)
+    EXPECT_TRUE(tests::IsReachable(room, query)) << room.name;
 
   tests::CheckWalk(world, {});
   tests::CheckDepthAgainstPhysics(*world, 2);

@@ -13,10 +13,12 @@ std::span<const FurnitureKind> Beds();
 std::span<const FurnitureKind> Cabinets();
 std::span<const FurnitureKind> CeilingLamps();
 std::span<const FurnitureKind> Chairs();
+std::span<const FurnitureKind> Fixtures();
 std::span<const FurnitureKind> FloorClutter();
 std::span<const FurnitureKind> Hall();
 std::span<const FurnitureKind> Hobbies();
 std::span<const FurnitureKind> HomeClutter();
+std::span<const FurnitureKind> Industry();
 std::span<const FurnitureKind> Kids();
 std::span<const FurnitureKind> KitchenAppliances();
 std::span<const FurnitureKind> KitchenClutter();
@@ -33,5 +35,6 @@ std::span<const FurnitureKind> Tables();
 std::span<const FurnitureKind> Toys();
 std::span<const FurnitureKind> WallArt();
 std::span<const FurnitureKind> Windows();
+std::span<const FurnitureKind> Workplaces();
 
 }  // namespace bulletnav::sim::furniture

@@ -11,6 +11,7 @@ std::span<const MaterialRecipe> BookShelves();
 std::span<const MaterialRecipe> Brickwork();
 std::span<const MaterialRecipe> Carpets();
 std::span<const MaterialRecipe> Fabrics();
+std::span<const MaterialRecipe> Fitouts();
 std::span<const MaterialRecipe> Maps();
 std::span<const MaterialRecipe> Metals();
 std::span<const MaterialRecipe> Toys();

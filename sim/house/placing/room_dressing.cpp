@@ -83,7 +83,7 @@ bool RoomFurnisher::Hang(const Draft& draft, const Eigen::Affine3f& pose) {
   if (box.min().y() < 1.7f && draft.bounds.sizes().z() > 0.1f) {
     if (space_.MeetsDoorway(FootOf(box)) || !space_.LeavesWayPast(box)) return false;
   }
-  Placed placed{draft.kind, pose, draft.bounds.sizes(), box, {}};
+  Placed placed{draft.kind, pose, draft.bounds.sizes(), box, {}, draft.bounds};
   const MeshBuilder::Frame frame(builder_, pose);
   builder_->Append(draft.piece.mesh);
   space_.Add(box, std::nullopt);
@@ -195,6 +195,17 @@ void RoomFurnisher::Light(std::string_view kind, const Placed* over) {
     builder_->Append(draft.piece.mesh);
     space_.Add(box, std::nullopt);
   }
+}
+
+bool RoomFurnisher::HangAt(std::string_view kind, const PlanPoint& at, float turn) {
+  const Draft draft = Build(kind);
+  const Eigen::Affine3f pose = Moved(at.x(), space_.ceiling(), at.y(), turn);
+  const Box box = Transformed(draft.bounds, pose);
+  if (!space_.Contains(FootOf(box)) || !space_.IsFree(box)) return false;
+  const MeshBuilder::Frame frame(builder_, pose);
+  builder_->Append(draft.piece.mesh);
+  space_.Add(box, std::nullopt);
+  return true;
 }
 
 void RoomFurnisher::HangInCorner(std::string_view kind) {

@@ -17,6 +17,7 @@ constexpr float kWallGap = 0.02f;  // leaves room for baseboards
 constexpr float kStep = 0.1f;      // between places tried along a wall
 constexpr float kSeatOut = 0.08f;  // from a table's edge to the middle of the seat
 constexpr float kTurn = std::numbers::pi_v<float>;
+constexpr std::uint64_t kAlike = 1'000'000;  // no room has that many pieces
 
 /// Whole steps in a length; negative if there is no room at all.
 int StepsWithin(float length) {
@@ -47,7 +48,8 @@ double Facing(const Eigen::Affine3f& pose, const Box& box, const Placed& other) 
 RoomFurnisher::Draft RoomFurnisher::Build(std::string_view kind, const PieceRequest& request) {
   Draft draft;
   draft.kind = &FindFurniture(kind);
-  draft.piece = BuildPiece(*draft.kind, rng_.Fork(kind, built_++), style_.palette, request);
+  const std::uint64_t number = alike_ ? kAlike : built_++;
+  draft.piece = BuildPiece(*draft.kind, rng_.Fork(kind, number), style_.palette, request);
   draft.bounds = draft.piece.mesh.Bounds();
   return draft;
 }
@@ -88,8 +90,9 @@ bool RoomFurnisher::Fits(const Draft& draft, const Eigen::Affine3f& pose,
 
 const Placed* RoomFurnisher::Place(const Draft& draft, const Eigen::Affine3f& pose,
                                    bool keeps_clearance) {
-  Placed placed{draft.kind, pose, draft.bounds.sizes(), Transformed(draft.bounds, pose),
-                draft.piece.tops};
+  Placed placed{draft.kind,           pose,
+                draft.bounds.sizes(), Transformed(draft.bounds, pose),
+                draft.piece.tops,     draft.bounds};
   const MeshBuilder::Frame frame(builder_, pose);
   builder_->Append(draft.piece.mesh);
   const auto clearance = keeps_clearance ? ClearanceOf(draft, pose) : std::nullopt;
@@ -255,6 +258,15 @@ const Placed* RoomFurnisher::InTheOpen(std::string_view kind, const Wish& wish) 
   return PlaceBest(draft, std::move(candidates));
 }
 
+const Placed* RoomFurnisher::AtPlace(std::string_view kind, const PlanPoint& at, float turn,
+                                     const Wish& wish) {
+  const Draft draft = Build(kind, {wish.width, wish.height});
+  const Eigen::Affine3f pose = Moved(at.x(), 0.0f, at.y(), turn);
+  if (!Fits(draft, pose, {.minds_clearance = false, .keeps_clearance = false})) return nullptr;
+  if (!space_.LeavesWayPast(Transformed(draft.bounds, pose))) return nullptr;
+  return Place(draft, pose, false);
+}
+
 const Placed* RoomFurnisher::At(const Placed& other, std::string_view kind, const Offset& offset,
                                 const Wish& wish) {
   const Draft draft = Build(kind, {wish.width, wish.height});
@@ -266,8 +278,9 @@ const Placed* RoomFurnisher::At(const Placed& other, std::string_view kind, cons
 
 const Placed* RoomFurnisher::Beside(const Placed& other, std::string_view kind, bool left,
                                     float gap) {
+  const std::uint64_t same = built_;
   const Draft probe = Build(kind);
-  --built_;
+  built_ = same;
   const float by = 0.5f * (other.size.x() + probe.bounds.sizes().x()) + gap;
   const bool is_centred = probe.kind->placement == Placement::kFree;
   const float z = is_centred ? 0.5f * probe.bounds.sizes().z() : 0.0f;
@@ -276,8 +289,9 @@ const Placed* RoomFurnisher::Beside(const Placed& other, std::string_view kind, 
 
 const Placed* RoomFurnisher::Before(const Placed& other, std::string_view kind, float gap,
                                     bool turned) {
+  const std::uint64_t same = built_;
   const Draft probe = Build(kind);
-  --built_;
+  built_ = same;
   const float depth = probe.bounds.sizes().z();
   const bool is_centred = probe.kind->placement == Placement::kFree;
   const bool other_is_centred = other.kind->placement == Placement::kFree;

@@ -16,6 +16,7 @@ struct Placed {
   Eigen::Vector3f size = Eigen::Vector3f::Zero();      // along the piece's own axes
   Box box;                                             // in the world
   std::vector<TopSurface> tops;
+  Box bounds;  // in the piece's frame
 };
 
 enum class Anchor { kAnywhere, kCentre, kEnd };  // along a wall
@@ -56,6 +57,10 @@ class RoomFurnisher {
   const Placed* InCorner(std::string_view kind);
   /// In the open, parallel to the walls; as near as possible to `wish.near` or the room's middle.
   const Placed* InTheOpen(std::string_view kind, const Wish& wish = {});
+  /// In the open with its frame's origin at one place, turned about y by radians; what it should
+  /// keep free in front of it is up to who places it.
+  const Placed* AtPlace(std::string_view kind, const PlanPoint& at, float turn,
+                        const Wish& wish = {});
   /// Near a wall, with its back to it, though it is a piece that can stand free.
   const Placed* NearWall(std::string_view kind, const Wish& wish = {});
   /// Relative to another piece; pieces that belong together may use each other's free floor.
@@ -82,11 +87,17 @@ class RoomFurnisher {
   void Radiators();
   /// Hung from the ceiling in the middle of the room, or of `over`; repeated along long rooms.
   void Light(std::string_view kind, const Placed* over = nullptr);
+  /// Hung from the ceiling at one place.
+  bool HangAt(std::string_view kind, const PlanPoint& at, float turn);
   /// Hung from the ceiling in some corner.
   void HangInCorner(std::string_view kind);
 
+  /// From now on pieces of a kind and width are all alike, or each is drawn anew again.
+  void SetAlike(bool alike) { alike_ = alike; }
+
   /// Of everything placed, in order.
   std::vector<std::string_view> kinds() const;
+  const std::deque<Placed>& placed() const { return placed_; }
   Rng& rng() { return rng_; }
   bool Chance(double p) { return rng_.Chance(p); }
   std::string_view Pick(std::span<const std::string_view> names) { return rng_.Pick(names); }
@@ -133,6 +144,7 @@ class RoomFurnisher {
   std::vector<Rect> rugs_;
   std::vector<std::pair<const Placed*, Rect>> on_tops_;  // in that piece's frame
   std::uint64_t built_ = 0;
+  bool alike_ = false;
 };
 
 }  // namespace bulletnav::sim::placing

@@ -17,7 +17,6 @@ constexpr float kApproach = 0.45f;      // metres kept free on both sides of eve
 constexpr float kLeafGap = 0.06f;       // between leaves
 constexpr float kLeafWallGap = 0.05f;
 constexpr float kNarrowestArch = 1.0f;
-constexpr float kWidestArch = 2.4f;
 
 float Rad(double deg) {
   return static_cast<float>(DegToRad(deg));
@@ -116,7 +115,7 @@ class DoorPlacer {
     if (stretch.length() < kNarrowestArch) return;
     const bool to_hall = IsCirculation(draft().type(link.a)) || IsCirculation(draft().type(link.b));
     const double share = rng_->Uniform(0.45, 0.85);
-    const float most = to_hall ? 1.6f : kWidestArch;
+    const float most = to_hall ? style_.widest_hall_arch : style_.widest_arch;
     const float width =
         std::clamp(static_cast<float>(share) * stretch.length(), kNarrowestArch, most);
     const float slack = stretch.length() - width;

@@ -13,6 +13,8 @@ namespace bulletnav::sim::plan {
 struct DoorStyle {
   float arch_top = 2.2f;
   float door_top = 2.05f;
+  float widest_arch = 2.4f;
+  float widest_hall_arch = 1.6f;  // into corridors and other halls
 };
 
 /// Where along a wall an opening may lie: a border with its hole, draft centimetres as metres.

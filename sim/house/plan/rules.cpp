@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sim/house/plan/rules.h"
 
+#include <algorithm>
 #include <array>
 
 #include "sim/base/check.h"
@@ -27,13 +28,18 @@ constexpr std::array kRules = {
 }  // namespace
 
 const RoomRule& RuleOf(RoomType type) {
+  BULLETNAV_CHECK_LT(static_cast<std::size_t>(type), kRules.size());
   const auto& rule = kRules[static_cast<std::size_t>(type)];
   BULLETNAV_CHECK(rule.type == type);
   return rule;
 }
 
 bool IsCirculation(RoomType type) {
-  return type == RoomType::kCorridor || type == RoomType::kEntry;
+  using enum RoomType;
+  static constexpr std::array kThrough = {kCorridor,    kEntry,     kLobby,
+                                          kOpenOffice,  kReception, kShopFloor,
+                                          kWaitingRoom, kWarehouse, kWorkshop};
+  return std::find(kThrough.begin(), kThrough.end(), type) != kThrough.end();
 }
 
 bool IsSleeping(RoomType type) {
@@ -52,7 +58,8 @@ bool IsPublic(RoomType type) {
 
 bool IsSmall(RoomType type) {
   return type == RoomType::kBathroom || type == RoomType::kToilet || type == RoomType::kLaundry ||
-         type == RoomType::kStorage;
+         type == RoomType::kStorage || type == RoomType::kRestroom ||
+         type == RoomType::kFittingRoom || type == RoomType::kTechnicalRoom;
 }
 
 }  // namespace bulletnav::sim::plan

@@ -18,13 +18,14 @@ struct RoomRule {
   float min_window_wall = 0.0f;  // clear length of outside wall it needs; 0: may be dark
 };
 
+/// Expects: a room of homes (checked).
 const RoomRule& RuleOf(RoomType type);
 
 /// Clear width of corridors, metres.
 inline constexpr float kMinCorridor = 1.1f;
 inline constexpr float kMaxCorridor = 1.8f;
 
-/// Corridors and entries.
+/// Corridors, entries, and the halls of larger buildings.
 bool IsCirculation(RoomType type);
 /// Bedrooms and kids' rooms.
 bool IsSleeping(RoomType type);

@@ -63,6 +63,27 @@ class Decorator {
       case RoomType::kToilet:
       case RoomType::kLaundry:
         return rng_->Pick(book_.bath_floors);
+      case RoomType::kOpenOffice:
+      case RoomType::kOffice:
+      case RoomType::kMeetingRoom:
+      case RoomType::kReception:
+      case RoomType::kBreakRoom:
+      case RoomType::kRestroom:
+      case RoomType::kStockRoom:
+      case RoomType::kTechnicalRoom:
+      case RoomType::kWard:
+      case RoomType::kExamRoom:
+      case RoomType::kWaitingRoom:
+      case RoomType::kShopFloor:
+      case RoomType::kFittingRoom:
+      case RoomType::kClassroom:
+      case RoomType::kLaboratory:
+      case RoomType::kCanteen:
+      case RoomType::kHotelRoom:
+      case RoomType::kLobby:
+      case RoomType::kWorkshop:
+      case RoomType::kWarehouse:
+        break;
     }
     return theme_.main_floor;
   }
@@ -120,6 +141,27 @@ class Decorator {
         break;
       case RoomType::kStorage:
         if (rng_->Chance(0.4)) walls.upper = Colored(0.3, 0.6);
+        break;
+      case RoomType::kOpenOffice:
+      case RoomType::kOffice:
+      case RoomType::kMeetingRoom:
+      case RoomType::kReception:
+      case RoomType::kBreakRoom:
+      case RoomType::kRestroom:
+      case RoomType::kStockRoom:
+      case RoomType::kTechnicalRoom:
+      case RoomType::kWard:
+      case RoomType::kExamRoom:
+      case RoomType::kWaitingRoom:
+      case RoomType::kShopFloor:
+      case RoomType::kFittingRoom:
+      case RoomType::kClassroom:
+      case RoomType::kLaboratory:
+      case RoomType::kCanteen:
+      case RoomType::kHotelRoom:
+      case RoomType::kLobby:
+      case RoomType::kWorkshop:
+      case RoomType::kWarehouse:
         break;
     }
   }

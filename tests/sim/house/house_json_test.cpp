@@ -234,6 +234,25 @@ INSTANTIATE_TEST_SUITE_P(
       return test.param.name;
     });
 
+TEST(HouseJson, ReadsBackKindAndFurniture) {
+  HouseDescription house = Sample();
+  house.kind = "office";
+  house.furniture = {{"office_chair", 1, {-0.3f, 0, -0.3f}, {0.3f, 1, 0.25f}, {1, 0, -2}, 0.5f}};
+  const HouseDescription back = ReadBack(ToJson(house));
+  EXPECT_EQ(back.kind, "office");
+  ASSERT_EQ(back.furniture.size(), 1U);
+  EXPECT_EQ(back.furniture[0].kind, "office_chair");
+  EXPECT_EQ(back.furniture[0].room, 1);
+  EXPECT_EQ(back.furniture[0].low, house.furniture[0].low);
+  EXPECT_EQ(back.furniture[0].high, house.furniture[0].high);
+  EXPECT_EQ(back.furniture[0].position, house.furniture[0].position);
+  EXPECT_EQ(back.furniture[0].yaw, house.furniture[0].yaw);
+
+  json text = json::parse(ToJson(house));
+  text["furniture"][0]["room"] = 99;
+  EXPECT_THAT(ComplaintOf(text.dump()), HasSubstr("furniture[0].room:"));
+}
+
 TEST(HouseJson, RefusesARoomNameTwice) {
   json house = json::parse(ToJson(Sample()));
   house["rooms"][1]["name"] = house["rooms"][0]["name"];

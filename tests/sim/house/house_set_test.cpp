@@ -6,6 +6,7 @@
 #include "sim/base/error.h"
 #include "sim/base/files.h"
 #include "sim/base/folder_lock.h"
+#include "sim/house/house_json.h"
 #include "tests/support/temporary_folder.h"
 
 namespace bulletnav::sim {
@@ -79,6 +80,38 @@ TEST_F(HouseSetTest, CountsOutOfRangeAreRefused) {
   EXPECT_THROW(WriteHouseSet(folder_.path(), {.count = 0}, [] {}), Error);
   WriteIndex();
   EXPECT_THAT(Complaint({.count = 10000}), HasSubstr("it must be in 1..9999"));
+}
+
+TEST_F(HouseSetTest, PartsAreWrittenWithTheirKindsSplitsAndFurniture) {
+  const SetPart small{.kind = "warehouse",
+                      .split = Split::kVal,
+                      .count = 1,
+                      .min_area_m2 = 120,
+                      .max_area_m2 = 150};
+  const SetPart home{.kind = "home", .split = Split::kTest, .count = 1};
+  const HouseSetSpec spec{.first_seed = 4, .parts = {small, home}, .workers = 1};
+  WriteHouseSet(folder_.path(), spec, [] {});
+  EXPECT_TRUE(HasHouseSet(folder_.path(), spec));
+  const auto entries = ReadHouseIndex(folder_.path() / "index.json");
+  ASSERT_EQ(entries.size(), 2U);
+  EXPECT_EQ(entries[0].file, "warehouse_000.glb");
+  EXPECT_EQ(entries[0].kind, "warehouse");
+  EXPECT_EQ(entries[0].split, Split::kVal);
+  EXPECT_LE(entries[0].area_m2, 150.0);
+  EXPECT_EQ(entries[1].file, "home_000.glb");
+  EXPECT_EQ(entries[1].split, Split::kTest);
+  EXPECT_FALSE(ReadHouseJson(folder_.path() / "warehouse_000.json").furniture.empty());
+
+  HouseSetSpec other = spec;
+  other.parts[0].split = Split::kTrain;
+  EXPECT_THROW(HasHouseSet(folder_.path(), other), FileError);
+}
+
+TEST(SetPartTest, SaysWhatCannotBeMade) {
+  EXPECT_THROW(SetPart{.kind = "ofice"}.Validate(), Error);
+  EXPECT_THROW((SetPart{.kind = "office", .count = 0}).Validate(), Error);
+  EXPECT_THROW((SetPart{.kind = "office", .min_area_m2 = 5000}).Validate(), Error);
+  EXPECT_THROW((SetPart{.kind = "home", .max_area_m2 = 150}).Validate(), Error);
 }
 
 }  // namespace
