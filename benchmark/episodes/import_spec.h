@@ -20,14 +20,18 @@ struct ImportSpec {
   std::optional<sim::UpAxis> up;  // found from the mesh if not given
   double scale = 1.0;
   bool ground_plane = false;
+  std::optional<sim::Finish> finish;
 
-  sim::ImportOptions options() const { return {up, scale, ground_plane}; }
+  sim::ImportOptions options() const {
+    return {up, scale, ground_plane, finish.value_or(sim::Finish{})};
+  }
 
   template <class V>
   void Visit(V& v) {
     v("up", up);
     v("scale", scale);
     v("ground_plane", ground_plane);
+    v("finish", finish);
   }
   void Validate() const {
     if (!(scale > 0.0)) throw sim::Error("scale must be positive");

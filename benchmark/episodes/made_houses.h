@@ -6,23 +6,29 @@
 #include <string>
 #include <vector>
 
+#include "sim/config/yaml_reader.h"
+#include "sim/house/house_set.h"
+
 namespace bulletnav::bench {
 
 /// Begins to tell about `total` pieces of work; what it returns is called after each, from any
 /// thread.
 using StartProgress = std::function<std::function<void()>(const std::string& what, int total)>;
 
-/// Houses that are generated if the folder has none yet; see sim::HouseSetSpec.
+/// Houses, or buildings of several kinds, that are generated if the folder has none yet; see
+/// sim::HouseSetSpec.
 struct HousesSpec {
   std::string folder;
   int count = 86;
   std::uint64_t first_seed = 0;
+  std::vector<sim::SetPart> parts = {};  // instead of `count` homes
 
   template <class V>
   void Visit(V& v) {
     v.Required("folder", folder);
     v("count", count);
     v("first_seed", first_seed);
+    v("parts", parts);
   }
   void Validate() const;
 };

@@ -39,6 +39,7 @@ ImportedScene ImportScene(const std::filesystem::path& file, const ImportOptions
   if (!(options.scale > 0.0 && std::isfinite(options.scale))) {
     throw Error("the scale of a scene must be positive: metres per unit of the file");
   }
+  options.finish.Validate();
   // assimp crashes and hangs on some damaged files, and a library must not take its user with it.
   const EndedProgram reader(ImportProgram(), ToArguments(file, options));
   const std::span<const std::uint8_t> output = reader.output();
@@ -46,7 +47,11 @@ ImportedScene ImportScene(const std::filesystem::path& file, const ImportOptions
   const std::span<const std::uint8_t> content = output.first(output.size() - 1);
   switch (static_cast<ImportEnd>(output.back())) {
     case ImportEnd::kScene:
-      if (!reader.signal()) return FromBlob(content);
+      if (!reader.signal()) {
+        ImportedScene scene = FromBlob(content);
+        ApplyFinish(options.finish, &scene.mesh);
+        return scene;
+      }
       break;
     case ImportEnd::kError:
       FailAsTold(file, std::string(content.begin(), content.end()));

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/scene/finish.h"
 #include "sim/scene/mesh.h"
 
 namespace bulletnav::sim {
@@ -18,6 +19,8 @@ struct ImportOptions {
   double scale = 1.0;
   /// Adds a floor at the lowest point of the mesh, for scenes that have none.
   bool ground_plane = false;
+  /// How the scene looks, when it has been read.
+  Finish finish = {};
 };
 
 /// What an import found and what it had to leave out.

@@ -80,6 +80,7 @@ std::uint64_t LabelsKey(const DataConfig& config) {
   relevant.scenes.clear();
   relevant.houses.reset();
   relevant.more_houses.reset();
+  relevant.looks.reset();  // labels are of the scene, not of its look
   relevant.cache.clear();
   return sim::Hash64(sim::ToYaml(relevant));
 }

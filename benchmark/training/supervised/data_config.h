@@ -10,6 +10,7 @@
 
 #include "benchmark/episodes/import_spec.h"
 #include "benchmark/episodes/made_houses.h"
+#include "benchmark/training/supervised/looks.h"
 #include "sim/navmesh/navmesh.h"
 #include "sim/physics/body_spec.h"
 #include "sim/render/projection.h"
@@ -54,6 +55,7 @@ struct DataConfig {
   std::optional<DataHouses> houses;       // in addition
   std::optional<HousesSpec> more_houses;  // in addition, all of them; made if they are not there
   ImportSpec import;                      // of all scenes
+  std::optional<LooksSpec> looks;         // of all scenes; absent: as their files say
   int points = 300;                       // a scene; all ordered pairs of them are labelled
   std::uint64_t seed = 0;
   HiddenFloor hidden = HiddenFloor::kFree;
@@ -71,6 +73,7 @@ struct DataConfig {
     v("houses", houses);
     v("more_houses", more_houses);
     v("import", import);
+    v("looks", looks);
     v("points", points);
     v("seed", seed);
     v("hidden", hidden);

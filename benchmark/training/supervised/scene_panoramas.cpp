@@ -10,7 +10,11 @@ namespace bulletnav::bench {
 
 std::unique_ptr<const sim::RenderScene> LoadForPanoramas(const std::filesystem::path& scene,
                                                          const DataConfig& config) {
-  const sim::ImportedScene imported = sim::ImportScene(scene, config.import.options());
+  sim::ImportedScene imported = sim::ImportScene(scene, config.import.options());
+  if (config.looks) {
+    sim::ApplyFinish(DrawLook(*config.looks, config.seed, scene.filename().string()),
+                     &imported.mesh);
+  }
   return sim::MakeRenderScene(imported.mesh, sim::Backend::kEmbree);
 }
 

@@ -11,8 +11,9 @@
 
 namespace bulletnav::bench {
 
-/// What draws a config's panoramas of a scene, ready to be shared by threads. Always Embree: the
-/// same pictures on every machine. Throws sim::FileError if the file is no scene.
+/// What draws a config's panoramas of a scene, in the look that it has there, ready to be shared by
+/// threads. Always Embree: the same pictures on every machine. Throws sim::FileError if the file is
+/// no scene.
 std::unique_ptr<const sim::RenderScene> LoadForPanoramas(const std::filesystem::path& scene,
                                                          const DataConfig& config);
 

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+#include "sim/scene/finish.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <span>
+
+#include "sim/base/error.h"
+
+namespace bulletnav::sim {
+namespace {
+
+constexpr float kLevel = 0.9f;        // vertical part of a level face's normal, at least
+constexpr float kOverhead = 2.0f;     // metres above the floor
+constexpr float kOnTheFloor = 0.15f;  // metres
+constexpr float kFloorStep = 0.1f;    // metres that heights are counted in
+constexpr double kMiddleGrey = 127.5;
+constexpr double kLightest = 255.0;
+constexpr int kMostShrunk = 1024;
+// Parts of red, green and blue in grey (Rec. 709).
+constexpr std::array<double, 3> kGreyParts = {0.2126, 0.7152, 0.0722};
+
+using Color = std::array<double, 3>;
+
+/// Twice the area times the unit normal.
+Eigen::Vector3f NormalOf(const SceneMesh& mesh, std::size_t triangle) {
+  const auto& corners = mesh.triangles[triangle];
+  const Eigen::Vector3f& a = mesh.positions[corners[0]];
+  return (mesh.positions[corners[1]] - a).cross(mesh.positions[corners[2]] - a);
+}
+
+bool IsLevel(const SceneMesh& mesh, std::size_t triangle) {
+  const Eigen::Vector3f normal = NormalOf(mesh, triangle);
+  return std::abs(normal.y()) >= kLevel * normal.norm();
+}
+
+float LowestOf(const SceneMesh& mesh, std::size_t triangle) {
+  const auto& corners = mesh.triangles[triangle];
+  return std::min({mesh.positions[corners[0]].y(), mesh.positions[corners[1]].y(),
+                   mesh.positions[corners[2]].y()});
+}
+
+std::uint8_t ToByte(double value) {
+  return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, kLightest)));
+}
+
+Rgb8 ToRgb8(const Color& color) {
+  return {ToByte(color[0]), ToByte(color[1]), ToByte(color[2])};
+}
+
+double GreyOf(const Color& color) {
+  return kGreyParts[0] * color[0] + kGreyParts[1] * color[1] + kGreyParts[2] * color[2];
+}
+
+Color MeanOf(const Image& image) {
+  std::array<std::uint64_t, 3> sums{};
+  for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
+    for (std::size_t c = 0; c < 3; ++c) sums[c] += image.pixels[i + c];
+  }
+  const auto count = static_cast<double>(std::max<std::size_t>(1, image.pixels.size() / 4));
+  return {static_cast<double>(sums[0]) / count, static_cast<double>(sums[1]) / count,
+          static_cast<double>(sums[2]) / count};
+}
+
+/// What is seen of a material on the whole, without its vertices' colours.
+Color MeanOf(const SceneMesh& mesh, const Material& material) {
+  Color color{};
+  const Color mean = material.texture < 0
+                         ? Color{kLightest, kLightest, kLightest}
+                         : MeanOf(mesh.textures[static_cast<std::size_t>(material.texture)].image);
+  for (std::size_t c = 0; c < 3; ++c) color[c] = mean[c] * material.base_color[c] / kLightest;
+  return color;
+}
+
+void RemoveCeiling(SceneMesh* mesh) {
+  const float overhead = FloorHeight(*mesh) + kOverhead;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<std::uint32_t> materials;
+  for (std::size_t t = 0; t < mesh->triangles.size(); ++t) {
+    if (LowestOf(*mesh, t) >= overhead && IsLevel(*mesh, t)) continue;
+    triangles.push_back(mesh->triangles[t]);
+    materials.push_back(mesh->triangle_materials[t]);
+  }
+  if (triangles.empty()) return;
+  mesh->triangles = std::move(triangles);
+  mesh->triangle_materials = std::move(materials);
+}
+
+void BlankFloor(SceneMesh* mesh) {
+  const float floor = FloorHeight(*mesh);
+  std::map<std::uint32_t, std::uint32_t> blanks;  // by material
+  for (std::size_t t = 0; t < mesh->triangles.size(); ++t) {
+    if (std::abs(LowestOf(*mesh, t) - floor) > kOnTheFloor || !IsLevel(*mesh, t)) continue;
+    std::uint32_t& material = mesh->triangle_materials[t];
+    const auto [found, is_new] =
+        blanks.try_emplace(material, static_cast<std::uint32_t>(mesh->materials.size()));
+    if (is_new) {
+      const double grey = GreyOf(MeanOf(*mesh, mesh->materials[material]));
+      mesh->materials.push_back({"blank floor", ToRgb8({grey, grey, grey}), -1});
+    }
+    material = found->second;
+  }
+}
+
+void Recolor(Surfaces surfaces, SceneMesh* mesh) {
+  if (surfaces == Surfaces::kOriginal) return;
+  for (Material& material : mesh->materials) {
+    material.base_color =
+        surfaces == Surfaces::kFlat ? ToRgb8(MeanOf(*mesh, material)) : Rgb8{kWhite};
+    material.texture = -1;
+  }
+  mesh->textures.clear();
+}
+
+/// Means of blocks of `shrink` x `shrink` pixels.
+Image Shrunk(const Image& image, int shrink) {
+  Image small(std::max(1, image.width / shrink), std::max(1, image.height / shrink), 4);
+  for (int y = 0; y < small.height; ++y) {
+    for (int x = 0; x < small.width; ++x) {
+      const int x1 = x + 1 == small.width ? image.width : (x + 1) * shrink;
+      const int y1 = y + 1 == small.height ? image.height : (y + 1) * shrink;
+      std::array<std::int64_t, 4> sums{};
+      for (int v = y * shrink; v < y1; ++v) {
+        for (int u = x * shrink; u < x1; ++u) {
+          for (std::size_t c = 0; c < 4; ++c) sums[c] += image.at(u, v)[c];
+        }
+      }
+      const std::int64_t count = std::int64_t{x1 - x * shrink} * (y1 - y * shrink);
+      for (std::size_t c = 0; c < 4; ++c) {
+        small.at(x, y)[c] = static_cast<std::uint8_t>((sums[c] + count / 2) / count);
+      }
+    }
+  }
+  return small;
+}
+
+/// What exposure, contrast, saturation and tint make of a colour.
+Rgb8 Developed(const Finish& finish, const std::uint8_t* rgb) {
+  Color color{};
+  for (std::size_t c = 0; c < 3; ++c) color[c] = rgb[c] * finish.exposure * finish.tint[c];
+  const double grey = GreyOf(color);
+  for (double& value : color) {
+    value = grey + (value - grey) * finish.saturation;
+    value = (value - kMiddleGrey) * finish.contrast + kMiddleGrey;
+  }
+  return ToRgb8(color);
+}
+
+/// A material's own colour where it has no texture, else the texture's: not both.
+void Develop(const Finish& finish, SceneMesh* mesh) {
+  const Finish none;
+  if (finish.exposure == none.exposure && finish.contrast == none.contrast &&
+      finish.saturation == none.saturation && finish.tint == none.tint) {
+    return;
+  }
+  for (Material& material : mesh->materials) {
+    if (material.texture < 0) material.base_color = Developed(finish, material.base_color.data());
+  }
+  for (Texture& texture : mesh->textures) {
+    std::vector<std::uint8_t>& pixels = texture.image.pixels;
+    for (std::size_t i = 0; i < pixels.size(); i += 4) {
+      const Rgb8 color = Developed(finish, &pixels[i]);
+      std::copy(color.begin(), color.end(), &pixels[i]);
+    }
+  }
+}
+
+}  // namespace
+
+void Finish::Validate() const {
+  if (texture_shrink < 1 || texture_shrink > kMostShrunk) {
+    throw Error("texture_shrink must lie between 1 and 1024");
+  }
+  const auto is_factor = [](double value) {
+    constexpr double kMost = 10.0;
+    return value >= 0.0 && value <= kMost;
+  };
+  if (!is_factor(exposure) || !is_factor(contrast) || !is_factor(saturation) ||
+      !std::all_of(tint.begin(), tint.end(), is_factor)) {
+    throw Error("exposure, contrast, saturation and tint must lie between 0 and 10");
+  }
+}
+
+float FloorHeight(const SceneMesh& mesh) {
+  std::map<int, double> areas;  // by height in steps
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Eigen::Vector3f normal = NormalOf(mesh, t);
+    if (normal.y() <= kLevel * normal.norm()) continue;
+    areas[static_cast<int>(std::floor(LowestOf(mesh, t) / kFloorStep))] += double{normal.y()};
+  }
+  if (areas.empty()) return mesh.Bounds().min().y();
+  const auto most = std::max_element(areas.begin(), areas.end(), [](const auto& a, const auto& b) {
+    return a.second < b.second;
+  });
+  return (static_cast<float>(most->first) + 0.5f) * kFloorStep;
+}
+
+void ApplyFinish(const Finish& finish, SceneMesh* mesh) {
+  finish.Validate();
+  if (finish == Finish{}) return;
+  if (!finish.ceiling) RemoveCeiling(mesh);
+  if (finish.blank_floor) BlankFloor(mesh);
+  Recolor(finish.surfaces, mesh);
+  if (!finish.baked_light) std::fill(mesh->colors.begin(), mesh->colors.end(), kWhite);
+  if (finish.texture_shrink > 1) {
+    for (Texture& texture : mesh->textures) {
+      texture.image = Shrunk(texture.image, finish.texture_shrink);
+    }
+  }
+  Develop(finish, mesh);
+}
+
+}  // namespace bulletnav::sim

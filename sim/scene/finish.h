@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <array>
+#include <utility>
+
+#include "sim/config/enum_names.h"
+#include "sim/scene/mesh.h"
+
+namespace bulletnav::sim {
+
+/// What surfaces are coloured by.
+enum class Surfaces {
+  kOriginal,
+  kFlat,         // each material by the mean colour of its texture
+  kVertexColors  // by the vertices alone: what is left of a scan without its pictures
+};
+
+template <>
+struct EnumNames<Surfaces> {
+  static constexpr std::array kNames = {std::pair{"original", Surfaces::kOriginal},
+                                        std::pair{"flat", Surfaces::kFlat},
+                                        std::pair{"vertex_colors", Surfaces::kVertexColors}};
+};
+
+/// How a scene looks, beside what its file says: scenes differ in this more than in their rooms.
+/// Some have no ceiling, no pictures on their surfaces, no light; networks are trained on all.
+/// Colours change in display (sRGB-encoded) values. The default leaves a scene as it is.
+struct Finish {
+  /// False: level faces more than 2 m above the floor are left out, so that nothing is overhead.
+  bool ceiling = true;
+  Surfaces surfaces = Surfaces::kOriginal;
+  /// One grey for all that is level and lies on the floor's height.
+  bool blank_floor = false;
+  /// False: colours of vertices, into which light is baked, are white.
+  bool baked_light = true;
+  /// Pixels of a texture that become one, to a side: 16 leaves little but its colours.
+  int texture_shrink = 1;
+  double exposure = 1.0;                         // factor of all colours
+  double contrast = 1.0;                         // around middle grey
+  double saturation = 1.0;                       // 0: grey
+  std::array<double, 3> tint = {1.0, 1.0, 1.0};  // factors of red, green, blue
+
+  template <class V>
+  void Visit(V& v) {
+    v("ceiling", ceiling);
+    v("surfaces", surfaces);
+    v("blank_floor", blank_floor);
+    v("baked_light", baked_light);
+    v("texture_shrink", texture_shrink);
+    v("exposure", exposure);
+    v("contrast", contrast);
+    v("saturation", saturation);
+    v("tint", tint);
+  }
+  /// Throws Error.
+  void Validate() const;
+  bool operator==(const Finish&) const = default;
+};
+
+/// Expects a mesh that SceneMesh::Validate accepts; the result is one, too. If all triangles would
+/// be left out with the ceiling, they stay. The same bits on every processor.
+void ApplyFinish(const Finish& finish, SceneMesh* mesh);
+
+/// Height at which most area faces up: the floor, in scenes of one storey. Metres.
+float FloorHeight(const SceneMesh& mesh);
+
+}  // namespace bulletnav::sim

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "sim/scene/finish.h"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "sim/base/error.h"
+
+namespace bulletnav::sim {
+namespace {
+
+/// A level square of two triangles at a height, facing up or down.
+void AddLevel(float height, float size, bool up, std::uint32_t material, SceneMesh* mesh) {
+  const auto first = static_cast<std::uint32_t>(mesh->positions.size());
+  for (const auto& [x, z] : {std::pair{0.0f, 0.0f}, {size, 0.0f}, {size, size}, {0.0f, size}}) {
+    mesh->positions.emplace_back(x, height, z);
+    mesh->uvs.emplace_back(x, z);
+    mesh->colors.push_back({100, 110, 120});
+  }
+  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    mesh->triangles.push_back(up ? std::array{first + a, first + c, first + b}
+                                 : std::array{first + a, first + b, first + c});
+    mesh->triangle_materials.push_back(material);
+  };
+  add(0, 1, 2);
+  add(0, 2, 3);
+}
+
+/// Floor at .02 m, table top at .75 m, ceiling at 2.6 m; a texture on all.
+SceneMesh Room() {
+  SceneMesh mesh;
+  Image picture(2, 2, 4);
+  picture.pixels = {10, 20, 30, 255, 30, 40, 50, 255, 50, 60, 70, 255, 70, 80, 90, 255};
+  mesh.textures = {{"wood", picture}};
+  mesh.materials = {{"wood", {255, 255, 255}, 0}, {"paint", {200, 100, 50}, -1}};
+  AddLevel(0.02f, 4, true, 0, &mesh);
+  AddLevel(0.75f, 1, true, 0, &mesh);
+  AddLevel(2.6f, 4, false, 1, &mesh);
+  mesh.Validate();
+  return mesh;
+}
+
+TEST(Finish, ByItselfChangesNothing) {
+  SceneMesh mesh = Room();
+  ApplyFinish({}, &mesh);
+  EXPECT_EQ(mesh.triangles, Room().triangles);
+  EXPECT_EQ(mesh.textures[0].image.pixels, Room().textures[0].image.pixels);
+}
+
+TEST(Finish, TheFloorIsWhereMostFacesUp) {
+  EXPECT_NEAR(FloorHeight(Room()), 0.02f, 0.1f);
+  SceneMesh low = Room();
+  for (auto& p : low.positions) p.y() -= 1.3f;
+  EXPECT_NEAR(FloorHeight(low), -1.28f, 0.1f);
+}
+
+TEST(Finish, WithoutCeilingTheRestStays) {
+  SceneMesh mesh = Room();
+  ApplyFinish({.ceiling = false}, &mesh);
+  mesh.Validate();
+  ASSERT_EQ(mesh.triangles.size(), 4u);
+  for (const auto& triangle : mesh.triangles) EXPECT_LT(mesh.positions[triangle[0]].y(), 1.0f);
+}
+
+TEST(Finish, AMeshThatIsAllOverheadStays) {
+  SceneMesh mesh;
+  mesh.materials = {{"paint"}};
+  AddLevel(0, 1, true, 0, &mesh);
+  mesh.triangles.resize(1);
+  mesh.triangle_materials.resize(1);
+  ApplyFinish({.ceiling = false}, &mesh);
+  EXPECT_EQ(mesh.triangles.size(), 1u);
+}
+
+TEST(Finish, ABlankFloorIsGreyAndTheTableIsNot) {
+  SceneMesh mesh = Room();
+  ApplyFinish({.blank_floor = true}, &mesh);
+  mesh.Validate();
+  const Material& floor = mesh.materials[mesh.triangle_materials[0]];
+  EXPECT_EQ(floor.texture, -1);
+  EXPECT_EQ(floor.base_color[0], floor.base_color[1]);
+  EXPECT_EQ(floor.base_color[1], floor.base_color[2]);
+  EXPECT_NEAR(floor.base_color[0], 49, 1);  // the picture's mean is (40, 50, 60)
+  EXPECT_EQ(mesh.triangle_materials[2], 0u);
+  EXPECT_EQ(mesh.triangle_materials[4], 1u);
+}
+
+TEST(Finish, FlatSurfacesHaveTheMeanOfTheirTexture) {
+  SceneMesh mesh = Room();
+  ApplyFinish({.surfaces = Surfaces::kFlat}, &mesh);
+  mesh.Validate();
+  EXPECT_TRUE(mesh.textures.empty());
+  EXPECT_EQ(mesh.materials[0].base_color, (Rgb8{40, 50, 60}));
+  EXPECT_EQ(mesh.materials[1].base_color, (Rgb8{200, 100, 50}));
+}
+
+TEST(Finish, ColoursOfVerticesAloneOrNotAtAll) {
+  SceneMesh mesh = Room();
+  ApplyFinish({.surfaces = Surfaces::kVertexColors}, &mesh);
+  EXPECT_EQ(mesh.materials[1].base_color, kWhite);
+  EXPECT_EQ(mesh.colors[0], (Rgb8{100, 110, 120}));
+  mesh = Room();
+  ApplyFinish({.baked_light = false}, &mesh);
+  EXPECT_EQ(mesh.colors[0], kWhite);
+  EXPECT_EQ(mesh.materials[1].base_color, (Rgb8{200, 100, 50}));
+}
+
+TEST(Finish, ShrunkTexturesKeepTheirMean) {
+  SceneMesh mesh = Room();
+  ApplyFinish({.texture_shrink = 2}, &mesh);
+  EXPECT_EQ(mesh.textures[0].image.pixels, (std::vector<std::uint8_t>{40, 50, 60, 255}));
+  ApplyFinish({.texture_shrink = 64}, &mesh);
+  EXPECT_EQ(mesh.textures[0].image.width, 1);
+}
+
+TEST(Finish, DevelopsByExposureContrastSaturationAndTint) {
+  SceneMesh mesh = Room();
+  ApplyFinish({.exposure = 0.5}, &mesh);
+  EXPECT_EQ(mesh.materials[1].base_color, (Rgb8{100, 50, 25}));
+  EXPECT_EQ(mesh.materials[0].base_color, kWhite);  // its texture is halved instead
+  EXPECT_EQ(mesh.textures[0].image.pixels[0], 5);
+  mesh = Room();
+  ApplyFinish({.saturation = 0.0}, &mesh);
+  EXPECT_EQ(mesh.materials[1].base_color[0], mesh.materials[1].base_color[2]);
+  mesh = Room();
+  ApplyFinish({.contrast = 0.0, .tint = {0.9, 1.0, 1.0}}, &mesh);
+  EXPECT_EQ(mesh.materials[1].base_color, (Rgb8{128, 128, 128}));
+}
+
+TEST(Finish, RefusesWhatNoPictureSurvives) {
+  SceneMesh mesh = Room();
+  EXPECT_THROW(ApplyFinish({.texture_shrink = 0}, &mesh), Error);
+  EXPECT_THROW(ApplyFinish({.exposure = -1}, &mesh), Error);
+  EXPECT_THROW(ApplyFinish({.tint = {1, 11, 1}}, &mesh), Error);
+}
+
+}  // namespace
+}  // namespace bulletnav::sim
