@@ -7,6 +7,8 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include "sim/config/yaml_reader.h"
+
 namespace bulletnav::bench {
 
 namespace {
@@ -31,6 +33,9 @@ void SceneOptions::AddImportOptions(CLI::App* command) {
       ->check(RequireNumber);
   command->add_flag("--ground-plane", ground_plane,
                     "Add a floor under the mesh, for scenes made without one");
+  command->add_option(
+      "--finish", finish,
+      "Another look, as YAML: \"{ceiling: false, surfaces: flat}\"; see docs/rendering.md");
 }
 
 sim::ImportOptions SceneOptions::import() const {
@@ -39,6 +44,7 @@ sim::ImportOptions SceneOptions::import() const {
   if (up == "z") options.up = sim::UpAxis::kZ;
   options.scale = scale;
   options.ground_plane = ground_plane;
+  if (!finish.empty()) options.finish = sim::LoadYamlText<sim::Finish>(finish, "--finish");
   return options;
 }
 

@@ -16,11 +16,13 @@ struct SceneOptions {
   std::string up = "auto";
   double scale = 1.0;
   bool ground_plane = false;
+  std::string finish;  // sim::Finish as YAML; empty: none
 
   /// Adds FILE and the options to a command.
   void AddTo(CLI::App* command);
   /// Adds the options alone.
   void AddImportOptions(CLI::App* command);
+  /// Throws sim::FileError if the finish cannot be read.
   sim::ImportOptions import() const;
 };
 
