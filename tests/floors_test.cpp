@@ -44,6 +44,7 @@ const std::vector<std::vector<std::string>> kFloors = {
     {"benchmark/privileged/"},
     {"benchmark/runs/"},
     {"benchmark/report/"},
+    {"benchmark/replay/"},
     {"benchmark/training/", "benchmark/perf/"},
     {"benchmark/evaluate_perception/"},
     {"benchmark/slam/io/", "benchmark/slam/metrics/"},

@@ -19,6 +19,8 @@ void AddQuantiseCommand(CLI::App* program);
 void AddRenderCommand(CLI::App* program);
 /// Adds "generate" to the "scenes" command.
 void AddGenerateCommand(CLI::App* scenes);
+/// Makes a page of a run for a browser.
+void AddReplayCommand(CLI::App* program);
 void AddRunCommand(CLI::App* program);
 void AddScenesCommand(CLI::App* program);
 void AddSlamCommand(CLI::App* program);

@@ -6,7 +6,6 @@
 #include <memory>
 #include <optional>
 #include <set>
-#include <system_error>
 #include <vector>
 
 #include <fmt/core.h>
@@ -22,7 +21,6 @@
 #include "benchmark/runs/result_store.h"
 #include "benchmark/runs/runner.h"
 #include "sim/base/error.h"
-#include "sim/house/house_json.h"
 #include "sim/image/image.h"
 
 namespace bulletnav::bench {
@@ -62,11 +60,8 @@ std::vector<EpisodeResult> ChooseFrom(const DrawOptions& options) {
 }
 
 std::optional<sim::FloorPlan> PlanOf(const fs::path& scene, double scale) {
-  const fs::path description = fs::path(scene).replace_extension(".json");
-  std::error_code unreadable;
-  if (scale != 1.0 || !fs::exists(description, unreadable)) return std::nullopt;
   try {
-    return sim::ReadHouseJson(description).plan;
+    return PlanOfScene(scene, scale);
   } catch (const sim::Error& e) {
     fmt::print(stderr, "bulletnav: warning: drawn without the house's plan: {}\n", e.what());
     return std::nullopt;

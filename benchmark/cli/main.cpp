@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
     bulletnav::bench::AddTableCommand(program);
     bulletnav::bench::AddCompareCommand(program);
     bulletnav::bench::AddPlotCommand(program);
+    bulletnav::bench::AddReplayCommand(program);
     bulletnav::bench::AddBenchCommand(program);
   });
 }

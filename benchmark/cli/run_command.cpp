@@ -11,6 +11,7 @@
 #include <CLI/Formatter.hpp>
 #include <fmt/core.h>
 
+#include "benchmark/base/counted.h"
 #include "benchmark/base/program_version.h"
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/draw_run.h"
@@ -75,6 +76,21 @@ RunHooks MakeHooks(const fs::path& folder, RunProgress* progress) {
   return hooks;
 }
 
+/// How much room the beliefs take that a run has logged.
+void TellBeliefs(const fs::path& folder) {
+  std::size_t files = 0;
+  double bytes = 0.0;
+  std::error_code none;
+  for (fs::recursive_directory_iterator at(folder / "beliefs", none), end; at != end; ++at) {
+    if (!at->is_regular_file()) continue;
+    ++files;
+    bytes += static_cast<double>(at->file_size());
+  }
+  if (files == 0) return;
+  fmt::print("beliefs of {}: {:.1f} MB ({})\n", Counted(files, "episode"), bytes / 1e6,
+             (folder / "beliefs").string());
+}
+
 /// Draws what to look at first.
 void DrawWorst(const fs::path& folder) {
   DrawOptions options;
@@ -101,6 +117,7 @@ void PlayConfig(RunCommandOptions options) {
   if (!outcome.failures.empty()) {
     fmt::print(stderr, "to play failed episodes again: the same command with --retry-failed\n");
   }
+  TellBeliefs(place);
   if (options.run.shard) {
     fmt::print("when all {} shards are done: ./bulletnav merge {}\n", options.run.shard->of,
                folder.string());
@@ -138,6 +155,8 @@ void AddRunCommand(CLI::App* program) {
       });
   command->add_flag("--no-plots", options->no_plots,
                     "Draw no charts and worst episodes at the end");
+  command->add_flag("--beliefs", options->run.beliefs,
+                    "Keep what agents believe at each step (map, graph, target) for replays");
   command->add_flag("--require-all", options->run.require_all,
                     "Agents that are missing are errors, not remarks in the table");
   command->add_flag("--retry-failed", options->run.retry_failed,

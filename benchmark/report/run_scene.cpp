@@ -1,10 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/report/run_scene.h"
 
+#include <system_error>
+
 #include "benchmark/base/file_hash.h"
 #include "sim/base/error.h"
+#include "sim/house/house_json.h"
 
 namespace bulletnav::bench {
+
+std::optional<sim::FloorPlan> PlanOfScene(const std::filesystem::path& scene, double scale) {
+  const auto description = std::filesystem::path(scene).replace_extension(".json");
+  std::error_code unreadable;
+  if (scale != 1.0 || !std::filesystem::exists(description, unreadable)) return std::nullopt;
+  return sim::ReadHouseJson(description).plan;
+}
 
 void RequireSceneOfRun(const std::filesystem::path& file, const std::string& scene,
                        const std::map<std::string, std::string>& hashes) {

@@ -2,9 +2,16 @@
 #pragma once
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 
+#include "sim/house/floor_plan.h"
+
 namespace bulletnav::bench {
+
+/// The plan of a generated house, from the description beside its mesh; absent if there is none or
+/// the scene was scaled. Throws sim::Error if it is damaged.
+std::optional<sim::FloorPlan> PlanOfScene(const std::filesystem::path& scene, double scale);
 
 /// Throws sim::FileError if the file of a scene is not the one that a run was made in. `hashes`: of
 /// scenes' contents by name, as in the `fingerprints` of the run's config.yaml; scenes that it does

@@ -13,6 +13,7 @@
 
 #include "benchmark/base/file_hash.h"
 #include "benchmark/episodes/episode_file.h"
+#include "benchmark/play/belief_log.h"
 #include "benchmark/play/trajectory.h"
 #include "benchmark/runs/result_store.h"
 #include "benchmark/runs/shard_record.h"
@@ -190,6 +191,14 @@ void BringTrajectories(const Part& part, const fs::path& folder) {
   }
 }
 
+/// Of the shards that have logged them.
+void BringBeliefs(const Part& part, const fs::path& folder) {
+  for (const auto& [key, line] : part.lines) {
+    const fs::path beliefs = BeliefPath(part.folder, key);
+    if (fs::exists(beliefs)) Bring(beliefs, BeliefPath(folder, key));
+  }
+}
+
 }  // namespace
 
 RunOutcome MergeShards(const fs::path& folder) {
@@ -205,6 +214,7 @@ RunOutcome MergeShards(const fs::path& folder) {
   ResultLines lines;
   for (const Part& part : parts) {
     if (config.trajectories) BringTrajectories(part, folder);
+    BringBeliefs(part, folder);
     lines.insert(part.lines.begin(), part.lines.end());
   }
   sim::WriteFileAtomically(folder / "versions.txt", parts.front().record.program + "\n");

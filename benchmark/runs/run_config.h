@@ -117,6 +117,7 @@ struct RunConfig {
   /// in assets/weights. One of `sensors` without weights takes those of rgb or rgbd.
   std::map<std::string, std::string> weights;
   bool trajectories = true;  // kept for plots
+  bool beliefs = false;      // of each step, kept for replays; false when saved: see RunBenchmark
   std::vector<AgentEntry> agents;
   std::optional<Fingerprints> fingerprints;  // in saved configs: checked
 
@@ -139,6 +140,7 @@ struct RunConfig {
     v("max_steps", max_steps);
     v("weights", weights);
     v("trajectories", trajectories);
+    v("beliefs", beliefs);
     v.Required("agents", agents);
     v("fingerprints", fingerprints);
   }

@@ -16,7 +16,7 @@ std::size_t WorkerCount(int workers) {
 }  // namespace
 
 void PlayJobs(const RunPlan& plan, std::span<const RunJob> jobs, int workers, SceneCache* scenes,
-              const std::function<void(const EpisodeTrajectory&)>& finish) {
+              const TakeEpisode& finish) {
   for (const RunJob& job : jobs) {
     scenes->Expect(plan.episodes.scene_files.at(plan.KeyOf(job).scene));
   }

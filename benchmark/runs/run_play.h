@@ -11,6 +11,6 @@ namespace bulletnav::bench {
 /// processor). `finish` takes each finished episode, from any thread. Returns when all are done.
 /// Throws what ended a worker, such as a scene that cannot be loaded or what `finish` throws.
 void PlayJobs(const RunPlan& plan, std::span<const RunJob> jobs, int workers, SceneCache* scenes,
-              const std::function<void(const EpisodeTrajectory&)>& finish);
+              const TakeEpisode& finish);
 
 }  // namespace bulletnav::bench

@@ -40,7 +40,11 @@ ResultKey RunPlan::KeyOf(const RunJob& job) const {
 }
 
 RunWorker::RunWorker(RunShared* shared)
-    : shared_(*shared), plan_(shared->plan), truths_(MostLanes(plan_)), jobs_(truths_.size()) {}
+    : shared_(*shared),
+      plan_(shared->plan),
+      truths_(MostLanes(plan_)),
+      jobs_(truths_.size()),
+      logs_(truths_.size()) {}
 
 void RunWorker::Work() {
   try {
@@ -82,6 +86,7 @@ void RunWorker::Enter(std::size_t row) {
 void RunWorker::Start(int lane, const RunJob& job) {
   const Episode& episode = plan_.episodes.episodes[job.episode];
   jobs_[static_cast<std::size_t>(lane)] = job;
+  logs_[static_cast<std::size_t>(lane)] = {};
   const std::filesystem::path& scene = plan_.episodes.scene_files.at(episode.scene);
   environment_->Reset(lane, {plan_.KeyOf(job), episode, scene}, shared_.scenes.Get(scene));
 }
@@ -159,6 +164,9 @@ void RunWorker::Act(const std::vector<int>& lanes) {
           lanes[i], fmt::format("answered {}, which is no action", static_cast<int>(actions[i])));
     }
   }
+  for (const int lane : moving) {
+    if (plan_.beliefs) logs_[static_cast<std::size_t>(lane)].Add(AskBelief(lane));
+  }
   environment_->Step(moving, taken);
 }
 
@@ -189,7 +197,6 @@ void RunWorker::FailLanes(const std::vector<int>& lanes, const std::string& why)
 /// What the agent believes, for drawing. That is no part of the episode: if it fails, there is
 /// none.
 agent::Belief RunWorker::AskBelief(int lane) {
-  if (!plan_.config.trajectories) return {};
   try {
     agent::Belief belief = AgentFor(row_).belief(lane);
     if (IsFinite(belief.pose) && IsFinite(belief.target)) return belief;
@@ -200,9 +207,11 @@ agent::Belief RunWorker::AskBelief(int lane) {
 }
 
 void RunWorker::Settle(int lane) {
-  const EpisodeTrajectory trajectory = environment_->Finish(lane, AskBelief(lane));
+  const bool is_kept = plan_.config.trajectories;
+  const EpisodeTrajectory trajectory =
+      environment_->Finish(lane, is_kept ? AskBelief(lane) : agent::Belief());
   environment_->Clear(lane);
-  shared_.finish(trajectory);
+  shared_.finish(trajectory, logs_[static_cast<std::size_t>(lane)]);
   shared_.scenes.Done(plan_.episodes.scene_files.at(trajectory.result.key.scene));
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "benchmark/episodes/scene_cache.h"
+#include "benchmark/play/belief_log.h"
 #include "benchmark/play/environment.h"
 #include "benchmark/runs/run_agents.h"
 #include "benchmark/runs/run_episodes.h"
@@ -21,17 +22,20 @@ struct RunPlan {
   std::vector<RunAgent> agents;
   RunEpisodes episodes;
   std::vector<RunRow> rows;
+  bool beliefs = false;  // whether they are logged
 
   ResultKey KeyOf(const RunJob& job) const;
 };
+
+/// Takes a finished episode, and what its agent believed: empty unless that is logged.
+using TakeEpisode = std::function<void(const EpisodeTrajectory&, const BeliefLog&)>;
 
 /// What all workers of a run share.
 struct RunShared {
   const RunPlan& plan;
   RunQueue queue;
   SceneCache& scenes;
-  /// Takes a finished episode, from any thread.
-  std::function<void(const EpisodeTrajectory&)> finish;
+  TakeEpisode finish;  // called from any thread
 };
 
 /// One thread of a run: takes jobs and plays them, several at once where the agent asks for it.
@@ -62,6 +66,7 @@ class RunWorker {
   const RunPlan& plan_;
   std::vector<GroundTruth> truths_;  // of the lanes
   std::vector<RunJob> jobs_;
+  std::vector<BeliefLog> logs_;
   std::size_t row_ = 0;
   std::unique_ptr<Environment> environment_;  // of the row
   std::map<std::pair<std::size_t, std::string>, std::unique_ptr<agent::BatchAgent>> agents_;

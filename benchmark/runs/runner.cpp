@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "benchmark/base/counted.h"
+#include "benchmark/base/gzip.h"
 #include "benchmark/base/processor_kind.h"
 #include "benchmark/base/program_version.h"
 #include "benchmark/runs/agent_models.h"
@@ -57,7 +58,11 @@ class Recorder {
   Recorder(const RunPlan& plan, ResultStore* store, const RunHooks& hooks)
       : keeps_trajectories_(plan.config.trajectories), store_(*store), hooks_(hooks) {}
 
-  void Record(const EpisodeTrajectory& trajectory) {
+  void Record(const EpisodeTrajectory& trajectory, const BeliefLog& beliefs) {
+    if (!beliefs.empty()) {
+      sim::WriteFileAtomically(BeliefPath(store_.folder(), trajectory.result.key),
+                               Compress(beliefs.ToJson()));
+    }
     // The trajectory first: whoever finds the result finds it too.
     if (keeps_trajectories_) {
       sim::WriteFileAtomically(TrajectoryPath(store_.folder(), trajectory.result.key),
@@ -84,9 +89,10 @@ void PlayRest(const RunPlan& plan, int workers, const RunHooks& hooks, SceneCach
   if (hooks.missing) hooks.missing(MissingAgents(plan.agents));
   if (hooks.begin) hooks.begin(done.size() + jobs.size(), done);
   Recorder recorder(plan, store, hooks);
-  PlayJobs(plan, jobs, workers, scenes, [&](const EpisodeTrajectory& trajectory) {
-    recorder.Record(trajectory);
-  });
+  PlayJobs(plan, jobs, workers, scenes,
+           [&](const EpisodeTrajectory& trajectory, const BeliefLog& beliefs) {
+             recorder.Record(trajectory, beliefs);
+           });
 }
 
 std::vector<std::string> TellFailures(std::span<const EpisodeResult> results) {
@@ -129,11 +135,14 @@ RunOutcome Summarise(const RunPlan& plan, fs::path folder, std::vector<EpisodeRe
 RunOutcome RunBenchmark(RunConfig config, const fs::path& folder, const RunOptions& options,
                         const RunHooks& hooks) {
   RequireSplit(folder, options.shard);
+  const bool beliefs = options.beliefs || config.beliefs;
+  config.beliefs = false;  // results do not depend on it, nor do the bytes of what is saved
   ResolvedRun run = ResolveRun(std::move(config), options.require_all);
   SceneCache scenes(run.config.world_options());
   RunEpisodes episodes = PrepareEpisodes(&run.config, {options.episodes, options.shard},
                                          {scenes, options.workers, StartOf(hooks)});
-  const RunPlan plan = PlanRun(std::move(run), std::move(episodes));
+  RunPlan plan = PlanRun(std::move(run), std::move(episodes));
+  plan.beliefs = beliefs;
   const fs::path place = options.shard ? ShardFolder(folder, *options.shard) : folder;
   ResultStore store(place, sim::ToYaml(plan.config), [&](const std::string& saved) {
     return LacksOnlyWeights(saved, plan.config);

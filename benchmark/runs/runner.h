@@ -20,6 +20,7 @@ struct RunOptions {
   bool require_all = false;         // agents that cannot run are errors, not remarks in the table
   bool retry_failed = false;        // play episodes that failed again
   std::optional<Shard> shard = {};  // only this share, into a folder of its own below the run's
+  bool beliefs = false;             // log them, also where the config does not say so
 };
 
 /// What a run tells while it goes on; all may be empty.
@@ -48,12 +49,13 @@ RunOutcome Summarise(const RunPlan& plan, std::filesystem::path folder,
 /// All stages of a run: resolve, houses, episodes, verify (run_episodes.h), plan (run_plan.h), play
 /// (run_play.h), summarise. Plays every episode of a config that `folder` has no result of yet, and
 /// writes there config.yaml (everything that results depend on), episodes.jsonl and trajectories;
-/// of a shard, those of its share into ShardFolder, to be joined by MergeShards.
-/// Results depend on the config alone: not on workers, on other episodes, or on how often the run
-/// was killed and started again; at the end of a run, episodes.jsonl has the same bytes too. An
-/// agent that throws or answers with no action fails that episode, with the reason in its result;
-/// one that never answers is ended with the process.
-/// Throws sim::Error: see PrepareEpisodes, RequireSome, RequireAll, ResultStore and BeginShard.
+/// of a shard, those of its share into ShardFolder, to be joined by MergeShards. What agents
+/// believe goes into files beside (BeliefPath) where that is asked for; results do not tell whether
+/// it was. Results depend on the config alone: not on workers, on other episodes, or on how often
+/// the run was killed and started again; at the end of a run, episodes.jsonl has the same bytes
+/// too. An agent that throws or answers with no action fails that episode, with the reason in its
+/// result; one that never answers is ended with the process. Throws sim::Error: see
+/// PrepareEpisodes, RequireSome, RequireAll, ResultStore and BeginShard.
 RunOutcome RunBenchmark(RunConfig config, const std::filesystem::path& folder,
                         const RunOptions& options, const RunHooks& hooks = {});
 

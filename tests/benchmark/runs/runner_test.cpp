@@ -324,13 +324,41 @@ TEST_F(RunnerTest, StagesCanBeCalledAloneAndImportEachSceneOnce) {
   const RunPlan plan = PlanRun(std::move(run), std::move(episodes));
   std::mutex adding;
   std::vector<EpisodeResult> results;
-  PlayJobs(plan, JobsOf(plan), 2, &scenes, [&](const EpisodeTrajectory& trajectory) {
-    const std::lock_guard lock(adding);
-    results.push_back(trajectory.result);
-  });
+  PlayJobs(plan, JobsOf(plan), 2, &scenes,
+           [&](const EpisodeTrajectory& trajectory, const BeliefLog&) {
+             const std::lock_guard lock(adding);
+             results.push_back(trajectory.result);
+           });
   EXPECT_EQ(scenes.imports(), 2);
   EXPECT_EQ(scenes.kept_bytes(), 0u);
   EXPECT_EQ(Summarise(plan, "x", results).results.size(), 4u);
+}
+
+/// Names and bytes of the beliefs of a run.
+std::map<std::string, std::string> Beliefs(const fs::path& run) {
+  std::map<std::string, std::string> files;
+  if (!fs::exists(run / "beliefs")) return files;
+  for (const auto& entry : fs::recursive_directory_iterator(run / "beliefs")) {
+    if (!entry.is_regular_file()) continue;
+    files[fs::relative(entry.path(), run).string()] = sim::ReadTextFile(entry.path());
+  }
+  return files;
+}
+
+TEST_F(RunnerTest, LogsBeliefsBesideResultsThatDoNotChange) {
+  const std::string agents =
+      "{agent: metric_map_fbe, models: {semantic_model: oracle}}, "
+      "{agent: random}";
+  Play(Config(agents), "without", 1);
+  EXPECT_TRUE(Beliefs(folder("without")).empty());
+  Play(Config(agents, "beliefs: true"), "with", 2);
+  RunBenchmark(Config(agents), folder("flag"),
+               {.episodes = {}, .workers = 1, .require_all = false, .shard = {}, .beliefs = true});
+  EXPECT_EQ(Bytes("without"), Bytes("with"));
+  EXPECT_EQ(sim::ReadTextFile(folder("without") / "config.yaml"),
+            sim::ReadTextFile(folder("with") / "config.yaml"));
+  EXPECT_EQ(Beliefs(folder("with")).size(), 6u) << "random believes nothing";
+  EXPECT_EQ(Beliefs(folder("with")), Beliefs(folder("flag")));
 }
 
 TEST_F(RunnerTest, RefusesAFolderOfAnotherConfigOrRun) {

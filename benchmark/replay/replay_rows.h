@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <span>
+#include <string>
+#include <vector>
+
+#include "benchmark/play/episode_result.h"
+#include "benchmark/runs/run_config.h"
+#include "benchmark/runs/summary.h"
+
+namespace bulletnav::bench {
+
+/// One result in a page, and which of its blocks there are.
+struct ReplayRow {
+  EpisodeResult result;
+  int scene_block = -1;      // block "sN"; -1: none
+  int goal_block = -1;       // block "gN", the goals' panoramas below each other
+  std::vector<int> seen;     // steps that block "iROW" has panoramas of, below each other
+  bool has_path = false;     // block "eROW": the trajectory's file
+  bool has_beliefs = false;  // block "bROW": see BeliefLog
+};
+
+/// What a page shows first, as JSON: {"name", "success_distance", "max_steps", "agents": [[name,
+/// title]], "scenes": [name], "notes": [text], "columns": [name], "rows": [[value of each
+/// column]]}.
+std::string RowsJson(const std::string& name, const RunConfig& config,
+                     std::span<const AgentRow> agents, std::span<const ReplayRow> rows,
+                     const std::vector<std::string>& notes);
+
+}  // namespace bulletnav::bench
