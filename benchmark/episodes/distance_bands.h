@@ -15,7 +15,7 @@ struct DistanceBand {
   }
 };
 
-/// Source: Neural Topological SLAM, section 5.
+/// Source: Neural Topological SLAM, section 5; the last two are ours.
 constexpr DistanceBand BandOf(Difficulty difficulty) {
   switch (difficulty) {
     case Difficulty::kEasy:
@@ -24,6 +24,10 @@ constexpr DistanceBand BandOf(Difficulty difficulty) {
       return {3.0, 5.0, false};
     case Difficulty::kHard:
       return {5.0, 10.0, true};
+    case Difficulty::kVeryHard:
+      return {10.0, 20.0, false};
+    case Difficulty::kExtreme:
+      return {20.0, 40.0, true};
   }
   return {};
 }

@@ -18,6 +18,10 @@ std::string_view DifficultyName(Difficulty difficulty) {
       return "medium";
     case Difficulty::kHard:
       return "hard";
+    case Difficulty::kVeryHard:
+      return "very_hard";
+    case Difficulty::kExtreme:
+      return "extreme";
   }
   return "";
 }

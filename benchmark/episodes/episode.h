@@ -14,13 +14,15 @@
 namespace bulletnav::bench {
 
 /// By geodesic distance from start to goal: easy [1.5, 3), medium [3, 5), hard [5, 10] metres.
-/// Source: Neural Topological SLAM, section 5.
-enum class Difficulty { kEasy, kMedium, kHard };
+/// Source: Neural Topological SLAM, section 5. For larger buildings, ours: very hard (10, 20),
+/// extreme [20, 40].
+enum class Difficulty { kEasy, kMedium, kHard, kVeryHard, kExtreme };
 
 inline constexpr std::array kDifficulties = {Difficulty::kEasy, Difficulty::kMedium,
-                                             Difficulty::kHard};
+                                             Difficulty::kHard, Difficulty::kVeryHard,
+                                             Difficulty::kExtreme};
 
-/// "easy", "medium", "hard".
+/// "easy", "medium", "hard", "very_hard", "extreme".
 std::string_view DifficultyName(Difficulty difficulty);
 std::optional<Difficulty> DifficultyNamed(std::string_view name);
 /// The one whose band holds the distance, if any does.

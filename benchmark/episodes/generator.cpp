@@ -18,10 +18,15 @@ namespace {
 namespace fs = std::filesystem;
 using sim::Error;
 
-constexpr std::size_t kKinds = 4;  // easy, medium, hard, sequential
+constexpr std::size_t kKinds = kDifficulties.size() + 1;  // and sequential
 
 std::array<int, kKinds> Counts(const EpisodeCounts& counts) {
-  return {counts.easy, counts.medium, counts.hard, counts.sequential};
+  return {counts.easy,
+          counts.medium,
+          counts.hard,
+          counts.very_hard.value_or(0),
+          counts.extreme.value_or(0),
+          counts.sequential};
 }
 
 /// How many of `count` the scene with number s of n gets.
@@ -47,6 +52,24 @@ std::vector<std::string> Labels(const std::vector<std::string>& scenes) {
                              "' as well; name each scene once, or rename one");
   }
   return labels;
+}
+
+/// In the order of their names.
+std::vector<std::string> MeshesBelow(const fs::path& folder) {
+  constexpr std::array<std::string_view, 5> kMeshes = {".glb", ".gltf", ".obj", ".ply", ".dae"};
+  std::vector<std::string> meshes;
+  const auto options = fs::directory_options::follow_directory_symlink |
+                       fs::directory_options::skip_permission_denied;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, options)) {
+    const std::string extension = entry.path().extension().string();
+    if (std::find(kMeshes.begin(), kMeshes.end(), extension) == kMeshes.end()) continue;
+    meshes.push_back(entry.path().string());
+  }
+  if (meshes.empty()) {
+    throw sim::FileError(folder, "", "holds no mesh (.glb, .gltf, .obj, .ply, .dae); put some in");
+  }
+  std::sort(meshes.begin(), meshes.end());
+  return meshes;
 }
 
 using EpisodesByKind = std::array<std::vector<Episode>, kKinds>;
@@ -104,7 +127,15 @@ void GeneratorSpec::Validate() const {
 }
 
 std::vector<std::string> ScenesOf(const GeneratorSpec& spec) {
-  std::vector<std::string> scenes = spec.scenes;
+  std::vector<std::string> scenes;
+  for (const std::string& scene : spec.scenes) {
+    if (!fs::is_directory(scene)) {
+      scenes.push_back(scene);
+      continue;
+    }
+    const std::vector<std::string> meshes = MeshesBelow(scene);
+    scenes.insert(scenes.end(), meshes.begin(), meshes.end());
+  }
   if (!spec.houses) return scenes;
   const fs::path file = spec.houses->index;
   if (!fs::exists(file)) {

@@ -33,6 +33,9 @@ struct EpisodeCounts {
   int medium = 0;
   int hard = 0;
   int sequential = 0;
+  // Not in records of how a set was drawn unless they are given.
+  std::optional<int> very_hard = {};
+  std::optional<int> extreme = {};
 
   template <class V>
   void Visit(V& v) {
@@ -40,13 +43,15 @@ struct EpisodeCounts {
     v("medium", medium);
     v("hard", hard);
     v("sequential", sequential);
+    v("very_hard", very_hard);
+    v("extreme", extreme);
   }
   void Validate() const;
 };
 
 /// A set of episodes to draw: the config of `bulletnav episodes generate`.
 struct GeneratorSpec {
-  std::vector<std::string> scenes;       // mesh files
+  std::vector<std::string> scenes;       // mesh files, or folders of them
   std::optional<HouseSelection> houses;  // in addition
   ImportSpec import;                     // of all scenes
   EpisodeCounts counts;
@@ -71,7 +76,8 @@ struct GeneratorSpec {
   void Validate() const;
 };
 
-/// The mesh files that a spec names, houses last. Throws sim::Error for an index that is damaged or
+/// The mesh files that a spec names, all that lie below a folder that it names, houses last. Throws
+/// sim::FileError for a folder without meshes, sim::Error for an index that is damaged or
 /// has no house in the split.
 std::vector<std::string> ScenesOf(const GeneratorSpec& spec);
 

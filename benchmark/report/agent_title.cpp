@@ -16,4 +16,11 @@ std::string AgentTitle(const std::string& agent, std::span<const AgentRow> agent
   return title.empty() ? agent : title;
 }
 
+std::string SettingTitle(std::string setting) {
+  for (char& c : setting) {
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  }
+  return setting;
+}
+
 }  // namespace bulletnav::bench

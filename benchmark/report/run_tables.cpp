@@ -9,6 +9,7 @@
 #include "benchmark/base/counted.h"
 #include "benchmark/play/condition.h"
 #include "benchmark/report/agent_title.h"
+#include "benchmark/report/scene_table.h"
 #include "benchmark/runs/published.h"
 #include "benchmark/runs/result_store.h"
 #include "benchmark/runs/runner.h"
@@ -40,8 +41,17 @@ struct Head {
   std::string title;
 };
 
-std::vector<Head> Difficulties() {
-  return {{"easy", "Easy"}, {"medium", "Medium"}, {"hard", "Hard"}, {"overall", "Overall"}};
+/// The paper's, further ones that there are rows of, and all together.
+std::vector<Head> Difficulties(std::span<const SummaryRow> rows) {
+  std::vector<Head> heads = {{"easy", "Easy"}, {"medium", "Medium"}, {"hard", "Hard"}};
+  for (const Head& further : {Head{"very_hard", "Very hard"}, Head{"extreme", "Extreme"}}) {
+    const auto is_of_it = [&](const SummaryRow& row) {
+      return row.difficulty == further.difficulty;
+    };
+    if (std::any_of(rows.begin(), rows.end(), is_of_it)) heads.push_back(further);
+  }
+  heads.push_back({"overall", "Overall"});
+  return heads;
 }
 
 struct ConditionTitle {
@@ -84,9 +94,9 @@ TableLayout ForEach(std::span<const Head> heads, const std::string& condition,
 }
 
 /// Table 1; stops behind a wall show in its last column.
-TableLayout ByDifficulty() {
+TableLayout ByDifficulty(std::span<const SummaryRow> rows) {
   const std::string condition(sim::NameOf(Condition::kNoise));
-  TableLayout layout = ForEach(Difficulties(), condition, "Success and SPL by difficulty.");
+  TableLayout layout = ForEach(Difficulties(rows), condition, "Success and SPL by difficulty.");
   for (const Measure& measure : AllMeasures()) {
     if (measure.table_head.empty()) continue;
     layout.groups.push_back({std::string(measure.table_head), {std::string(measure.table_title)}});
@@ -104,7 +114,7 @@ TableLayout SuccessWithoutStopOrNoise(std::span<const SummaryRow> rows) {
     layout.caption +=
         (layout.caption.empty() ? "Success " : " and ") + std::string(title.in_caption);
     layout.groups.push_back({title.title, {}});
-    for (const Head& head : Difficulties()) {
+    for (const Head& head : Difficulties(rows)) {
       layout.groups.back().columns.push_back(head.title);
       layout.columns.push_back({name, head.difficulty, FindMeasure("success")});
     }
@@ -138,13 +148,6 @@ const SummaryRow* Find(std::span<const SummaryRow> rows, const SummaryRow& like,
 
 std::string Figure(const std::optional<double>& value) {
   return value ? fmt::format("{:.2f}", *value) : "";
-}
-
-std::string SettingTitle(std::string setting) {
-  for (char& c : setting) {
-    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-  }
-  return setting;
 }
 
 std::string Percent95(const Interval& interval) {
@@ -282,7 +285,7 @@ std::vector<ResultsTable> MakeTables(std::span<const SummaryRow> rows,
                                      std::span<const AgentRow> agents) {
   const std::vector<Head> goals = GoalCounts(rows);
   const std::vector<TableLayout> layouts =
-      goals.empty() ? std::vector{ByDifficulty(), SuccessWithoutStopOrNoise(rows)}
+      goals.empty() ? std::vector{ByDifficulty(rows), SuccessWithoutStopOrNoise(rows)}
                     : ByNumberOfGoals(rows, goals);
   std::vector<ResultsTable> tables;
   for (const TableLayout& layout : layouts) {
@@ -315,6 +318,11 @@ std::string WriteTables(const std::filesystem::path& folder,
   sim::WriteFileAtomically(folder / "table.csv", SummaryToCsv(rows));
   sim::WriteFileAtomically(folder / "table.tex", latex);
   sim::WriteFileAtomically(folder / "table.md", markdown);
+  if (const auto scenes = SceneTable(results, agents)) {
+    const std::string by_scene = ToMarkdown(*scenes);
+    sim::WriteFileAtomically(folder / "scenes.md", by_scene);
+    markdown += "\n" + by_scene;
+  }
   return markdown;
 }
 

@@ -17,8 +17,8 @@ namespace bulletnav::bench {
 std::vector<ResultsTable> MakeTables(std::span<const SummaryRow> rows,
                                      std::span<const AgentRow> agents);
 
-/// Writes summary.json, table.md, table.tex and table.csv into a folder of results, atomically.
-/// Returns the text of table.md.
+/// Writes summary.json, table.md, table.tex, table.csv and, if there are several scenes, scenes.md
+/// into a folder of results, atomically. Returns the text of table.md and scenes.md.
 std::string WriteTables(const std::filesystem::path& folder,
                         const std::vector<EpisodeResult>& results,
                         std::span<const AgentRow> agents);

@@ -38,8 +38,8 @@ struct RowKey {
   bool operator<(const RowKey& other) const { return Order() < other.Order(); }
 };
 
-constexpr std::size_t kOverall = 3;
-constexpr std::size_t kFirstGoals = 4;  // and one further on a goal
+constexpr std::size_t kOverall = kDifficulties.size();
+constexpr std::size_t kFirstGoals = kOverall + 1;  // and one further on a goal
 
 std::size_t ConditionPlace(const std::string& name) {
   const auto& names = sim::EnumNames<Condition>::kNames;

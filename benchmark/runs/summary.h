@@ -34,7 +34,7 @@ struct SummaryRow {
   std::string agent;
   std::string setting;
   std::string condition;
-  /// "easy", "medium", "hard"; "overall": all episodes of the row; "goals_3": the first three goals
+  /// DifficultyName; "overall": all episodes of the row; "goals_3": the first three goals
   /// of sequences.
   std::string difficulty;
   int episodes = 0;

@@ -44,7 +44,8 @@ double CorridorDistance(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 
 TEST(EpisodeDrawer, DistancesLieInTheirBandsAndAreTrue) {
   EpisodeDrawer drawer = CorridorDrawer();
-  for (const Difficulty difficulty : kDifficulties) {
+  for (const Difficulty difficulty :
+       {Difficulty::kEasy, Difficulty::kMedium, Difficulty::kHard, Difficulty::kVeryHard}) {
     for (int i = 0; i < kEpisodes; ++i) {
       const Episode episode = drawer.Draw(difficulty, i);
       ASSERT_EQ(episode.goals.size(), 1u);

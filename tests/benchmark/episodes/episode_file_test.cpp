@@ -208,7 +208,9 @@ TEST(Difficulty, BandsMeetWithoutOverlap) {
   EXPECT_EQ(DifficultyAt(3.0), Difficulty::kMedium);
   EXPECT_EQ(DifficultyAt(5.0), Difficulty::kHard);
   EXPECT_EQ(DifficultyAt(10.0), Difficulty::kHard);
-  EXPECT_EQ(DifficultyAt(10.01), std::nullopt);
+  EXPECT_EQ(DifficultyAt(10.01), Difficulty::kVeryHard);
+  EXPECT_EQ(DifficultyAt(20.0), Difficulty::kExtreme);
+  EXPECT_EQ(DifficultyAt(40.01), std::nullopt);
   for (const Difficulty d : kDifficulties) EXPECT_EQ(DifficultyNamed(DifficultyName(d)), d);
 }
 

@@ -166,5 +166,24 @@ TEST_F(GeneratorTest, ShippedConfigsLoad) {
   EXPECT_EQ(sequential.counts.sequential, 1000);
 }
 
+TEST(ScenesOf, TakesAllMeshesBelowAFolder) {
+  const tests::TemporaryFolder folder;
+  for (const char* file : {"shop/scene.obj", "shop/scene.mtl", "a.glb", "house/deep/b.ply"}) {
+    std::filesystem::create_directories((folder.path() / file).parent_path());
+    sim::WriteFileAtomically(folder.path() / file, "x");
+  }
+  GeneratorSpec spec;
+  spec.scenes = {"first.glb", folder.path().string()};
+  const auto at = [&](const char* file) {
+    return (folder.path() / file).string();
+  };
+  EXPECT_EQ(ScenesOf(spec),
+            (std::vector<std::string>{"first.glb", at("a.glb"), at("house/deep/b.ply"),
+                                      at("shop/scene.obj")}));
+  std::filesystem::create_directories(folder.path() / "empty");
+  spec.scenes = {at("empty")};
+  EXPECT_THROW(ScenesOf(spec), sim::FileError);
+}
+
 }  // namespace
 }  // namespace bulletnav::bench

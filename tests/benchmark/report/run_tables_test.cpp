@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include "benchmark/report/scene_table.h"
 #include "sim/base/files.h"
 #include "tests/support/temporary_folder.h"
 
@@ -149,6 +150,31 @@ TEST(RunTables, FolderGetsAllFourFiles) {
     EXPECT_FALSE(sim::ReadTextFile(folder.path() / name).empty());
   }
   EXPECT_THAT(WriteTables(folder.path(), {}, Agents()), HasSubstr("No results yet"));
+}
+
+TEST(RunTables, FurtherDifficultiesHaveColumnsWhereThereAreSome) {
+  std::vector<EpisodeResult> results = Results({"noise"});
+  EXPECT_THAT(Markdown(results), Not(HasSubstr("Very hard")));
+  results.front().difficulty = Difficulty::kVeryHard;
+  EXPECT_THAT(Markdown(results),
+              HasSubstr("| Hard SPL | Very hard Succ | Very hard SPL | Overall"));
+}
+
+TEST(SceneTable, HasARowASceneAndSaysWhichIsWhich) {
+  std::vector<EpisodeResult> results = Results({"noise", "no_stop"});
+  EXPECT_FALSE(SceneTable(results, Agents()).has_value());  // a single one
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    results[i].key.scene = i % 2 == 0 ? "shop/scene.obj" : "office/scene.obj";
+  }
+  const auto table = SceneTable(results, Agents());
+  ASSERT_TRUE(table);
+  ASSERT_EQ(table->rows.size(), 2u);
+  EXPECT_EQ(table->rows[0].title, "office/scene");
+  EXPECT_EQ(table->rows[1].title, "shop/scene");
+  // Even episodes are in the shop, and are the ones that succeed; random comes first.
+  EXPECT_EQ(table->rows[1].cells, (std::vector<std::string>{"1.00", "0.50", "1.00", "0.50"}));
+  EXPECT_EQ(table->rows[0].cells, (std::vector<std::string>{"0.00", "0.00", "0.00", "0.00"}));
+  EXPECT_EQ(table->rows[0].remark, "6 episodes");
 }
 
 }  // namespace
