@@ -140,7 +140,10 @@ void AddRunCommand(CLI::App* program) {
       ->check(CLI::Range(1, 100'000'000));
   command->add_option("--workers", options->run.workers, "Threads (default: one per processor)")
       ->check(CLI::Range(1, 1024));
-  command->add_option("--out", options->out, "Folder of results (default: results/NAME)");
+  command->add_option("--out", options->out, "Folder of results (default: results/NAME)")
+      ->check([](const std::string& text) {
+        return std::string(text.empty() ? "is empty; is a shell variable not set?" : "");
+      });
   command
       ->add_option("--shard", options->shard,
                    "I/N: only the I-th of N shares of the episodes, into a folder of its own below "

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <set>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "agent/integer/quantised_file.h"
 #include "agent/models/model_registry.h"
 #include "agent/models/usual_slots.h"
@@ -111,6 +114,24 @@ std::map<std::string, fs::path> UsedWeights(const RunConfig& config) {
     for (const std::string& setting : settings) note(entry, setting);
   }
   return used;
+}
+
+void RequireKnownWeights(const RunConfig& config) {
+  std::set<std::string> settings(config.settings.begin(), config.settings.end());
+  settings.insert({"rgb", "rgbd"});
+  std::set<std::string> known;
+  for (const std::string& agent : agent::AgentNames()) {
+    for (const std::string& setting : settings) {
+      for (const agent::ModelSlot& slot : agent::ModelSlotsOf(agent, RigOf(config, setting))) {
+        known.insert(slot.weights + "_" + setting);
+      }
+    }
+  }
+  for (const auto& [key, file] : config.weights) {
+    if (known.contains(key)) continue;
+    throw sim::Error(fmt::format("weights: no agent asks for '{}'; known here: {}", key,
+                                 fmt::join(known, ", ")));
+  }
 }
 
 bool ActsInFloats(const RunConfig& config) {

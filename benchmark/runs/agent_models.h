@@ -31,6 +31,10 @@ std::vector<SlotSource> SourcesOf(const AgentEntry& entry, const RunConfig& conf
 /// The files of weights that a config's agents use, by key; without those that are missing.
 std::map<std::string, std::filesystem::path> UsedWeights(const RunConfig& config);
 
+/// Throws Error for a key of `weights` that no agent of this version asks for: it would be left out
+/// in silence.
+void RequireKnownWeights(const RunConfig& config);
+
 /// Whether some network acts in floats, whose last bits depend on the kind of processor; those in
 /// integers are the same everywhere. Throws FileError if weights cannot be read.
 bool ActsInFloats(const RunConfig& config);

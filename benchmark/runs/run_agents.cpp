@@ -147,6 +147,7 @@ AgentRow RunAgent::row() const {
 }
 
 std::vector<RunAgent> FindAgents(const RunConfig& config) {
+  RequireKnownWeights(config);
   std::vector<RunAgent> agents;
   for (const AgentEntry& entry : config.agents) {
     agents.push_back(FindAgent(config, entry));
