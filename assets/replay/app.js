@@ -1,279 +1,334 @@
 // SPDX-License-Identifier: MIT
-// What is chosen and shown, time, keys, and the link that leads back to it.
+// What is chosen and shown now; buttons, keys, links.
 "use strict";
-// eslint-disable-next-line no-var
-var now = {row: null, step: 0, one: null, two: null, timer: null, solid: false};
-const kStepMs = 60;
+const layers = {beliefs: true, odometry: false, shortest: true};
+const now = {row: null, results: [], storey: null, step: 0, length: 0, playing: 0, solid: false, asked: 0};
+
+function isDark() { return document.documentElement.dataset.theme === "dark"; }
+
+function setTheme(dark) {
+  document.documentElement.dataset.theme = dark ? "dark" : "light";
+  readColours();
+  show();
+  if (!byId("charts").hidden) drawCharts();
+}
+
+/// Why there is nothing to play back for a result, and what to do.
+function excuse(row) {
+  if (row.has_path) return "";
+  return `The path of this episode was not kept, so there is nothing to play back.\n` +
+    `To see it, play it again and make a page of that:\n\n` +
+    `./bulletnav run ${run.folder}/config.yaml --only ${row.episode} --beliefs --out results/again\n` +
+    `./bulletnav replay results/again`;
+}
+
+/// Shows a result, and beside it that of the agent to compare with.
+async function choose(row, step = 0) {
+  pause();
+  const asked = ++now.asked;
+  now.row = row;
+  drawRows();
+  const twin = twinOf(row);
+  let storey = null;
+  const results = [];
+  try {
+    for (const one of [row, twin]) {
+      const result = one ? await loadResult(one) : null;
+      if (result) results.push(result);
+    }
+    storey = row.scene_block >= 0 ? await storeyOf(row.scene_block) : null;
+  } catch (error) {
+    byId("notes").append(Object.assign(document.createElement("p"), {textContent: `Episode ${row.episode}: ${error.message}`}));
+  }
+  if (asked !== now.asked) return;  // another was chosen meanwhile
+  Object.assign(now, {results, storey, twin});
+  Object.assign(view, {zoom: 1, x: 0, z: 0});
+  now.length = Math.max(0, ...results.map(one => one.steps));
+  byId("step").max = now.length;
+  byId("step").disabled = byId("play").disabled = !results.length;
+  byId("empty").textContent = excuse(row);
+  drawVerdict();
+  await useHouse(now.solid);
+  goTo(step);
+}
+
+function goTo(step) {
+  now.step = Math.max(0, Math.min(step, now.length));
+  byId("step").value = now.step;
+  show();
+  keepLink();
+}
 
 function told(row, name) {
   const line = document.createElement("div");
   line.className = "told";
-  const dot = document.createElement("span");
-  dot.className = "dot " + name;
-  const who = document.createElement("b");
-  who.textContent = titleOf(row.agent);
-  const pill = document.createElement("span");
-  pill.className = "pill" + (row.ok ? " ok" : "");
+  const dot = Object.assign(document.createElement("span"), {className: "dot " + name});
+  const title = Object.assign(document.createElement("b"), {textContent: titleOf(row.agent)});
+  const pill = Object.assign(document.createElement("span"), {className: "pill" + (row.ok ? " ok" : "")});
   pill.textContent = row.ok ? "reached" : row.why;
-  const facts = cell("facts", `SPL ${numbered(row.spl, 2)} · ${row.steps} steps · walked ` +
-    `${numbered(row.path_length, 1)} m, shortest ${numbered(row.start_distance, 1)} m · ` +
-    `${numbered(row.distance_to_goal, 2)} m left · ${row.collisions} collisions` +
-    (row.goals > 1 ? ` · ${row.reached} of ${row.goals} goals` : "") +
-    (row.failure ? ` · ${row.failure}` : ""));
-  line.append(dot, who, pill, facts);
+  const facts = [`SPL ${numbered(row.spl, 2)}`, `${row.steps} steps`, `walked ${numbered(row.path_length, 1)} m`,
+                 `ended ${numbered(row.distance_to_goal, 1)} m from the goal`];
+  if (row.goals > 1) facts.unshift(`${row.reached} of ${row.goals} goals`);
+  if (row.collisions) facts.push(`${row.collisions} collisions`);
+  if (row.failure) facts.unshift(row.failure);
+  const rest = Object.assign(document.createElement("span"), {className: "facts", textContent: facts.join(" · ")});
+  rest.title = rest.textContent;
+  line.append(dot, title, pill, rest);
   return line;
 }
 
-const kSwatches = {
-  line: (name, dash) => `<line x1="1" y1="7" x2="21" y2="7" stroke="var(--${name})" stroke-width="2.5" stroke-dasharray="${dash || ""}"/>`,
-  dot: (name, fill) => `<circle cx="11" cy="7" r="4.5" fill="var(--${fill || name})" stroke="var(--${name})" stroke-width="1.5"/>`,
-  star: name => `<path d="M11 1l1.8 4.2 4.6.4-3.5 3 1 4.4-3.9-2.4-3.9 2.4 1-4.4-3.5-3 4.6-.4z" fill="var(--${name})"/>`,
-  box: name => `<rect x="3" y="2" width="16" height="10" fill="var(--${name})" opacity=".5"/>`,
-};
+function drawVerdict() {
+  const row = now.row;
+  const lines = [told(row, "a")];
+  if (now.twin) lines.push(told(now.twin, "b"));
+  const where = document.createElement("div");
+  where.className = "told";
+  where.append(Object.assign(document.createElement("span"), {className: "facts",
+    textContent: `${row.episode} · ${row.difficulty || "several goals"} · ${sceneName(row.scene)} · goal ${numbered(row.start_distance, 1)} m away · ${settingOf(row)}`}));
+  byId("verdict").replaceChildren(where, ...lines);
+}
 
-function legendOf() {
-  const {one, two} = now;
-  const list = [[kSwatches.line("a"), "path of " + titleOf(one.row.agent)]];
-  if (two) list.push([kSwatches.line("b"), "path of " + titleOf(two.row.agent)]);
-  if (layers.odometry) list.push([kSwatches.line("a", "2 4"), "where odometry believed to be"]);
-  if (layers.shortest) list.push([kSwatches.line("good", "6 4"), "shortest path"]);
-  list.push([kSwatches.dot("ink", "card"), "start"], [kSwatches.star("goal"), "goal"]);
-  if (one.beliefs && layers.beliefs) {
-    if (one.beliefs.size) list.push([kSwatches.box("free"), "its map: free"], [kSwatches.box("solid"), "its map: obstacle"]);
-    list.push([kSwatches.dot("graph"), "its nodes"], [kSwatches.dot("graph", "card"), "ghost nodes, scores"]);
-    if (one.beliefs.log.at_end) list.push(["", "(beliefs: at the last step alone)"]);
-  }
-  return list.map(([swatch, text]) => {
-    const line = document.createElement("div");
-    line.innerHTML = `<svg width="22" height="14">${swatch}</svg>`;
-    line.append(text);
-    return line;
+/// Draws all that depends on the step.
+function show() {
+  byId("layers").hidden = !now.results.length;
+  for (const name of Object.keys(layers)) byId("layer_" + name).classList.toggle("on", layers[name]);
+  byId("layer_solid").classList.toggle("on", now.solid);
+  if (now.solid) drawHouse(now);
+  else drawPlan(byId("plan"), {...now, layers});
+  drawLegend(now.solid ? [] : now.results, now.step, layers);
+  drawEvents();
+  drawViews();
+  const main = now.results[0];
+  byId("now").textContent = main ? `step ${now.step} of ${now.length} · ${actionAt(main, now.step)}` : "";
+  byId("play").textContent = now.playing ? "❚❚" : "▶";
+}
+
+function actionAt(result, step) {
+  if (step >= result.steps) return "end";
+  return {F: "forward", L: "turn left", R: "turn right", S: "stop"}[result.path.actions[step]] || "";
+}
+
+/// Collisions and stops as marks over the slider; the second agent's below the first's.
+function drawEvents() {
+  const canvas = byId("events");
+  const pen = fitted(canvas);
+  const width = canvas.clientWidth, height = canvas.clientHeight / Math.max(now.results.length, 1);
+  now.results.forEach((one, i) => {
+    for (let step = 0; step < one.steps; ++step) {
+      const stop = one.path.actions[step] === "S";
+      if (!stop && one.path.collided[step] !== "1") continue;
+      pen.fillStyle = stop ? colours.ink : colours.bad;
+      pen.fillRect((step + 1) / now.length * width - 1, i * height, stop ? 3 : 1.5, height - 1);
+    }
   });
 }
 
-function layerButtons() {
-  const entries = [["beliefs", "Beliefs", "B"], ["odometry", "Odometry", "O"], ["shortest", "Shortest", "S"]];
-  const buttons = entries.map(([name, title, key]) => {
-    const button = document.createElement("button");
-    button.textContent = title;
-    button.title = `${title} (${key})`;
-    button.className = layers[name] ? "on" : "";
-    button.onclick = () => toggle(name);
-    return button;
-  });
-  const solid_button = document.createElement("button");
-  solid_button.id = "solid";
-  solid_button.textContent = "3D";
-  solid_button.title = "The house in 3D (3)";
-  solid_button.className = now.solid ? "on" : "";
-  solid_button.onclick = toggleSolid;
-  byId("layers").replaceChildren(...buttons, solid_button);
-}
-
-function toggle(name) {
-  layers[name] = !layers[name];
-  draw();
-}
-
-function toggleSolid() {
-  if (!now.solid && !startSolid()) {
-    say("This browser has no WebGL: the plan is all there is.");
-    return;
-  }
-  now.solid = !now.solid;
-  draw();
-}
-
-function say(text) {
-  const note = document.createElement("p");
-  note.textContent = text;
-  byId("notes").replaceChildren(note);
-}
-
-/// Draws one of the pictures below each other in a strip.
-function drawPicture(id, strip, which) {
-  const canvas = byId(id);
-  const ctx = canvas.getContext("2d");
-  if (!strip) {
-    ctx.clearRect(0, 0, canvas.width, canvas.height);
-    return;
-  }
-  const height = strip.width / 4;
-  canvas.width = strip.width;
-  canvas.height = height;
-  ctx.drawImage(strip, 0, which * height, strip.width, height, 0, 0, strip.width, height);
+/// One panorama of a strip, with a mark straight ahead.
+function drawStrip(canvas, strip, count, place) {
+  const pen = fitted(canvas);
+  if (!strip) return;
+  const height = strip.height / count;
+  pen.drawImage(strip, 0, place * height, strip.width, height, 0, 0, canvas.clientWidth, canvas.clientHeight);
+  pen.fillStyle = "#ffffffcc";
+  const middle = canvas.clientWidth / 2;
+  pen.beginPath();
+  pen.moveTo(middle - 5, 0); pen.lineTo(middle + 5, 0); pen.lineTo(middle, 6);
+  pen.fill();
 }
 
 function drawViews() {
-  const {one} = now;
-  const seen = one && one.seen ? one.row.seen : [];
-  byId("views").className = one && (one.seen || one.goal) ? "" : "none";
-  if (!one) return;
-  let which = 0;
-  seen.forEach((step, i) => { if (step <= now.step) which = i; });
-  drawPicture("sees", one.seen, which);
-  byId("sees_title").textContent = seen.length ? `Sees, at step ${seen[which]}` : "Sees";
-  const goal = goalAt(one, now.step);
-  drawPicture("goal", one.goal, goal);
-  byId("goal_title").textContent = one.path.goals.length > 1 ? `Goal ${goal + 1} of ${one.path.goals.length}` : "Goal";
+  const main = now.results[0];
+  const has = Boolean(main && (main.seen || main.goal));
+  byId("views").className = has ? "" : "none";
+  if (!has) return;
+  const steps = main.row.seen;
+  let place = steps.findIndex(step => step > now.step) - 1;
+  if (place < -1) place = steps.length - 1;
+  place = Math.max(place, 0);
+  byId("sees_title").textContent = `What ${titleOf(main.row.agent)} sees (step ${steps[place] ?? "–"}; the middle is ahead)`;
+  drawStrip(byId("sees"), main.seen, steps.length, place);
+  const goals = main.path.goals.length, goal = goalAt(main, now.step);
+  byId("goal_title").textContent = goals > 1 ? `Goal ${goal + 1} of ${goals}` : "The goal's picture";
+  drawStrip(byId("goal"), main.goal, goals, goal);
 }
 
-function drawEvents() {
-  const canvas = byId("events");
-  canvas.width = canvas.clientWidth;
-  canvas.height = 8;
-  const ctx = canvas.getContext("2d");
-  const last = Number(byId("step").max) || 1;
-  const {one} = now;
-  for (let i = 0; one && i < one.steps; ++i) {
-    const is_stop = one.path.actions[i] === "S";
-    if (!is_stop && one.path.collided[i] !== "1") continue;
-    ctx.fillStyle = color(is_stop ? "goal" : "bad");
-    ctx.fillRect((i + 1) / last * (canvas.width - 2), 0, 2, 8);
-  }
+function pause() {
+  cancelAnimationFrame(now.playing);
+  now.playing = 0;
 }
 
-const kActions = {F: "forward", L: "left", R: "right", S: "stop"};
-function draw() {
-  const {one} = now;
+/// Plays an episode in 8 to 25 seconds, from the start if it stands at the end.
+function play() {
+  if (!now.length) return;
+  if (now.step >= now.length) now.step = 0;
+  const rate = Math.max(10, now.length / 25) / 1000;
+  let before = performance.now(), at = now.step;
+  const tick = time => {
+    at += (time - before) * rate;
+    before = time;
+    if (Math.floor(at) !== now.step) { now.step = Math.min(Math.floor(at), now.length); byId("step").value = now.step; }
+    now.playing = now.step < now.length ? requestAnimationFrame(tick) : 0;
+    show();
+    if (!now.playing) keepLink();
+  };
+  now.playing = requestAnimationFrame(tick);
+  show();
+}
+
+function togglePlay() {
+  if (now.playing) { pause(); goTo(now.step); } else play();
+}
+
+/// Switches between plan and 3D; without WebGL says so and stays with the plan.
+async function useHouse(solid) {
+  now.solid = solid && now.results.length > 0 && openHouse(byId("house"), now);
   byId("plan").hidden = now.solid;
   byId("house").hidden = !now.solid;
-  byId("empty").textContent = one ? (one.row.scene_block < 0 && now.solid ? "the scene is not there" : "")
-    : now.row ? "This result has no path to play back" : "Choose an episode on the left";
-  byId("legend").replaceChildren(...(one && !now.solid ? legendOf() : []));
-  layerButtons();
-  drawViews();
-  byId("step").value = now.step;
-  const action = one && now.step > 0 ? one.path.actions[Math.min(now.step, one.steps) - 1] : "";
-  byId("now").textContent = one ? `step ${now.step} of ${byId("step").max}${action ? " · " + kActions[action] : ""}` : "";
-  (now.solid ? drawHouse() : drawPlan()).catch(error => say(String(error)));
+  byId("no_webgl").hidden = !(solid && now.results.length && !now.solid);
 }
 
-function goTo(step) {
-  now.step = Math.max(0, Math.min(step, Number(byId("step").max)));
-  draw();
-  keepLink();
+async function toggleHouse() {
+  await useHouse(!now.solid);
+  goTo(now.step);
 }
 
-function play(on) {
-  clearInterval(now.timer);
-  now.timer = null;
-  const last = Number(byId("step").max);
-  if (on && last > 0) {
-    if (now.step >= last) now.step = 0;
-    now.timer = setInterval(() => {
-      goTo(now.step + 1);
-      if (now.step >= last) play(false);
-    }, kStepMs);
-  }
-  byId("play").textContent = now.timer ? "❚❚" : "▶";
+function toggleLayer(name) {
+  layers[name] = !layers[name];
+  show();
 }
 
-/// Shows a result, at its last step unless another is given.
-async function choose(row, step) {
-  play(false);
-  now.row = row;
-  drawRows();
-  const twin = twinOf(row);
-  let results = [null, null];
-  try {
-    results = await Promise.all([loadResult(row), twin ? loadResult(twin) : null]);
-  } catch (error) {
-    say(`${row.episode}: ${error.message}`);
-  }
-  if (now.row !== row) return;
-  [now.one, now.two] = results;
-  const last = Math.max(0, ...results.map(one => one ? one.steps : 0));
-  byId("step").max = last;
-  now.step = Math.min(step ?? last, last);
-  byId("verdict").replaceChildren(told(row, "a"), ...(twin ? [told(twin, "b")] : []));
-  drawEvents();
-  draw();
-  keepLink();
-}
-
-/// The place in the address: who, where, when.
-function keepLink() {
-  if (!now.row) return;
-  const {row} = now;
-  const parts = {agent: run.agents[row.agent][0], episode: row.episode, setting: row.setting,
-                 condition: row.condition, seed: row.seed, step: now.step};
-  if (filter.other >= 0) parts.other = run.agents[filter.other][0];
-  history.replaceState(null, "", "#" + new URLSearchParams(parts));
-}
-
-/// Of an address; the worst result of the list if it names none.
-function followLink() {
-  const link = new URLSearchParams(location.hash.slice(1));
-  const agent = run.agents.findIndex(([name]) => name === link.get("agent"));
-  const other = run.agents.findIndex(([name]) => name === link.get("other"));
-  const wanted = run.rows.find(row => row.agent === agent && row.episode === link.get("episode") &&
-    ["setting", "condition", "seed"].every(key => !link.has(key) || String(row[key]) === link.get(key)));
-  if (wanted) filter.agent = agent;
-  if (other >= 0) filter.other = other;
-  updateFilters();
-  updateTable();
-  const first = wanted || shown[0];
-  if (first) choose(first, wanted && link.has("step") ? Number(link.get("step")) : undefined);
-}
-
-function showTab(charts) {
-  byId("left").hidden = charts;
+function showCharts(charts) {
   byId("charts").hidden = !charts;
-  byId("tab_list").className = "tab" + (charts ? "" : " on");
-  byId("tab_charts").className = "tab" + (charts ? " on" : "");
-  if (charts) drawCharts(); else drawRows();
+  byId("left").hidden = charts;
+  byId("tab_charts").classList.toggle("on", charts);
+  byId("tab_list").classList.toggle("on", !charts);
+  if (charts) drawCharts();
+  else drawRows();
+  keepLink();
 }
 
-function setTheme(theme) {
-  document.documentElement.dataset.theme = theme;
-  mapImage.version = -1;
-  drawEvents();
-  draw();
-}
-
-/// The result so many rows further down the list.
-function walkList(by) {
+/// The result above or below in the list.
+function move(by) {
   const place = shown.indexOf(now.row);
-  const next = shown[Math.max(0, Math.min(shown.length - 1, place + by))];
-  if (!next) return;
-  const list = byId("list"), top = shown.indexOf(next) * kRowHeight;
+  const row = shown[Math.max(0, Math.min(place < 0 ? 0 : place + by, shown.length - 1))];
+  if (!row) return;
+  revealRow(shown.indexOf(row));
+  choose(row);
+}
+
+function revealRow(place) {
+  const list = byId("list"), top = place * kRowHeight;
   if (top < list.scrollTop) list.scrollTop = top;
   if (top + kRowHeight > list.scrollTop + list.clientHeight) list.scrollTop = top + kRowHeight - list.clientHeight;
-  choose(next);
 }
 
-const kKeys = {
-  " ": () => play(!now.timer), ArrowLeft: shift => goTo(now.step - (shift ? 10 : 1)),
-  ArrowRight: shift => goTo(now.step + (shift ? 10 : 1)), ArrowUp: () => walkList(-1), ArrowDown: () => walkList(1),
-  Home: () => goTo(0), End: () => goTo(Infinity), b: () => toggle("beliefs"), o: () => toggle("odometry"),
-  s: () => toggle("shortest"), 3: toggleSolid, c: () => showTab(byId("charts").hidden),
-  t: () => setTheme(document.documentElement.dataset.theme === "dark" ? "light" : "dark"),
+const keys = {
+  " ": togglePlay, Home: () => goTo(0), End: () => goTo(now.length),
+  ArrowLeft: event => { pause(); goTo(now.step - (event.shiftKey ? 10 : 1)); },
+  ArrowRight: event => { pause(); goTo(now.step + (event.shiftKey ? 10 : 1)); },
+  ArrowUp: () => move(-1), ArrowDown: () => move(1),
+  b: () => toggleLayer("beliefs"), o: () => toggleLayer("odometry"), s: () => toggleLayer("shortest"),
+  3: toggleHouse, c: () => showCharts(byId("charts").hidden), t: () => setTheme(!isDark()),
   "?": () => byId("keys").showModal(),
 };
-document.onkeydown = event => {
-  const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
-  if (event.ctrlKey || event.metaKey || event.target.tagName === "SELECT" || !kKeys[key]) return;
+
+function onKey(event) {
+  if (event.ctrlKey || event.altKey || event.metaKey || byId("keys").open) return;
+  if (event.target.tagName === "SELECT") return;
+  const key = keys[event.key.length === 1 ? event.key.toLowerCase() : event.key];
+  if (!key) return;
   event.preventDefault();
-  kKeys[key](event.shiftKey);
-};
+  key(event);
+}
 
-byId("play").onclick = () => play(!now.timer);
-byId("step").oninput = () => { play(false); goTo(Number(byId("step").value)); };
-byId("tab_list").onclick = () => showTab(false);
-byId("tab_charts").onclick = () => showTab(true);
-byId("theme").onclick = () => kKeys.t();
-byId("help").onclick = () => kKeys["?"]();
-byId("list").onscroll = drawRows;
-window.onresize = () => { drawRows(); drawEvents(); draw(); };
-window.onhashchange = followLink;
+/// What is shown, as the end of the page's address: a link to share.
+function linkText() {
+  const link = new URLSearchParams();
+  if (now.row) {
+    const {agent, setting, condition, seed, scene, episode} = now.row;
+    const words = {agent: run.agents[agent][0], setting, condition, seed, scene: run.scenes[scene], episode, step: now.step};
+    for (const [name, value] of Object.entries(words)) link.set(name, value);
+  }
+  if (filter.other >= 0) link.set("with", run.agents[filter.other][0]);
+  if (now.solid) link.set("view", "3d");
+  if (!byId("charts").hidden) link.set("charts", "1");
+  return "#" + link;
+}
 
-byId("name").textContent = run.name;
-byId("about").textContent = `${run.rows.length} results · ${run.agents.length} agents · ${run.scenes.length} houses`;
-byId("notes").replaceChildren(...run.notes.map(text => {
-  const note = document.createElement("p");
-  note.textContent = text;
-  return note;
-}));
-document.documentElement.dataset.theme = matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
-followLink();
+function keepLink() {
+  try { history.replaceState(null, "", linkText()); } catch { /* a browser that lets no file do so */ }
+}
+
+/// Shows what a link tells; says so if there is no such result.
+async function followLink() {
+  const link = new URLSearchParams(location.hash.slice(1));
+  const other = run.agents.findIndex(([name]) => name === link.get("with"));
+  const agent = run.agents.findIndex(([name]) => name === link.get("agent"));
+  filter.other = other;
+  if (agent >= 0) filter.agent = agent;
+  updateFilters();
+  updateTable();
+  const row = run.rows.find(one => one.agent === agent && one.setting === link.get("setting") &&
+    one.condition === link.get("condition") && String(one.seed) === link.get("seed") &&
+    run.scenes[one.scene] === link.get("scene") && one.episode === link.get("episode"));
+  now.solid = link.get("view") === "3d";
+  if (row) {
+    revealRow(shown.indexOf(row));
+    await choose(row, Number(link.get("step")) || 0);
+  } else if (shown.length) {
+    await choose(shown[0]);
+    if (link.get("episode")) byId("empty").textContent = "This page has no result of the link that was followed.";
+  }
+  if (link.get("charts")) showCharts(true);
+}
+
+/// Dragging moves the plan, the wheel zooms about the pointer, a double click shows all.
+function addPointer(canvas) {
+  let last = null;
+  canvas.onpointerdown = event => { last = event; canvas.setPointerCapture(event.pointerId); };
+  canvas.onpointerup = () => { last = null; };
+  canvas.onpointermove = event => {
+    if (!last) return;
+    const dx = event.clientX - last.clientX, dy = event.clientY - last.clientY;
+    last = event;
+    const [x, z] = toWorld(dx, dy);
+    view.x -= x;
+    view.z -= z;
+    show();
+  };
+  canvas.onwheel = event => {
+    event.preventDefault();
+    const zoom = Math.max(0.5, Math.min(20, view.zoom * Math.exp(-event.deltaY / 600)));
+    const box = canvas.getBoundingClientRect();
+    const [x, z] = toWorld(event.clientX - box.left - canvas.clientWidth / 2,
+                           event.clientY - box.top - canvas.clientHeight / 2);
+    view.x += x * (1 - view.zoom / zoom);  // what is below the pointer stays there
+    view.z += z * (1 - view.zoom / zoom);
+    view.zoom = zoom;
+    show();
+  };
+  canvas.ondblclick = () => { Object.assign(view, {zoom: 1, x: 0, z: 0}); show(); };
+}
+
+function start() {
+  const agents = run.agents.length === 1 ? "1 agent" : `${run.agents.length} agents`;
+  byId("name").textContent = run.name;
+  byId("about").textContent = `${run.rows.length === 1 ? "1 result" : run.rows.length + " results"} · ${agents} · ${run.scenes.length === 1 ? "1 scene" : run.scenes.length + " scenes"}`;
+  byId("notes").replaceChildren(...run.notes.map(note => Object.assign(document.createElement("p"), {textContent: note})));
+  byId("tab_list").onclick = () => showCharts(false);
+  byId("tab_charts").onclick = () => showCharts(true);
+  byId("theme").onclick = () => setTheme(!isDark());
+  byId("help").onclick = () => byId("keys").showModal();
+  byId("play").onclick = togglePlay;
+  byId("step").oninput = () => { pause(); goTo(Number(byId("step").value)); };
+  byId("list").onscroll = drawRows;
+  for (const name of Object.keys(layers)) byId("layer_" + name).onclick = () => toggleLayer(name);
+  byId("layer_solid").onclick = toggleHouse;
+  addPointer(byId("plan"));
+  document.onkeydown = onKey;
+  window.onresize = () => { drawRows(); show(); };
+  window.onhashchange = followLink;
+  setTheme(matchMedia("(prefers-color-scheme: dark)").matches);
+  followLink().then(() => { document.documentElement.dataset.ready = "yes"; });
+}
+start();

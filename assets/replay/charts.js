@@ -1,122 +1,126 @@
 // SPDX-License-Identifier: MIT
-// Charts of the run, as SVG: success and SPL by difficulty and by distance, and why episodes fail.
+// Charts of the results that the other filters than agent and outcome let through.
 "use strict";
-const kChart = {width: 560, height: 200, left: 40, bottom: 26, top: 10};
-const kSeries = ["#1f5fd6", "#c4570a", "#16794a", "#7b3fb5", "#b3261e", "#0e8a9a", "#8a6d00", "#5c6575"];
+const kInks = ["#4477dd", "#e07b39", "#2a9d78", "#a564c4", "#c9a227", "#d1495b", "#5f7f8c", "#8d6e63"];
+const kReasonInks = {"reached": "var(--good)", "stopped far away": "#d1495b", "stopped short": "#e9954f", "out of steps": "#7d8796",
+                     "at goal, no stop": "#c9a227", "agent broke down": "#7a1f2b", "cut off from goal": "#8d6e63", "not all goals": "#d1495b"};
 
-const sum = values => values.reduce((a, b) => a + b, 0);
-const mean = values => values.length ? sum(values) / values.length : null;
-const successOf = rows => mean(rows.map(row => row.ok ? 1 : 0));
-const splOf = rows => mean(rows.map(row => row.spl ?? 0));
+const inkOf = agent => kInks[agent % kInks.length];
+const safe = text => String(text).replace(/[&<"]/g, c => ({"&": "&amp;", "<": "&lt;", '"': "&quot;"})[c]);
+const share = (part, whole) => whole ? part / whole : 0;
+const mean = values => share(values.reduce((sum, value) => sum + value, 0), values.length);
 
-function svg(name, attributes, text) {
-  const element = document.createElementNS("http://www.w3.org/2000/svg", name);
-  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
-  if (text !== undefined) element.textContent = text;
-  return element;
+function chart(title, note, height, content) {
+  return `<h2>${safe(title)}</h2><p>${safe(note)}</p>` +
+    `<svg viewBox="0 0 460 ${height}" role="img" aria-label="${safe(title)}">${content}</svg>`;
 }
 
-/// Rows of the chosen setting by who played them, in the order of the run.
-function byAgent() {
-  const rows = run.rows.filter(row => !filter.setting || settingOf(row) === filter.setting);
-  return run.agents.map(([, title], agent) => ({
-    title, color: kSeries[agent % kSeries.length], rows: rows.filter(row => row.agent === agent)
-  })).filter(one => one.rows.length);
+const words = (x, y, text, anchor = "start", kind = "") =>
+  `<text x="${x}" y="${y}" text-anchor="${anchor}" class="${kind}">${safe(text)}</text>`;
+const box = (x, y, width, height, ink, tip) =>
+  `<rect x="${x}" y="${y}" width="${Math.max(width, 0)}" height="${height}" fill="${ink}" rx="2"><title>${safe(tip)}</title></rect>`;
+
+/// Success and SPL of each agent.
+function scoreChart(byAgent) {
+  let content = "", y = 16;
+  for (const [agent, rows] of byAgent) {
+    const ok = share(rows.filter(row => row.ok).length, rows.length), spl = mean(rows.map(row => row.spl ?? 0));
+    content += words(0, y, titleOf(agent), "start", "title");
+    content += box(0, y + 6, 360 * ok, 11, inkOf(agent), `success ${ok.toFixed(3)} of ${rows.length}`);
+    content += words(360 * ok + 6, y + 16, `${(100 * ok).toFixed(0)}% reached`);
+    content += `<g opacity=".55">${box(0, y + 19, 360 * spl, 11, inkOf(agent), `SPL ${spl.toFixed(3)}`)}</g>`;
+    content += words(360 * spl + 6, y + 29, `SPL ${spl.toFixed(3)}`);
+    y += 52;
+  }
+  return chart("Success and SPL", "Strong: share of goals reached. Pale: weighted by the length of the path.", y - 14, content);
 }
 
-function frame(title) {
-  const chart = svg("svg", {viewBox: `0 0 ${kChart.width} ${kChart.height}`, role: "img", "aria-label": title});
+/// How the episodes of each agent ended.
+function reasonChart(byAgent, rows) {
+  const reasons = ["reached", ...unique(rows.map(row => row.why)).filter(one => one).sort()];
+  let content = "", y = 16;
+  for (const [agent, ones] of byAgent) {
+    content += words(0, y, titleOf(agent), "start", "title");
+    let x = 0;
+    for (const reason of reasons) {
+      const count = ones.filter(row => (row.why || "reached") === reason).length, width = 460 * share(count, ones.length);
+      if (count) content += box(x, y + 6, width - 1, 18, kReasonInks[reason] || "#7d8796", `${reason}: ${count} of ${ones.length}`);
+      if (width > 26) content += `<text x="${x + width / 2}" y="${y + 19}" text-anchor="middle" style="fill:#fff">${count}</text>`;
+      x += width;
+    }
+    y += 44;
+  }
+  let x = 0;
+  for (const reason of reasons) {
+    const width = 24 + 6.4 * reason.length;
+    if (x + width > 460) { x = 0; y += 18; }
+    content += box(x, y - 9, 10, 10, kReasonInks[reason] || "#7d8796", reason) + words(x + 15, y, reason);
+    x += width;
+  }
+  return chart("How episodes ended", "Number of episodes by outcome.", y + 10, content);
+}
+
+/// Success by how far away the goal is.
+function distanceChart(byAgent, rows) {
+  const far = Math.max(1, ...rows.map(row => row.start_distance ?? 0));
+  const bins = 5, high = 170;
+  let content = "";
   for (let i = 0; i <= 4; ++i) {
-    const y = yOf(i / 4);
-    chart.append(svg("line", {x1: kChart.left, x2: kChart.width, y1: y, y2: y, stroke: "var(--line)"}),
-                 svg("text", {x: kChart.left - 6, y: y + 4, "text-anchor": "end"}, (i / 4).toFixed(2)));
+    const y = 12 + high * (1 - i / 4);
+    content += `<line x1="42" x2="455" y1="${y}" y2="${y}" stroke="var(--line)"/>` + words(38, y + 4, `${25 * i}%`, "end");
   }
-  return chart;
-}
-
-const yOf = share => kChart.top + (1 - share) * (kChart.height - kChart.top - kChart.bottom);
-
-/// Bars of `value` for groups of rows: [[name, test]].
-function bars(title, groups, value) {
-  const chart = frame(title);
-  const agents = byAgent();
-  const room = (kChart.width - kChart.left) / groups.length;
-  groups.forEach(([name, test], g) => {
-    const wide = room * 0.8 / agents.length;
-    agents.forEach((agent, a) => {
-      const share = value(agent.rows.filter(test));
-      if (share === null) return;
-      const bar = svg("rect", {x: kChart.left + g * room + room * 0.1 + a * wide, width: Math.max(1, wide - 2),
-                               y: yOf(share), height: yOf(0) - yOf(share), fill: agent.color, rx: 1.5});
-      bar.append(svg("title", {}, `${agent.title}, ${name}: ${share.toFixed(3)} of ${agent.rows.filter(test).length}`));
-      chart.append(bar);
-    });
-    chart.append(svg("text", {x: kChart.left + (g + 0.5) * room, y: kChart.height - 8, "text-anchor": "middle"}, name));
-  });
-  return chart;
-}
-
-function reasonBars() {
-  const agents = byAgent();
-  const reasons = unique(run.rows.filter(row => !row.ok).map(row => row.why)).sort();
-  const chart = svg("svg", {viewBox: `0 0 ${kChart.width} ${26 * agents.length + 6}`, role: "img", "aria-label": "Why"});
-  agents.forEach((agent, a) => {
-    chart.append(svg("text", {x: 0, y: 26 * a + 16}, agent.title));
-    let x = 200;
-    reasons.forEach((reason, r) => {
-      const count = agent.rows.filter(row => row.why === reason).length;
-      const wide = (kChart.width - 200) * count / agent.rows.length;
-      if (!count) return;
-      const bar = svg("rect", {x, width: Math.max(1, wide), y: 26 * a + 4, height: 18, fill: kSeries[r % kSeries.length]});
-      bar.append(svg("title", {}, `${reason}: ${count} of ${agent.rows.length}`));
-      chart.append(bar);
-      x += wide;
-    });
-    if (x === 200) chart.append(svg("text", {x, y: 26 * a + 16}, "no failures"));
-  });
-  return [chart, key(reasons.map((reason, r) => [reason, kSeries[r % kSeries.length]]))];
-}
-
-function key(entries) {
-  const list = document.createElement("div");
-  list.className = "key";
-  for (const [title, paint] of entries) {
-    const entry = document.createElement("span");
-    const dot = document.createElement("i");
-    dot.style.background = paint;
-    entry.append(dot, title);
-    list.append(entry);
+  for (let i = 0; i <= bins; ++i) content += words(42 + 413 * i / bins, high + 28, `${(far * i / bins).toFixed(0)} m`, i === bins ? "end" : "middle");
+  for (const [agent, ones] of byAgent) {
+    const points = [];
+    for (let i = 0; i < bins; ++i) {
+      const inside = ones.filter(row => Math.min(bins - 1, Math.floor((row.start_distance ?? 0) / far * bins)) === i);
+      if (!inside.length) continue;
+      const ok = share(inside.filter(row => row.ok).length, inside.length);
+      points.push([42 + 413 * (i + 0.5) / bins, 12 + high * (1 - ok), `${titleOf(agent)}: ${(100 * ok).toFixed(0)}% of ${inside.length}`]);
+    }
+    content += `<polyline points="${points.map(([x, y]) => x + "," + y).join(" ")}" fill="none" stroke="${inkOf(agent)}" stroke-width="2"/>`;
+    for (const [x, y, tip] of points) content += `<circle cx="${x}" cy="${y}" r="3.5" fill="${inkOf(agent)}"><title>${safe(tip)}</title></circle>`;
   }
-  return list;
+  let y = high + 48;
+  for (const [agent] of byAgent) {
+    content += box(34, y - 9, 10, 10, inkOf(agent), titleOf(agent)) + words(50, y, titleOf(agent));
+    y += 16;
+  }
+  return chart("Success by distance to the goal", "Length of the shortest path from the start.", y, content);
 }
 
-function distanceGroups() {
-  const edges = [0, 2, 3, 4, 5, 7, 10, 15, 20, 40].filter((_, i, all) =>
-    run.rows.some(row => row.start_distance >= all[i] && row.start_distance < (all[i + 1] ?? Infinity)));
-  return edges.map((low, i) => {
-    const high = edges[i + 1] ?? Infinity;
-    const name = high === Infinity ? `from ${low} m` : `${low}–${high} m`;
-    return [name, row => row.start_distance >= low && row.start_distance < high];
-  });
+/// SPL of two agents on the same episodes; a dot can be clicked.
+function pairChart() {
+  const pairs = run.rows.filter(row => row.agent === filter.agent && passesBesides(row)).map(row => [row, twinOf(row)])
+    .filter(([row, twin]) => twin && row.spl !== null && twin.spl !== null);
+  if (!pairs.length) return "";
+  const place = value => 34 + 300 * value;
+  let content = `<rect x="34" y="10" width="300" height="300" fill="none" stroke="var(--line)"/>` +
+    `<line x1="42" y1="310" x2="334" y2="10" stroke="var(--line)"/>`;
+  for (const [row, twin] of pairs) {
+    content += `<circle data-row="${row.number}" cx="${place(row.spl)}" cy="${344 - place(twin.spl)}" r="5" fill="${row.spl >= twin.spl ? "var(--a)" : "var(--b)"}"` +
+      ` fill-opacity=".55" style="cursor:pointer"><title>${safe(`${row.episode}: ${numbered(row.spl, 2)} and ${numbered(twin.spl, 2)}`)}</title></circle>`;
+  }
+  content += words(184, 328, `SPL of ${titleOf(filter.agent)} →`, "middle") +
+    `<text x="-160" y="24" transform="rotate(-90)" text-anchor="middle">SPL of ${safe(titleOf(filter.other))} →</text>`;
+  return chart("Two agents, episode by episode", "Below the line the first is better. Click a dot to see the episode.", 336, content);
+}
+
+function passesBesides(row) {
+  return (!filter.difficulty || row.difficulty === filter.difficulty) &&
+    (!filter.setting || settingOf(row) === filter.setting) && (filter.scene < 0 || row.scene === filter.scene);
 }
 
 function drawCharts() {
-  const grades = unique(run.rows.map(row => row.difficulty).filter(one => one));
-  const groups = [...["easy", "medium", "hard"].filter(one => grades.includes(one)),
-                  ...grades.filter(one => !["easy", "medium", "hard"].includes(one))]
-    .map(one => [one, row => row.difficulty === one]);
-  if (groups.length !== 1) groups.push(["all", () => true]);
-  const distances = distanceGroups();
-  const parts = [];
-  const add = (title, ...elements) => {
-    const heading = document.createElement("h2");
-    heading.textContent = title;
-    parts.push(heading, ...elements);
-  };
-  parts.push(key(byAgent().map(agent => [agent.title, agent.color])));
-  add("Success by difficulty", bars("Success by difficulty", groups, successOf));
-  add("SPL by difficulty", bars("SPL by difficulty", groups, splOf));
-  add("Success by distance to the goal", bars("Success by distance", distances, successOf));
-  add("Why episodes failed, as a share of all", ...reasonBars());
-  byId("charts").replaceChildren(...parts);
+  const rows = run.rows.filter(passesBesides);
+  const byAgent = new Map();
+  for (const row of rows) {
+    if (!byAgent.has(row.agent)) byAgent.set(row.agent, []);
+    byAgent.get(row.agent).push(row);
+  }
+  const settings = unique(rows.map(settingOf));
+  const note = settings.length > 1 ? `<p>All settings together: ${safe(settings.join("; "))}. Choose one in the list's filters.</p>` : "";
+  const charts = byId("charts");
+  charts.innerHTML = note + scoreChart(byAgent) + reasonChart(byAgent, rows) + distanceChart(byAgent, rows) + pairChart();
+  for (const dot of charts.querySelectorAll("[data-row]")) dot.onclick = () => choose(run.rows[Number(dot.dataset.row)]);
 }

@@ -53,6 +53,7 @@ const storeys = new Map();
 function storeyOf(number) {
   if (!storeys.has(number)) {
     storeys.set(number, unpack("s" + number).then(async storey => {
+      storey.number = number;
       storey.image = await picture(storey.picture);
       return storey;
     }));

@@ -1,222 +1,247 @@
 // SPDX-License-Identifier: MIT
-// The house in 3D, when asked for: the floor as the plan shows it, walls cut at breast height, paths.
+// The house in 3D with the paths in it, by WebGL: walls raised from the plan.
 "use strict";
-const kCut = 1.3;        // metres, where walls end so that one can look in
-const kPathHeight = 0.12;
-const eye = {turn: 0.6, tilt: 0.9, far: 1.0};
-const solid = {gl: null, program: null, of: null, parts: []};
+const kWallHeight = 1.6;  // metres: cut there, to look in
+const solid = {gl: null, canvas: null, storey: null, count: 0, turn: 0, tilt: 1, zoom: 1};
 
-const kVertex = `attribute vec3 at; attribute vec2 uv; attribute vec3 tone; uniform mat4 view;
-varying vec2 where; varying vec3 color;
-void main() { where = uv; color = tone; gl_Position = view * vec4(at, 1.0); }`;
-const kFragment = `precision mediump float; uniform sampler2D floor_picture;
-varying vec2 where; varying vec3 color;
+const kVertexProgram = `
+attribute vec3 at; attribute vec3 up; attribute vec4 ink; attribute vec2 spot;
+uniform mat4 matrix; varying vec4 tint; varying vec2 place;
 void main() {
-  gl_FragColor = where.x < 0.0 ? vec4(color, 1.0) : texture2D(floor_picture, where);
-  if (gl_FragColor.a < 0.5) discard;
+  float light = length(up) < 0.1 ? 1.0 : 0.62 + 0.38 * max(dot(up, normalize(vec3(0.4, 0.8, 0.45))), 0.0) + 0.08 * up.x;
+  tint = vec4(ink.rgb * light, ink.a);
+  place = spot;
+  gl_Position = matrix * vec4(at, 1.0);
+}`;
+const kPixelProgram = `
+precision mediump float;
+varying vec4 tint; varying vec2 place; uniform sampler2D picture;
+void main() {
+  vec4 over = texture2D(picture, place);
+  if (place.x >= 0.0 && over.a < 0.5) discard;
+  gl_FragColor = place.x < 0.0 ? tint : vec4(over.rgb, 1.0);
 }`;
 
-function makeProgram(gl) {
+function compile(gl) {
   const program = gl.createProgram();
-  for (const [kind, text] of [[gl.VERTEX_SHADER, kVertex], [gl.FRAGMENT_SHADER, kFragment]]) {
+  for (const [kind, text] of [[gl.VERTEX_SHADER, kVertexProgram], [gl.FRAGMENT_SHADER, kPixelProgram]]) {
     const shader = gl.createShader(kind);
     gl.shaderSource(shader, text);
     gl.compileShader(shader);
     gl.attachShader(program, shader);
   }
   gl.linkProgram(program);
-  return program;
+  return gl.getProgramParameter(program, gl.LINK_STATUS) ? program : null;
 }
 
-/// Starts WebGL once; null where there is none.
-function startSolid() {
-  if (solid.gl === null) {
-    solid.gl = byId("house").getContext("webgl", {antialias: true}) || undefined;
-    if (solid.gl) solid.program = makeProgram(solid.gl);
+/// Twelve numbers a corner: place, normal (0: no light), colour, place in the picture (-1: none).
+class Surfaces {
+  constructor() { this.numbers = []; }
+  corner(at, up, ink, spot = [-1, -1]) { this.numbers.push(...at, ...up, ...ink, ...spot); }
+  quad([a, b, c, d], up, ink) { for (const at of [a, b, c, a, c, d]) this.corner(at, up, ink); }
+  triangle(corners, up, ink) { for (const at of corners) this.corner(at, up, ink); }
+  /// A box over a line: a wall from `low` to `high`.
+  wall([ax, az, bx, bz], thickness, low, high, ink) {
+    const length = Math.hypot(bx - ax, bz - az) || 1, half = Math.max(thickness, 0.04) / 2;
+    const u = (bx - ax) / length, v = (bz - az) / length, n = [-v * half, u * half];
+    const ring = [[ax + n[0], az + n[1]], [bx + n[0], bz + n[1]], [bx - n[0], bz - n[1]], [ax - n[0], az - n[1]]];
+    const ups = [[-v, 0, u], [u, 0, v], [v, 0, -u], [-u, 0, -v]];
+    ring.forEach(([x, z], i) => {
+      const [x2, z2] = ring[(i + 1) % 4];
+      this.quad([[x, low, z], [x2, low, z2], [x2, high, z2], [x, high, z]], ups[i], ink);
+    });
+    this.quad(ring.map(([x, z]) => [x, high, z]), [0, 1, 0], ink);
   }
-  return solid.gl || null;
-}
-
-function toneOf(name, light) { return rgba(name, 255).slice(0, 3).map(value => value / 255 * light); }
-
-/// Appends a quad of corners [x, y, z], with one tone.
-function quad(list, corners, tone) {
-  for (const i of [0, 1, 2, 0, 2, 3]) list.push(...corners[i], -1, -1, ...tone);
-}
-
-/// A wall's piece along a to b, from one height to another.
-function block(list, [ax, az], [bx, bz], thickness, low, high) {
-  if (high - low < 0.01) return;
-  const length = Math.hypot(bx - ax, bz - az) || 1;
-  const nx = -(bz - az) / length * thickness / 2, nz = (bx - ax) / length * thickness / 2;
-  const corners = [[ax + nx, az + nz], [bx + nx, bz + nz], [bx - nx, bz - nz], [ax - nx, az - nz]];
-  const at = (i, y) => [corners[i][0], y, corners[i][1]];
-  quad(list, [0, 1, 2, 3].map(i => at(i, high)), toneOf("wall", 1));
-  for (let i = 0; i < 4; ++i) {
-    const k = (i + 1) % 4;
-    quad(list, [at(i, low), at(k, low), at(k, high), at(i, high)], toneOf("wall", i % 2 ? 0.62 : 0.8));
+  /// A flat ribbon along points x, z.
+  ribbon(points, y, width, ink) {
+    for (let i = 0; i + 1 < points.length; ++i) {
+      const [[ax, az], [bx, bz]] = [points[i], points[i + 1]], length = Math.hypot(bx - ax, bz - az);
+      if (length < 1e-6) continue;
+      const n = [-(bz - az) / length * width / 2, (bx - ax) / length * width / 2];
+      this.quad([[ax + n[0], y, az + n[1]], [bx + n[0], y, bz + n[1]], [bx - n[0], y, bz - n[1]], [ax - n[0], y, az - n[1]]], [0, 0, 0], ink);
+    }
   }
 }
 
-/// Shares of a wall's length that openings take: [from, to, bottom, top].
-function openingsOf(wall, holes) {
+const inkOfTheme = (name, alpha = 1) => [...rgb(colours[name]).map(part => part / 255), alpha];
+
+/// The parts of a wall that its openings leave: below, above and between them.
+function addWall(surfaces, wall, holes, ink) {
   const [ax, az, bx, bz, thickness] = wall;
-  const length = Math.hypot(bx - ax, bz - az) || 1;
-  const ux = (bx - ax) / length, uz = (bz - az) / length;
-  const along = (x, z) => (x - ax) * ux + (z - az) * uz;
-  const off = (x, z) => Math.abs((x - ax) * uz - (z - az) * ux);
-  return holes.filter(([x, z, u, v]) => off(x, z) < thickness && off(u, v) < thickness &&
-                      along(x, z) > -0.1 && along(x, z) < length + 0.1)
-    .map(([x, z, u, v, , bottom, top]) => [Math.min(along(x, z), along(u, v)), Math.max(along(x, z), along(u, v)), bottom, top])
-    .sort((one, other) => one[0] - other[0]);
-}
-
-function wallPieces(list, wall, holes) {
-  const [ax, az, bx, bz, thickness] = wall;
-  const length = Math.hypot(bx - ax, bz - az) || 1;
-  const point = s => [ax + (bx - ax) * s / length, az + (bz - az) * s / length];
-  let done = 0;
-  for (const [from, to, bottom, top] of openingsOf(wall, holes)) {
-    block(list, point(done), point(Math.max(done, from)), thickness, 0, kCut);
-    block(list, point(from), point(to), thickness, 0, Math.min(bottom, kCut));
-    block(list, point(from), point(to), thickness, Math.min(top, kCut), kCut);
-    done = Math.max(done, to);
+  const length = Math.hypot(bx - ax, bz - az), u = [(bx - ax) / length, (bz - az) / length];
+  const along = (x, z) => (x - ax) * u[0] + (z - az) * u[1];
+  const point = at => [ax + u[0] * at, az + u[1] * at];
+  const inside = holes.map(hole => ({from: along(hole[0], hole[1]), to: along(hole[2], hole[3]), low: hole[5], high: hole[6],
+    off: Math.max(...[[hole[0], hole[1]], [hole[2], hole[3]]].map(([x, z]) => Math.abs((x - ax) * u[1] - (z - az) * u[0])))}))
+    .map(one => ({...one, from: Math.min(one.from, one.to), to: Math.max(one.from, one.to)}))
+    .filter(one => one.off < 0.2 && one.to > 0.01 && one.from < length - 0.01).sort((a, b) => a.from - b.from);
+  let at = 0;
+  for (const hole of inside) {
+    if (hole.from > at) surfaces.wall([...point(at), ...point(hole.from)], thickness, 0, kWallHeight, ink);
+    const span = [...point(hole.from), ...point(hole.to)];
+    if (hole.low > 0.01) surfaces.wall(span, thickness, 0, hole.low, ink);
+    if (hole.high < kWallHeight) surfaces.wall(span, thickness, hole.high, kWallHeight, ink);
+    at = Math.max(at, hole.to);
   }
-  block(list, point(done), point(length), thickness, 0, kCut);
+  if (at < length) surfaces.wall([...point(at), bx, bz], thickness, 0, kWallHeight, ink);
 }
 
+/// Floor with the furniture's picture, walls.
+function houseSurfaces(storey) {
+  const surfaces = new Surfaces(), floor = inkOfTheme("room"), wall = inkOfTheme("solid-wall");
+  const [x, z] = storey.low, [width, depth] = storey.size;
+  const corner = (u, v) => surfaces.corner([x + u * width, 0, z + v * depth], [0, 0, 0], floor, [u, v]);
+  for (const [u, v] of [[0, 0], [1, 0], [1, 1], [0, 0], [1, 1], [0, 1]]) corner(u, v);
+  for (const one of storey.walls || []) addWall(surfaces, one, storey.holes || [], wall);
+  for (let i = 0; !storey.walls && i < storey.cuts.length; i += 4) {
+    surfaces.wall(storey.cuts.slice(i, i + 4), 0.05, 0, kWallHeight, wall);
+  }
+  return surfaces.numbers;
+}
+
+/// What moves: paths so far, bodies, goals, the graph.
+function movingSurfaces(scene) {
+  const surfaces = new Surfaces();
+  scene.results.forEach((result, i) => {
+    const ink = inkOfTheme(i ? "b" : "a"), gone = Math.min(scene.step, result.steps);
+    surfaces.ribbon(result.poses.slice(0, gone + 1).map(p => [p[0], p[2]]), 0.06 + 0.01 * i, 0.1, ink);
+    const [x, , z, yaw] = result.poses[gone], s = Math.sin(yaw), c = Math.cos(yaw);
+    const spot = (ahead, left, y) => [x - s * ahead - c * left, y, z - c * ahead + s * left];
+    const top = spot(0, 0, 0.9), ring = [spot(0.4, 0, 0.1), spot(-0.25, 0.25, 0.1), spot(-0.25, -0.25, 0.1)];
+    ring.forEach((one, k) => surfaces.triangle([one, ring[(k + 1) % 3], top], [k - 1, 0.3, 0.3], ink));
+  });
+  const main = scene.results[0], good = inkOfTheme("good");
+  for (const goal of main.path.goals) surfaces.wall([goal[0] - 0.08, goal[2], goal[0] + 0.08, goal[2]], 0.16, 0, 2.4, good);
+  if (layers.shortest) surfaces.ribbon(main.path.shortest_path.map(p => [p[0], p[2]]), 0.05, 0.05, good);
+  const beliefs = layers.beliefs ? beliefsAt(main, scene.step) : null;
+  if (beliefs) {
+    const ink = inkOfTheme("graph"), places = beliefs.nodes.map(([ahead, left]) => main.plane.at(ahead, left));
+    for (const [i, j] of beliefs.edges) surfaces.ribbon([places[i], places[j]], 0.09, 0.04, ink);
+    places.forEach(([x, z], i) => surfaces.wall([x - 0.09, z, x + 0.09, z], 0.18, 0, beliefs.nodes[i][2] ? 0.1 : 0.5, ink));
+  }
+  return surfaces.numbers;
+}
+
+function product(a, b) {
+  const out = new Float32Array(16);
+  for (let i = 0; i < 4; ++i) for (let j = 0; j < 4; ++j) for (let k = 0; k < 4; ++k) out[4 * j + i] += a[4 * k + i] * b[4 * j + k];
+  return out;
+}
+
+/// World to clip coordinates: looks at the house's middle from a turn and a tilt.
+function cameraMatrix(storey, aspect) {
+  const far = 1.25 * Math.hypot(...storey.size) / solid.zoom / Math.min(aspect, 1.2);
+  const [x, z] = [storey.low[0] + storey.size[0] / 2, storey.low[1] + storey.size[1] / 2];
+  const s = Math.sin(solid.turn), c = Math.cos(solid.turn), st = Math.sin(solid.tilt), ct = Math.cos(solid.tilt);
+  const move = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -x, -0.8, -z, 1];
+  const turn = [c, 0, -s, 0, 0, 1, 0, 0, s, 0, c, 0, 0, 0, 0, 1];
+  const tilt = [1, 0, 0, 0, 0, ct, st, 0, 0, -st, ct, 0, 0, 0, -far, 1];
+  const focal = 1.9, near = 0.1, end = 400;
+  const lens = [focal / aspect, 0, 0, 0, 0, focal, 0, 0, 0, 0, (end + near) / (near - end), -1, 0, 0, 2 * end * near / (near - end), 0];
+  return product(lens, product(tilt, product(turn, move)));
+}
+
+/// The floor and what stands on it as a picture; clear outside the house.
 function floorPicture(storey) {
   const canvas = document.createElement("canvas");
-  const [u, v] = storey.size.map(size => 1024 / size);
-  canvas.width = canvas.height = 1024;
-  const ctx = canvas.getContext("2d");
-  ctx.setTransform(u, 0, 0, v, -u * storey.low[0], -v * storey.low[1]);
-  drawFloor(ctx, storey);
-  ctx.drawImage(storey.image, ...storey.low, ...storey.size);
+  Object.assign(canvas, {width: 1024, height: 1024});
+  const pen = canvas.getContext("2d");
+  const kept = {...view};
+  Object.assign(view, {turned: false, scale: 1, left: -storey.low[0], top: -storey.low[1]});
+  pen.scale(1024 / storey.size[0], 1024 / storey.size[1]);
+  drawFloor(pen, storey);
+  Object.assign(view, kept);
   return canvas;
 }
 
-function meshOf(storey) {
-  const [x, z] = storey.low, [wide, deep] = storey.size;
-  const list = [];
-  const corner = (u, v) => [x + u * wide, 0, z + v * deep, u, v, 0, 0, 0];
-  for (const [u, v] of [[0, 0], [1, 0], [1, 1], [0, 0], [1, 1], [0, 1]]) list.push(...corner(u, v));
-  for (const wall of storey.walls || []) wallPieces(list, wall, storey.holes || []);
-  const cuts = storey.walls ? [] : storey.cuts;
-  for (let i = 0; i < cuts.length; i += 4) {
-    block(list, [cuts[i], cuts[i + 1]], [cuts[i + 2], cuts[i + 3]], 0.05, 0, kCut);
+/// Makes ready to draw; false without WebGL or without the house.
+function openHouse(canvas, scene) {
+  if (!solid.gl) {
+    solid.gl = canvas.getContext("webgl", {antialias: true, preserveDrawingBuffer: true});
+    if (!solid.gl) return false;
+    solid.program = compile(solid.gl);
+    if (!solid.program) { solid.gl = null; return false; }
+    solid.still = solid.gl.createBuffer();
+    solid.moving = solid.gl.createBuffer();
+    solid.canvas = canvas;
+    addTurning(canvas);
   }
-  return new Float32Array(list);
+  return Boolean(scene.storey);
 }
 
-/// A ribbon along the floor, wide enough to be seen from afar.
-function ribbon(points, name) {
-  const list = [];
-  const tone = toneOf(name, 1);
-  for (let i = 0; i + 1 < points.length; ++i) {
-    const [ax, az] = points[i], [bx, bz] = points[i + 1];
-    const length = Math.hypot(bx - ax, bz - az);
-    if (length < 1e-4) continue;
-    const nx = -(bz - az) / length * 0.035, nz = (bx - ax) / length * 0.035;
-    quad(list, [[ax + nx, kPathHeight, az + nz], [bx + nx, kPathHeight, bz + nz],
-                [bx - nx, kPathHeight, bz - nz], [ax - nx, kPathHeight, az - nz]], tone);
-  }
-  return list;
+/// Looks at a house so that its long side lies across.
+function faceHouse(storey) {
+  Object.assign(solid, {turn: storey.size[1] > storey.size[0] ? 1.25 : 0.32, tilt: 1, zoom: 1});
 }
 
-function post(list, [x, z], size, height, name) {
-  const tone = toneOf(name, 1), dark = toneOf(name, 0.7);
-  const at = [[x - size, z - size], [x + size, z - size], [x + size, z + size], [x - size, z + size]];
-  quad(list, at.map(([u, v]) => [u, height, v]), tone);
-  for (let i = 0; i < 4; ++i) {
-    const [a, b] = [at[i], at[(i + 1) % 4]];
-    quad(list, [[a[0], 0, a[1]], [b[0], 0, b[1]], [b[0], height, b[1]], [a[0], height, a[1]]], i % 2 ? tone : dark);
-  }
-}
-
-function multiply(a, b) {  // column by column, as WebGL has them
-  return Float32Array.from({length: 16}, (_, i) => {
-    let value = 0;
-    for (let k = 0; k < 4; ++k) value += a[4 * k + i % 4] * b[4 * (i >> 2) + k];
-    return value;
-  });
-}
-
-function viewOf(storey, aspect) {
-  const extent = Math.max(...storey.size);
-  const far = extent * 1.1 * eye.far, focal = 1.8;
-  const s = Math.sin(eye.turn), c = Math.cos(eye.turn), t = Math.sin(eye.tilt), u = Math.cos(eye.tilt);
-  const middle = storey.low.map((low, i) => low + storey.size[i] / 2);
-  const lens = [focal / Math.max(1, aspect), 0, 0, 0, 0, focal * Math.min(1, aspect), 0, 0, 0, 0, -1.002, -1, 0, 0, -0.4, 0];
-  const turned = [c, -s * t, s * u, 0, 0, u, t, 0, -s, -c * t, c * u, 0, 0, 0, -far, 1];
-  const moved = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -middle[0], 0, -middle[1], 1];
-  return multiply(lens, multiply(turned, moved));
-}
-
-function drawMesh(gl, numbers) {
-  gl.bufferData(gl.ARRAY_BUFFER, numbers, gl.STREAM_DRAW);
-  [["at", 3, 0], ["uv", 2, 12], ["tone", 3, 20]].forEach(([name, size, offset]) => {
-    const place = gl.getAttribLocation(solid.program, name);
-    gl.enableVertexAttribArray(place);
-    gl.vertexAttribPointer(place, size, gl.FLOAT, false, 32, offset);
-  });
-  gl.drawArrays(gl.TRIANGLES, 0, numbers.length / 8);
-}
-
-function movingParts(one, two) {
-  const list = [];
-  for (const [result, name] of [[one, "a"], [two, "b"]]) {
-    if (!result) continue;
-    const step = Math.min(now.step, result.steps);
-    const points = result.poses.map(floorOf);
-    list.push(...ribbon(points.slice(0, step + 1), name));
-    post(list, points[step], 0.1, 1.5, name);
-  }
-  one.path.goals.forEach(pose => post(list, floorOf(pose), 0.08, 1.0, "goal"));
-  return new Float32Array(list);
-}
-
-function setFloor(gl, storey) {
-  const theme = document.documentElement.dataset.theme;
-  if (solid.of === storey && solid.theme === theme) return;
-  Object.assign(solid, {of: storey, theme, mesh: meshOf(storey)});
-  gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
+function fillHouse(storey) {
+  const gl = solid.gl, key = storey.number + document.documentElement.dataset.theme;
+  if (solid.key === key) return;
+  if (solid.storey !== storey) faceHouse(storey);
+  solid.texture = solid.texture || gl.createTexture();
+  gl.bindTexture(gl.TEXTURE_2D, solid.texture);
   gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, gl.RGBA, gl.UNSIGNED_BYTE, floorPicture(storey));
-  gl.generateMipmap(gl.TEXTURE_2D);
-  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE);
-  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE);
-  gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+  for (const [name, value] of [[gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE], [gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE],
+                               [gl.TEXTURE_MIN_FILTER, gl.LINEAR]]) gl.texParameteri(gl.TEXTURE_2D, name, value);
+  const numbers = new Float32Array(houseSurfaces(storey));
+  gl.bindBuffer(gl.ARRAY_BUFFER, solid.still);
+  gl.bufferData(gl.ARRAY_BUFFER, numbers, gl.STATIC_DRAW);
+  Object.assign(solid, {key, storey, count: numbers.length / 12});
 }
 
-async function drawHouse() {
-  const gl = startSolid();
-  const {one, two} = now;
-  if (!gl || !one || one.row.scene_block < 0) return;
-  const storey = await storeyOf(one.row.scene_block);
-  if (one !== now.one) return;
-  const canvas = byId("house"), ratio = window.devicePixelRatio || 1;
-  canvas.width = canvas.clientWidth * ratio;
-  canvas.height = canvas.clientHeight * ratio;
+function drawBuffer(buffer, count) {
+  const gl = solid.gl;
+  gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
+  for (const [name, size, first] of [["at", 3, 0], ["up", 3, 3], ["ink", 4, 6], ["spot", 2, 10]]) {
+    const place = gl.getAttribLocation(solid.program, name);
+    if (place < 0) continue;
+    gl.enableVertexAttribArray(place);
+    gl.vertexAttribPointer(place, size, gl.FLOAT, false, 48, 4 * first);
+  }
+  gl.drawArrays(gl.TRIANGLES, 0, count);
+}
+
+function drawHouse(scene) {
+  const gl = solid.gl, canvas = solid.canvas, ratio = window.devicePixelRatio || 1;
+  fillHouse(scene.storey);
+  canvas.width = Math.round(canvas.clientWidth * ratio);
+  canvas.height = Math.round(canvas.clientHeight * ratio);
   gl.viewport(0, 0, canvas.width, canvas.height);
-  gl.clearColor(...rgba("void", 255).map(value => value / 255));
-  gl.enable(gl.DEPTH_TEST);
+  gl.clearColor(...inkOfTheme("void"));
   gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+  gl.enable(gl.DEPTH_TEST);
   gl.useProgram(solid.program);
-  setFloor(gl, storey);
-  const view = viewOf(storey, canvas.width / canvas.height);
-  gl.uniformMatrix4fv(gl.getUniformLocation(solid.program, "view"), false, view);
-  drawMesh(gl, solid.mesh);
-  drawMesh(gl, movingParts(one, two));
+  gl.uniformMatrix4fv(gl.getUniformLocation(solid.program, "matrix"), false, cameraMatrix(scene.storey, canvas.width / canvas.height));
+  drawBuffer(solid.still, solid.count);
+  const numbers = new Float32Array(movingSurfaces(scene));
+  gl.bindBuffer(gl.ARRAY_BUFFER, solid.moving);
+  gl.bufferData(gl.ARRAY_BUFFER, numbers, gl.DYNAMIC_DRAW);
+  drawBuffer(solid.moving, numbers.length / 12);
+  gl.depthFunc(gl.GREATER);  // what walls hide shows faintly
+  gl.enable(gl.BLEND);
+  gl.blendColor(0, 0, 0, 0.35);
+  gl.blendFunc(gl.CONSTANT_ALPHA, gl.ONE_MINUS_CONSTANT_ALPHA);
+  drawBuffer(solid.moving, numbers.length / 12);
+  gl.disable(gl.BLEND);
+  gl.depthFunc(gl.LESS);
 }
 
-byId("house").onpointermove = event => {
-  if (!event.buttons) return;
-  eye.turn -= event.movementX * 0.01;
-  eye.tilt = Math.min(1.5, Math.max(0.15, eye.tilt + event.movementY * 0.01));
-  drawHouse();
-};
-byId("house").onwheel = event => {
-  event.preventDefault();
-  eye.far = Math.min(3, Math.max(0.15, eye.far * Math.exp(event.deltaY * 0.001)));
-  drawHouse();
-};
+/// Dragging turns and tilts, the wheel goes nearer.
+function addTurning(canvas) {
+  let last = null;
+  canvas.onpointerdown = event => { last = event; canvas.setPointerCapture(event.pointerId); };
+  canvas.onpointerup = () => { last = null; };
+  canvas.onpointermove = event => {
+    if (!last) return;
+    solid.turn += (event.clientX - last.clientX) / 200;
+    solid.tilt = Math.max(0.1, Math.min(1.55, solid.tilt + (event.clientY - last.clientY) / 200));
+    last = event;
+    show();
+  };
+  canvas.onwheel = event => {
+    event.preventDefault();
+    solid.zoom = Math.max(0.4, Math.min(8, solid.zoom * Math.exp(-event.deltaY / 600)));
+    show();
+  };
+  canvas.ondblclick = () => { faceHouse(solid.storey); show(); };
+}

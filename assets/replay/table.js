@@ -2,7 +2,7 @@
 // The list of results: filters, order, and as many rows as are in sight.
 "use strict";
 const kRowHeight = 30;
-const filter = {agent: 0, outcome: "", difficulty: "", other: -1, setting: "", scene: -1, reason: ""};
+const filter = {agent: 0, outcome: "", difficulty: "", other: -1, setting: "", scene: -1, reason: "", gain: ""};
 const order = {column: "spl", down: false};
 let shown = [];
 const others = new Map();  // agent, then task: row
@@ -28,7 +28,7 @@ const columns = [
   {key: "spl", title: "SPL", num: true,
    of: row => (row.spl ?? -1) + 1e-3 * (row.soft_spl ?? 0) - 1e-6 * (row.distance_to_goal ?? 999)},
   {key: "steps", title: "Steps", num: true, of: row => row.steps},
-  {key: "left", title: "Left, m", num: true, of: row => row.distance_to_goal ?? Infinity},
+  {key: "left", title: "To goal, m", num: true, of: row => row.distance_to_goal ?? Infinity},
   {key: "gain", title: "Δ SPL", num: true, of: row => gainOf(row) ?? Infinity},
 ];
 
@@ -38,7 +38,15 @@ function passes(row) {
     (!filter.difficulty || row.difficulty === filter.difficulty) &&
     (!filter.setting || settingOf(row) === filter.setting) &&
     (filter.scene < 0 || row.scene === filter.scene) &&
-    (!filter.reason || row.why === filter.reason);
+    (!filter.reason || row.why === filter.reason) && passesGain(row);
+}
+
+/// By how much better or worse the agent is than the one to compare with.
+function passesGain(row) {
+  if (filter.other < 0 || !filter.gain) return true;
+  const gain = gainOf(row);
+  if (gain === null) return false;
+  return {better: gain > 0, worse: gain < 0, much_better: gain > 0.5, much_worse: gain < -0.5}[filter.gain];
 }
 
 function settingOf(row) { return `${row.setting}, ${row.condition.replace("_", " ")}, seed ${row.seed}`; }
@@ -145,8 +153,13 @@ function updateFilters() {
   options("other", [[-1, "no other"], ...agents], "other", () => {
     order.column = filter.other >= 0 ? "gain" : "spl";
     order.down = false;
+    if (filter.other < 0) filter.gain = "";
+    updateFilters();
     if (now.row) choose(now.row, now.step);
   });
+  byId("gain_box").hidden = filter.other < 0;
+  options("gain", [["", "any"], ["better", "better"], ["worse", "worse"], ["much_better", "better by 0.5"],
+                   ["much_worse", "worse by 0.5"]], "gain");
   const settings = unique(run.rows.map(settingOf));
   byId("setting_box").hidden = settings.length < 2;
   options("setting", [["", "all"], ...settings.map(one => [one, one])], "setting");

@@ -34,11 +34,13 @@ struct RunCommandOptions {
   fs::path out;
   RunOptions run;
   std::string shard;
+  std::vector<std::string> overrides;
   bool no_plots = false;
 };
 
 /// As asked for, or of the Slurm array that this is a task of.
 std::optional<Shard> ShardOf(const RunCommandOptions& options) {
+  if (!options.run.only.empty()) return std::nullopt;
   if (!options.shard.empty()) return ParseShard(options.shard);
   const auto shard = ShardOfArray([](const char* name) {
     return std::getenv(name);
@@ -106,7 +108,7 @@ void DrawWorst(const fs::path& folder) {
 
 void PlayConfig(RunCommandOptions options) {
   options.run.shard = ShardOf(options);
-  RunConfig config = LoadRunConfig(options.config);
+  RunConfig config = LoadRunConfig(options.config, options.overrides);
   const fs::path folder = options.out.empty() ? fs::path("results") / config.name : options.out;
   const fs::path place = options.run.shard ? ShardFolder(folder, *options.run.shard) : folder;
   RunProgress progress;
@@ -136,6 +138,8 @@ void AddRunCommand(CLI::App* program) {
       "run", "Play a config's episodes with its agents; goes on where it was stopped");
   command->add_option("config", options->config, "YAML file, as configs/quickstart.yaml")
       ->required();
+  command->add_option("overrides", options->overrides,
+                      "KEY=VALUE ...: set in the config, as max_steps=100 or agents.0.lanes=2");
   command->add_option("--episodes", options->run.episodes, "Only the first so many")
       ->check(CLI::Range(1, 100'000'000));
   command->add_option("--workers", options->run.workers, "Threads (default: one per processor)")
@@ -156,6 +160,10 @@ void AddRunCommand(CLI::App* program) {
         }
         return std::string();
       });
+  command
+      ->add_option("--only", options->run.only, "Only the episode of this name (may be repeated)")
+      ->allow_extra_args(false)
+      ->excludes("--shard");
   command->add_flag("--no-plots", options->no_plots,
                     "Draw no charts and worst episodes at the end");
   command->add_flag("--beliefs", options->run.beliefs,

@@ -2,6 +2,8 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
@@ -11,7 +13,7 @@
 #include "benchmark/cli/progress.h"
 #include "benchmark/training/core/registry.h"
 #include "benchmark/training/core/training_log.h"
-#include "sim/config/yaml_reader.h"
+#include "sim/config/override.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -19,8 +21,9 @@ namespace {
 /// Of configs that were written when there was no key `task`.
 constexpr const char* kDefaultTask = "nts";
 
-void Train(const std::filesystem::path& file) {
-  const sim::YamlNode config = sim::ParseYaml(sim::ReadYamlFile(file), file);
+void Train(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  const sim::YamlNode config =
+      sim::WithOverrides(sim::ParseYaml(sim::ReadYamlFile(file), file), file, overrides);
   const TrainJob job = MakeTraining(config, kDefaultTask, {.start = StartLine});
   TrainingLog log(job, &std::cerr);
   RunTraining(job, &log);
@@ -31,13 +34,16 @@ void Train(const std::filesystem::path& file) {
 
 void AddTrainCommand(CLI::App* program) {
   auto file = std::make_shared<std::filesystem::path>();
+  auto overrides = std::make_shared<std::vector<std::string>>();
   CLI::App* command = program->add_subcommand(
       "train",
       "Train the networks that agents use, each by the task that its config names; goes on after a "
       "kill");
   command->add_option("config", *file, "YAML file, as configs/train/nts_rgbd.yaml")->required();
-  command->callback([file] {
-    Train(*file);
+  command->add_option("overrides", *overrides,
+                      "KEY=VALUE ...: set in the config, as steps=100 or data.seed=2");
+  command->callback([file, overrides] {
+    Train(*file, *overrides);
   });
 }
 

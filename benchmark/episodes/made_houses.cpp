@@ -11,7 +11,9 @@ namespace {
 using sim::KeyError;
 
 sim::HouseSetSpec SetOf(const HousesSpec& houses) {
-  return {.count = houses.count, .first_seed = houses.first_seed, .parts = houses.parts};
+  return {.count = houses.count,
+          .first_seed = houses.first_seed,
+          .parts = houses.parts.value_or(std::vector<sim::SetPart>())};
 }
 
 }  // namespace
@@ -19,7 +21,9 @@ sim::HouseSetSpec SetOf(const HousesSpec& houses) {
 void HousesSpec::Validate() const {
   if (folder.empty()) throw KeyError("folder", "'folder' is empty; name a folder for the houses");
   if (count < 1 || count > 9999) throw KeyError("count", "count must lie between 1 and 9999");
-  for (const sim::SetPart& part : parts) part.Validate();
+  if (!parts) return;
+  if (parts->empty()) throw KeyError("parts", "'parts' has no entry");
+  for (const sim::SetPart& part : *parts) part.Validate();
 }
 
 void MakeHouses(const HousesSpec& houses, const std::string& made_by, int workers,

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,7 @@ struct HousesSpec {
   std::string folder;
   int count = 86;
   std::uint64_t first_seed = 0;
-  std::vector<sim::SetPart> parts = {};  // instead of `count` homes
+  std::optional<std::vector<sim::SetPart>> parts = {};  // instead of `count` homes
 
   template <class V>
   void Visit(V& v) {

@@ -91,8 +91,7 @@ class ReplayMaker {
           "This run has logged no beliefs: what an agent believed is shown at its end alone. Run "
           "with --beliefs to have it at each step.");
     }
-    page_.Finish(
-        RowsJson(options_.run.filename().string(), config_, AgentRowsOf(config_), rows_, notes_));
+    page_.Finish(RowsJson(options_.run, config_, AgentRowsOf(config_), rows_, notes_));
     ReplayCount count;
     count.results = rows_.size();
     count.paths = paths_;
@@ -227,7 +226,7 @@ ReplayCount MakeReplay(const ReplayOptions& options,
   const fs::path file = options.out.empty() ? options.run / "replay.html" : options.out;
   ReplayCount count;
   sim::WriteFileAtomically(file, [&](const fs::path& temporary) {
-    ReplayPage page(temporary, options.run.filename().string() + " - BulletNav replay");
+    ReplayPage page(temporary, RunName(options.run) + " - BulletNav replay");
     ReplayMaker maker(options, std::move(config), std::move(rows), &page);
     maker.Add(progress);
     count = maker.Finish();

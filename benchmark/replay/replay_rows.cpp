@@ -59,7 +59,12 @@ Json Values(const std::vector<GoalMetrics>& goals) {
 
 }  // namespace
 
-std::string RowsJson(const std::string& name, const RunConfig& config,
+std::string RunName(const std::filesystem::path& folder) {
+  return folder.has_filename() ? folder.filename().string()
+                               : folder.parent_path().filename().string();
+}
+
+std::string RowsJson(const std::filesystem::path& folder, const RunConfig& config,
                      std::span<const AgentRow> agents, std::span<const ReplayRow> rows,
                      const std::vector<std::string>& notes) {
   Numbers names;
@@ -82,7 +87,8 @@ std::string RowsJson(const std::string& name, const RunConfig& config,
   Json titles = Json::array();
   for (const std::string& agent : names.names())
     titles.push_back({agent, AgentTitle(agent, agents)});
-  const Json json = {{"name", name},
+  const Json json = {{"name", RunName(folder)},
+                     {"folder", (folder.has_filename() ? folder : folder.parent_path()).string()},
                      {"success_distance", config.success_distance},
                      {"max_steps", config.max_steps},
                      {"agents", std::move(titles)},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
@@ -20,10 +21,13 @@ struct ReplayRow {
   bool has_beliefs = false;  // block "bROW": see BeliefLog
 };
 
-/// What a page shows first, as JSON: {"name", "success_distance", "max_steps", "agents": [[name,
-/// title]], "scenes": [name], "notes": [text], "columns": [name], "rows": [[value of each
+/// A run's name: its folder's, with or without a slash at the end.
+std::string RunName(const std::filesystem::path& folder);
+
+/// What a page shows first, as JSON: {"name", "folder", "success_distance", "max_steps", "agents":
+/// [[name, title]], "scenes": [name], "notes": [text], "columns": [name], "rows": [[value of each
 /// column]]}.
-std::string RowsJson(const std::string& name, const RunConfig& config,
+std::string RowsJson(const std::filesystem::path& folder, const RunConfig& config,
                      std::span<const AgentRow> agents, std::span<const ReplayRow> rows,
                      const std::vector<std::string>& notes);
 

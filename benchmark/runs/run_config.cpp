@@ -10,6 +10,7 @@
 #include "benchmark/privileged/privileged_agent.h"
 #include "benchmark/runs/published.h"
 #include "benchmark/runs/saved_config.h"
+#include "sim/config/override.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -225,8 +226,9 @@ bool IsPlannedAgent(const std::string& agent) {
   return !PublishedTitle(agent).empty();
 }
 
-RunConfig LoadRunConfig(const std::filesystem::path& file) {
-  return ParseRunConfig(sim::ReadYamlFile(file), file);
+RunConfig LoadRunConfig(const std::filesystem::path& file, std::span<const std::string> overrides) {
+  const YamlNode root = sim::ParseYaml(sim::ReadYamlFile(file), file);
+  return Parse(sim::WithOverrides(root, file, overrides), file, Resolve);
 }
 
 RunConfig LoadSavedRunConfig(const std::filesystem::path& file) {

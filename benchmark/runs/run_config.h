@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -116,8 +117,8 @@ struct RunConfig {
   /// Files of learned models by SLOT'S WEIGHTS_SETTING, as nts_rgbd. Those that are not named are
   /// in assets/weights. One of `sensors` without weights takes those of rgb or rgbd.
   std::map<std::string, std::string> weights;
-  bool trajectories = true;  // kept for plots
-  bool beliefs = false;      // of each step, kept for replays; false when saved: see RunBenchmark
+  bool trajectories = true;     // kept for plots
+  std::optional<bool> beliefs;  // of each step, kept for replays; never saved: see RunBenchmark
   std::vector<AgentEntry> agents;
   std::optional<Fingerprints> fingerprints;  // in saved configs: checked
 
@@ -166,7 +167,9 @@ bool IsPlannedAgent(const std::string& agent);
 /// Reads a config, fills in names and every default of the agents' parameters. Throws
 /// sim::FileError at file:line:column: unknown keys and agents with the nearest known one, values
 /// that make no sense, two rows of one name. Agents that IsPlannedAgent alone knows pass.
-RunConfig LoadRunConfig(const std::filesystem::path& file);
+/// `overrides`: see sim::WithOverrides.
+RunConfig LoadRunConfig(const std::filesystem::path& file,
+                        std::span<const std::string> overrides = {});
 RunConfig ParseRunConfig(const std::string& text, const std::filesystem::path& file);
 /// The same for the config.yaml of results, to show them: agents that this version does not know,
 /// or not with these parameters, pass, and have a `trouble`.

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/runs/run_episodes.h"
 
+#include <algorithm>
+
+#include <fmt/format.h>
+
 #include "benchmark/base/file_hash.h"
 #include "benchmark/base/program_version.h"
 #include "benchmark/episodes/draw_record.h"
@@ -47,6 +51,20 @@ void Draw(const RunConfig& config, const RunTools& tools) {
 /// The folder that a file is in.
 fs::path FolderOf(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+void KeepOnly(const std::vector<std::string>& names, std::vector<Episode>* episodes) {
+  if (names.empty()) return;
+  for (const std::string& name : names) {
+    const auto is_it = [&](const Episode& episode) {
+      return episode.id == name;
+    };
+    if (std::any_of(episodes->begin(), episodes->end(), is_it)) continue;
+    throw sim::Error(fmt::format("there is no episode '{}'; see episodes.jsonl of a run", name));
+  }
+  std::erase_if(*episodes, [&](const Episode& episode) {
+    return std::find(names.begin(), names.end(), episode.id) == names.end();
+  });
 }
 
 }  // namespace
@@ -137,6 +155,7 @@ void CheckRunEpisodes(const RunConfig& config, const RunEpisodes& episodes, cons
 std::vector<Episode> Choose(std::vector<Episode> episodes, const EpisodeChoice& choice) {
   const auto count = static_cast<std::size_t>(choice.first.value_or(0));
   if (choice.first && count < episodes.size()) episodes.resize(count);
+  KeepOnly(choice.only, &episodes);
   return choice.shard ? ShareOf(episodes, *choice.shard) : episodes;
 }
 

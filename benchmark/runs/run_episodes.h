@@ -45,11 +45,14 @@ void CheckFingerprints(const RunConfig& config, const Fingerprints& found);
 /// Throws sim::Error for starts and goals where no body can stand.
 void CheckRunEpisodes(const RunConfig& config, const RunEpisodes& episodes, const RunTools& tools);
 
-/// What of the episodes a process plays: of the first so many, if that is given, a share.
+/// What of the episodes a process plays: of the first so many, if that is given, those of a name,
+/// if names are given, a share.
 struct EpisodeChoice {
   std::optional<int> first;
   std::optional<Shard> shard;
+  std::vector<std::string> only = {};
 };
+/// Throws sim::Error for a name that no episode has.
 std::vector<Episode> Choose(std::vector<Episode> episodes, const EpisodeChoice& choice);
 
 /// These stages in turn. Puts the fingerprints into `config`. Returns the episodes of the choice;

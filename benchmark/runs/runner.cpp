@@ -135,12 +135,13 @@ RunOutcome Summarise(const RunPlan& plan, fs::path folder, std::vector<EpisodeRe
 RunOutcome RunBenchmark(RunConfig config, const fs::path& folder, const RunOptions& options,
                         const RunHooks& hooks) {
   RequireSplit(folder, options.shard);
-  const bool beliefs = options.beliefs || config.beliefs;
-  config.beliefs = false;  // results do not depend on it, nor do the bytes of what is saved
+  const bool beliefs = options.beliefs || config.beliefs.value_or(false);
+  config.beliefs.reset();  // results do not depend on it, nor do the bytes of what is saved
   ResolvedRun run = ResolveRun(std::move(config), options.require_all);
   SceneCache scenes(run.config.world_options());
-  RunEpisodes episodes = PrepareEpisodes(&run.config, {options.episodes, options.shard},
-                                         {scenes, options.workers, StartOf(hooks)});
+  RunEpisodes episodes =
+      PrepareEpisodes(&run.config, {options.episodes, options.shard, options.only},
+                      {scenes, options.workers, StartOf(hooks)});
   RunPlan plan = PlanRun(std::move(run), std::move(episodes));
   plan.beliefs = beliefs;
   const fs::path place = options.shard ? ShardFolder(folder, *options.shard) : folder;

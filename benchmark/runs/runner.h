@@ -21,6 +21,7 @@ struct RunOptions {
   bool retry_failed = false;        // play episodes that failed again
   std::optional<Shard> shard = {};  // only this share, into a folder of its own below the run's
   bool beliefs = false;             // log them, also where the config does not say so
+  std::vector<std::string> only = {};  // only episodes of these names; empty: all
 };
 
 /// What a run tells while it goes on; all may be empty.
