@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <cstdlib>
+#include <memory>
+#include <queue>
+#include <string_view>
+
+#include "benchmark/training/core/registry.h"
+#include "benchmark/training/rl/ppo_training.h"
+#include "sim/math/rng.h"
+
+namespace bulletnav::bench {
+namespace {
+
+constexpr int kSide = 11;
+constexpr int kCells = kSide * kSide;
+constexpr int kLimit = 200;  // steps; longer episodes are cut
+constexpr int kValidationLanes = 256;
+constexpr double kStepCost = 0.01;
+constexpr int kGoal = 8 * kSide + 8;
+constexpr std::array kRooms = {std::string_view(".....#....."), std::string_view(".....#....."),
+                               std::string_view("..........."), std::string_view(".....#....."),
+                               std::string_view(".....#....."), std::string_view("#.####....."),
+                               std::string_view(".....###.##"), std::string_view(".....#....."),
+                               std::string_view(".....#....."), std::string_view("..........."),
+                               std::string_view(".....#.....")};
+
+bool IsFree(int cell) {
+  return kRooms[static_cast<std::size_t>(cell / kSide)][static_cast<std::size_t>(cell % kSide)] ==
+         '.';
+}
+
+/// Where an action leads: up, down, left, right; walls hold.
+int Next(int cell, int action) {
+  const int row = cell / kSide + (action == 1) - (action == 0);
+  const int column = cell % kSide + (action == 3) - (action == 2);
+  if (row < 0 || row >= kSide || column < 0 || column >= kSide) return cell;
+  const int next = row * kSide + column;
+  return IsFree(next) ? next : cell;
+}
+
+/// Steps to the goal, from each cell.
+std::array<int, kCells> Distances() {
+  std::array<int, kCells> distances;
+  distances.fill(-1);
+  distances[kGoal] = 0;
+  std::queue<int> open({kGoal});
+  for (; !open.empty(); open.pop()) {
+    const int cell = open.front();
+    for (int action = 0; action < 4; ++action) {
+      int& distance = distances[static_cast<std::size_t>(Next(cell, action))];
+      if (distance >= 0) continue;
+      distance = distances[static_cast<std::size_t>(cell)] + 1;
+      open.push(Next(cell, action));
+    }
+  }
+  return distances;
+}
+
+/// Four rooms, seen from above: from anywhere to the one goal. Source of the rooms: Sutton, Precup
+/// and Singh, "Between MDPs and semi-MDPs", 1999. An episode's score: its return, by the best one.
+class FourRooms final : public PolicyTask {
+ public:
+  FourRooms(int lanes, std::uint64_t seed) : seed_(seed), lanes_(static_cast<std::size_t>(lanes)) {}
+
+  int lanes() const override { return static_cast<int>(lanes_.size()); }
+  int actions() const override { return 4; }
+  int observation_size() const override { return kCells; }
+
+  void Begin(int lane, std::uint64_t episode) override {
+    sim::Rng rng = sim::Rng(seed_, "four_rooms")
+                       .Fork("lane", static_cast<std::uint64_t>(lane))
+                       .Fork("episode", episode);
+    int cell = kGoal;
+    while (cell == kGoal || !IsFree(cell)) cell = rng.Below(kCells);
+    lanes_[static_cast<std::size_t>(lane)] = {cell, cell, 0};
+  }
+  void Observe(std::span<float> out) const override {
+    std::fill(out.begin(), out.end(), 0.0F);
+    for (std::size_t i = 0; i < lanes_.size(); ++i) {
+      out[i * kCells + static_cast<std::size_t>(lanes_[i].cell)] = 1.0F;
+    }
+  }
+  void Step(std::span<const int> actions, std::span<LaneOutcome> outcomes) override {
+    for (std::size_t i = 0; i < lanes_.size(); ++i) outcomes[i] = Move(&lanes_[i], actions[i]);
+  }
+  std::vector<float> State() const override {
+    std::vector<float> state;
+    state.reserve(3 * lanes_.size());
+    for (const Lane& lane : lanes_) {
+      for (const int number : {lane.start, lane.cell, lane.steps}) {
+        state.push_back(static_cast<float>(number));
+      }
+    }
+    return state;
+  }
+  void SetState(std::span<const float> state) override {
+    for (std::size_t i = 0; i < lanes_.size(); ++i) {
+      lanes_[i] = {static_cast<int>(state[3 * i]), static_cast<int>(state[3 * i + 1]),
+                   static_cast<int>(state[3 * i + 2])};
+    }
+  }
+
+ private:
+  struct Lane {
+    int start = 0;
+    int cell = 0;
+    int steps = 0;
+  };
+
+  LaneOutcome Move(Lane* lane, int action) const {
+    lane->cell = Next(lane->cell, action);
+    ++lane->steps;
+    LaneOutcome outcome;
+    outcome.terminated = lane->cell == kGoal;
+    outcome.truncated = !outcome.terminated && lane->steps >= kLimit;
+    outcome.reward = (outcome.terminated ? 1.0 : 0.0) - kStepCost;
+    const double best = 1.0 - kStepCost * distances_[static_cast<std::size_t>(lane->start)];
+    const double reached = outcome.terminated ? 1.0 : 0.0;
+    outcome.score = (reached - kStepCost * lane->steps) / best;
+    return outcome;
+  }
+
+  std::uint64_t seed_;
+  std::vector<Lane> lanes_;
+  std::array<int, kCells> distances_ = Distances();
+};
+
+class FourRoomsTraining final : public PpoTraining {
+ public:
+  static constexpr std::string_view kName = "four_rooms";
+  using Config = PpoPlan;
+  FourRoomsTraining(const Config& config, const TrainContext& /*context*/)
+      : PpoTraining(config, std::make_unique<FourRooms>(config.ppo.lanes, config.seed),
+                    std::make_unique<FourRooms>(kValidationLanes, config.seed + 1)) {}
+  std::string title() const override { return "Four rooms"; }
+};
+
+const TrainerRegistration<FourRoomsTraining> registration;
+
+}  // namespace
+}  // namespace bulletnav::bench
