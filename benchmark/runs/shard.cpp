@@ -82,7 +82,13 @@ Shard ParseShard(const std::string& text) {
 std::optional<Shard> ShardOfArray(const std::function<const char*(const char*)>& variable) {
   const auto number = [&](const char* name) -> std::optional<int> {
     const char* text = variable(name);
-    return text == nullptr ? std::nullopt : WholeNumber(text);
+    if (text == nullptr) return std::nullopt;
+    const std::optional<int> whole = WholeNumber(text);
+    if (whole) return whole;
+    throw sim::Error(
+        fmt::format("{} is '{}', which is no whole number; give --shard I/N, or take "
+                    "the variable away",
+                    name, text));
   };
   const auto id = number("SLURM_ARRAY_TASK_ID");
   const auto count = number("SLURM_ARRAY_TASK_COUNT");

@@ -68,6 +68,7 @@ std::optional<Shard> OfArray(const std::map<std::string, std::string>& variables
 TEST(Shard, IsThatOfASlurmArray) {
   EXPECT_EQ(OfArray({}), std::nullopt);
   EXPECT_EQ(OfArray({{"SLURM_ARRAY_TASK_ID", "3"}}), std::nullopt);
+  EXPECT_THROW(OfArray({{"SLURM_ARRAY_TASK_ID", "abc"}}), sim::Error);
   const auto of = [](const std::string& id, const std::string& least, const std::string& step) {
     return OfArray({{"SLURM_ARRAY_TASK_ID", id},
                     {"SLURM_ARRAY_TASK_COUNT", "4"},
