@@ -53,6 +53,18 @@ SlotSource SourceOf(agent::ModelSlot slot, const std::string& given, const RunCo
   return source;
 }
 
+/// The keys of weights that some agent of this version may ask for in a setting.
+std::set<std::string> KeysIn(const RunConfig& config, const std::string& setting) {
+  const agent::Rig rig = RigOf(config, setting);
+  std::set<std::string> keys;
+  for (const std::string& agent : agent::AgentNames()) {
+    for (const agent::ModelSlot& slot : agent::ModelSlotsOf(agent, rig)) {
+      keys.insert(slot.weights + "_" + setting);
+    }
+  }
+  return keys;
+}
+
 std::shared_ptr<agent::Model> LoadInto(const SlotSource& source, const agent::Rig& rig) {
   const fs::path file = FindWeights(source.name);
   std::shared_ptr<agent::Model> model = agent::LoadModel(file, rig);
@@ -120,13 +132,7 @@ void RequireKnownWeights(const RunConfig& config) {
   std::set<std::string> settings(config.settings.begin(), config.settings.end());
   settings.insert({"rgb", "rgbd"});
   std::set<std::string> known;
-  for (const std::string& agent : agent::AgentNames()) {
-    for (const std::string& setting : settings) {
-      for (const agent::ModelSlot& slot : agent::ModelSlotsOf(agent, RigOf(config, setting))) {
-        known.insert(slot.weights + "_" + setting);
-      }
-    }
-  }
+  for (const std::string& setting : settings) known.merge(KeysIn(config, setting));
   for (const auto& [key, file] : config.weights) {
     if (known.contains(key)) continue;
     throw sim::Error(fmt::format("weights: no agent asks for '{}'; known here: {}", key,

@@ -208,6 +208,8 @@ void ExpectGoodPlace(const FloorPlan& plan, int index) {
     case RoomType::kStudy:
       EXPECT_GE(joined.size(), 1u) << room.name;
       break;
+    default:
+      ADD_FAILURE() << room.name << " is in no home";
   }
 }
 
