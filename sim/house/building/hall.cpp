@@ -63,20 +63,25 @@ const Placed* Hall::Scatter(std::string_view kind, const Field& field, const Wis
 
 int Hall::Fill(const Rows& rows, const Field& field) {
   int count = 0;
-  for (const float v : Even(field.v0, field.v1, rows.pitch)) {
-    float since_break = 0.0f;
-    for (float u = field.u0; u + rows.width <= field.u1 + 1e-3f; u += rows.width + rows.gap) {
-      if (rows.break_after > 0.0f && since_break >= rows.break_after) {
-        since_break = 0.0f;
-        u += 1.5f;
-        if (u + rows.width > field.u1) break;
-      }
-      since_break += rows.width;
-      if (!rng()->Chance(static_cast<double>(rows.share))) continue;
-      const Wish wish{.width = rows.width, .height = rows.height};
-      if (Put(rows.kind, u + 0.5f * rows.width, v - 0.5f * rows.depth, Look::kUp, wish) != nullptr)
-        ++count;
+  for (const float v : Even(field.v0, field.v1, rows.pitch)) count += FillRow(rows, field, v);
+  return count;
+}
+
+int Hall::FillRow(const Rows& rows, const Field& field, float v) {
+  constexpr float kBreak = 1.5f;  // metres
+  int count = 0;
+  float since_break = 0.0f;
+  for (float u = field.u0; u + rows.width <= field.u1 + 1e-3f; u += rows.width + rows.gap) {
+    if (rows.break_after > 0.0f && since_break >= rows.break_after) {
+      since_break = 0.0f;
+      u += kBreak;
+      if (u + rows.width > field.u1) break;
     }
+    since_break += rows.width;
+    if (!rng()->Chance(static_cast<double>(rows.share))) continue;
+    const Wish wish{.width = rows.width, .height = rows.height};
+    const float middle = u + 0.5f * rows.width;
+    if (Put(rows.kind, middle, v - 0.5f * rows.depth, Look::kUp, wish) != nullptr) ++count;
   }
   return count;
 }
@@ -87,8 +92,9 @@ void Hall::Columns(float spacing) {
   const int across = std::max(1, static_cast<int>(std::lround(width_ / spacing)));
   const int along = std::max(1, static_cast<int>(std::lround(length_ / spacing)));
   for (int cell = 0; cell < (along - 1) * (across - 1); ++cell) {
+    const int row = 1 + cell / (along - 1);
     const auto i = static_cast<float>(1 + cell % (along - 1));
-    const auto k = static_cast<float>(1 + cell / (along - 1));
+    const auto k = static_cast<float>(row);
     const float u = length_ * i / static_cast<float>(along);
     Put("column", u, width_ * k / static_cast<float>(across), Look::kUp, {.height = high});
   }
@@ -103,8 +109,9 @@ void Hall::Lights(std::string_view kind, float spacing) {
   const int along = count(length_);
   const int across = count(width_);
   for (int cell = 0; cell < along * across; ++cell) {
+    const int row = cell / along;
     const auto i = static_cast<float>(cell % along);
-    const auto k = static_cast<float>(cell / along);
+    const auto k = static_cast<float>(row);
     const float u = length_ * (i + 0.5f) / static_cast<float>(along);
     const float v = width_ * (k + 0.5f) / static_cast<float>(across);
     // Beside a column or a beam that is in the way.

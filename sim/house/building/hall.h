@@ -71,6 +71,9 @@ class Hall {
   void AlongWalls(std::span<const std::string_view> kinds, int count, float width = 0.0f);
 
  private:
+  /// The row whose pieces' fronts lie at v.
+  int FillRow(const Rows& rows, const Field& field, float v);
+
   RoomFurnisher* room_;
   PlanPoint origin_ = PlanPoint::Zero();
   bool along_x_ = true;

@@ -97,7 +97,8 @@ void LockerRow(PieceMaker& m) {
   m.Box(kDark, {-half + 0.01f, 0, 0.01f}, {half - 0.01f, 0.08f, 0.44f});
   m.Box(Shaded(steel, 0.6f), {-half, 0.08f, 0}, {half, high, 0.46f});
   for (int i = 0; i < 2 * columns; ++i) {
-    const float x0 = -half + width * static_cast<float>(i / 2) / static_cast<float>(columns);
+    const int column = i / 2;
+    const float x0 = -half + width * static_cast<float>(column) / static_cast<float>(columns);
     const float x1 = x0 + width / static_cast<float>(columns);
     const float middle = 0.5f * (0.08f + high);
     const float y0 = i % 2 == 0 ? 0.08f : middle;

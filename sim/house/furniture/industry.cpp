@@ -37,13 +37,32 @@ void Load(PieceMaker& m, const Vec& at, const Vec& size) {
   }
 }
 
+/// Loads on one level of a rack, which reaches `half` to each side, at height y.
+void LoadLevel(PieceMaker& m, float half, float deep, float y, float pitch) {
+  const int loads = half > 1.0f ? 2 : 1;
+  const float share = (2.0f * half - 0.25f) / static_cast<float>(loads);
+  for (int k = 0; k < loads; ++k) {
+    if (m.Chance(0.15)) continue;
+    const float x = -half + 0.125f + share * (static_cast<float>(k) + 0.5f);
+    const float tall = std::min(m.Draw(0.5f, 0.85f) * pitch, pitch - 0.2f);
+    Load(m, {x, y, 0}, {0.9f * share, tall, 1.7f * deep});
+  }
+}
+
+/// The beams that carry a level, y the height of their tops.
+void CarryLevel(PieceMaker& m, float half, float deep, float y) {
+  const Surface beams{"painted_wood", {226, 110, 32}};
+  for (const float z : {-deep + 0.04f, deep - 0.04f}) {
+    m.Box(beams, {-half + 0.1f, y - 0.12f, z - 0.03f}, {half - 0.1f, y, z + 0.03f});
+  }
+}
+
 /// Uprights and beams with loads on them, as high as asked.
 void PalletRack(PieceMaker& m) {
   const float half = 0.5f * m.Width(2.1f, 2.6f);
   const float high = m.request().height > 0.0f ? m.request().height : m.Draw(1.9f, 2.1f);
   constexpr float kDeep = 0.55f;
   const Surface posts{"painted_wood", m.Chance(0.5) ? Rgb8{40, 84, 150} : Rgb8{96, 100, 104}};
-  const Surface beams{"painted_wood", {226, 110, 32}};
   for (const float x : {-half + 0.05f, half - 0.05f}) {
     for (const float z : {-kDeep + 0.05f, kDeep - 0.05f}) Post(m, posts, {x, 0, z}, 0.1f, high);
   }
@@ -51,19 +70,8 @@ void PalletRack(PieceMaker& m) {
   const float pitch = high / static_cast<float>(levels);
   for (int i = 0; i < levels; ++i) {
     const float y = i == 0 ? 0.0f : pitch * static_cast<float>(i);
-    if (i > 0) {
-      for (const float z : {-kDeep + 0.04f, kDeep - 0.04f}) {
-        m.Box(beams, {-half + 0.1f, y - 0.12f, z - 0.03f}, {half - 0.1f, y, z + 0.03f});
-      }
-    }
-    const int loads = half > 1.0f ? 2 : 1;
-    const float share = (2.0f * half - 0.25f) / static_cast<float>(loads);
-    for (int k = 0; k < loads; ++k) {
-      if (m.Chance(0.15)) continue;
-      const float x = -half + 0.125f + share * (static_cast<float>(k) + 0.5f);
-      const float tall = std::min(m.Draw(0.5f, 0.85f) * pitch, pitch - 0.2f);
-      Load(m, {x, y, 0}, {0.9f * share, tall, 1.7f * kDeep});
-    }
+    if (i > 0) CarryLevel(m, half, kDeep, y);
+    LoadLevel(m, half, kDeep, y, pitch);
   }
 }
 
@@ -146,7 +154,8 @@ void Drums(PieceMaker& m) {
   const Surface steel{"painted_wood", BrightColor(m)};
   for (int i = 0; i < count; ++i) {
     const auto x = static_cast<float>(i % 2);
-    const auto z = static_cast<float>(i / 2);
+    const int row = i / 2;
+    const auto z = static_cast<float>(row);
     m.Cylinder(steel, {0.62f * x, 0, 0.62f * z}, 0.29f, m.Draw(0.84f, 0.9f), 10);
   }
 }
