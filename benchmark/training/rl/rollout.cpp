@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "sim/base/check.h"
+#include "sim/base/elementary.h"
 #include "sim/math/rng.h"
 
 namespace bulletnav::bench {
@@ -14,7 +15,7 @@ int SampleAction(const ActionKey& key, std::span<const float> log_probabilities)
   std::vector<double> weights(log_probabilities.size());
   std::transform(log_probabilities.begin(), log_probabilities.end(), weights.begin(),
                  [](float value) {
-                   return std::exp(double{value});
+                   return sim::Exp(double{value});
                  });
   sim::Rng rng = sim::Rng(key.seed, "action")
                      .Fork("lane", static_cast<std::uint64_t>(key.lane))

@@ -139,14 +139,16 @@ TEST_F(RunnerTest, AnyNumberOfWorkersGivesTheSameBytes) {
   Play(config, "many", 5);
   EXPECT_EQ(Bytes("one"), Bytes("many"));
   for (const char* name : {"one", "many"}) RebuildTables(folder(name));
-  for (const char* file : {"config.yaml", "summary.json", "table.md", "table.csv", "table.tex"}) {
+  for (const char* file :
+       {"config.yaml", "summary.json", "table.md", "table.csv", "table.tex", "scenes.md"}) {
     EXPECT_EQ(sim::ReadTextFile(folder("one") / file), sim::ReadTextFile(folder("many") / file));
   }
   const std::string table = sim::ReadTextFile(folder("one") / "table.md");
   EXPECT_THAT(table, AllOf(HasSubstr("oracle"), HasSubstr("privileged"),
                            HasSubstr("this version has no such agent yet")));
   fs::remove(folder("one") / "table.md");
-  EXPECT_EQ(RebuildTables(folder("one")), table);
+  EXPECT_EQ(RebuildTables(folder("one")),
+            table + "\n" + sim::ReadTextFile(folder("one") / "scenes.md"));
   EXPECT_EQ(sim::ReadTextFile(folder("one") / "table.md"), table);
 }
 
