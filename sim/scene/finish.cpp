@@ -2,6 +2,7 @@
 #include "sim/scene/finish.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <span>
@@ -113,23 +114,43 @@ void Recolor(Surfaces surfaces, SceneMesh* mesh) {
   mesh->textures.clear();
 }
 
+/// Columns or rows from `begin` to before `end`.
+struct Span {
+  int begin = 0;
+  int end = 0;
+  int size() const { return end - begin; }
+};
+
+/// The `i`-th block of `count` along a side of `size` pixels; the last takes what is left over.
+Span BlockOf(int i, int count, int shrink, int size) {
+  return {i * shrink, i + 1 == count ? size : (i + 1) * shrink};
+}
+
+/// Mean of a block's pixels, rounded.
+std::array<std::uint8_t, 4> MeanOfBlock(const Image& image, Span columns, Span rows) {
+  std::array<std::int64_t, 4> sums{};
+  for (int v = rows.begin; v < rows.end; ++v) {
+    for (int u = columns.begin; u < columns.end; ++u) {
+      for (std::size_t c = 0; c < sums.size(); ++c) sums[c] += image.at(u, v)[c];
+    }
+  }
+  const std::int64_t count = std::int64_t{columns.size()} * rows.size();
+  std::array<std::uint8_t, 4> mean{};
+  for (std::size_t c = 0; c < mean.size(); ++c) {
+    mean[c] = static_cast<std::uint8_t>((sums[c] + count / 2) / count);
+  }
+  return mean;
+}
+
 /// Means of blocks of `shrink` x `shrink` pixels.
 Image Shrunk(const Image& image, int shrink) {
   Image small(std::max(1, image.width / shrink), std::max(1, image.height / shrink), 4);
   for (int y = 0; y < small.height; ++y) {
+    const Span rows = BlockOf(y, small.height, shrink, image.height);
     for (int x = 0; x < small.width; ++x) {
-      const int x1 = x + 1 == small.width ? image.width : (x + 1) * shrink;
-      const int y1 = y + 1 == small.height ? image.height : (y + 1) * shrink;
-      std::array<std::int64_t, 4> sums{};
-      for (int v = y * shrink; v < y1; ++v) {
-        for (int u = x * shrink; u < x1; ++u) {
-          for (std::size_t c = 0; c < 4; ++c) sums[c] += image.at(u, v)[c];
-        }
-      }
-      const std::int64_t count = std::int64_t{x1 - x * shrink} * (y1 - y * shrink);
-      for (std::size_t c = 0; c < 4; ++c) {
-        small.at(x, y)[c] = static_cast<std::uint8_t>((sums[c] + count / 2) / count);
-      }
+      const Span columns = BlockOf(x, small.width, shrink, image.width);
+      const auto mean = MeanOfBlock(image, columns, rows);
+      std::copy(mean.begin(), mean.end(), small.at(x, y));
     }
   }
   return small;
