@@ -39,10 +39,10 @@ if(BULLETNAV_SLAM)
     -Wl,--push-state,--no-as-needed ${BULLETNAV_BLAS_LIBRARY} -Wl,--pop-state
     ${BULLETNAV_CERES_LIBRARY} ${BULLETNAV_GLOG_LIBRARY})
 
-  find_package(OpenCV 4 REQUIRED COMPONENTS core features2d imgproc)
+  find_package(OpenCV 4 REQUIRED COMPONENTS calib3d core features2d imgproc)
   add_library(bulletnav_opencv INTERFACE)
   target_include_directories(bulletnav_opencv SYSTEM INTERFACE ${OpenCV_INCLUDE_DIRS})
-  target_link_libraries(bulletnav_opencv INTERFACE opencv_core opencv_features2d opencv_imgproc)
+  target_link_libraries(bulletnav_opencv INTERFACE opencv_calib3d opencv_core opencv_features2d opencv_imgproc)
 endif()
 if(BULLETNAV_TOOLS)
   find_package(CLI11 REQUIRED)

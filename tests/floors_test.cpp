@@ -32,6 +32,7 @@ const std::vector<std::vector<std::string>> kFloors = {
     {"agent/models/"},
     {"agent/slam/pose_graph/", "agent/slam/retrieval/"},
     {"agent/slam/features/"},
+    {"agent/slam/verify/", "agent/slam/loops/"},
     {"agent/"},
     {"agent/mapping/"},
     {"agent/integer/"},
@@ -49,6 +50,9 @@ const std::vector<std::vector<std::string>> kFloors = {
     {"benchmark/evaluate_perception/"},
     {"benchmark/slam/io/", "benchmark/slam/metrics/"},
     {"benchmark/slam/traversal/"},
+    {"benchmark/slam/truth/"},
+    {"benchmark/slam/runs/"},
+    {"benchmark/slam/plots/"},
     {"python/"},
     {"benchmark/cli/"},
 };

@@ -99,10 +99,14 @@ void AddOptimizeCommand(CLI::App* slam) {
 }  // namespace
 
 void AddSlamCommand(CLI::App* program) {
-  CLI::App* slam = program->add_subcommand("slam", "Topological SLAM: recordings, pose graphs");
+  CLI::App* slam =
+      program->add_subcommand("slam", "Topological SLAM: recordings, loops, pose graphs");
   slam->require_subcommand(1);
   AddOptimizeCommand(slam);
   AddSlamTraverseCommand(slam);
+  AddSlamRunCommand(slam);
+  AddSlamTableCommand(slam);
+  AddSlamPlotCommand(slam);
 }
 
 }  // namespace bulletnav::bench

@@ -1,10 +1,20 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <filesystem>
+
 #include <CLI/App.hpp>
 
 namespace bulletnav::bench {
 
 /// Adds "traverse" to the "slam" command.
 void AddSlamTraverseCommand(CLI::App* slam);
+/// Draws a run's pictures into its folder's plots/. Throws sim::FileError.
+void DrawSlamRun(const std::filesystem::path& folder);
+
+/// Adds "plot".
+void AddSlamPlotCommand(CLI::App* slam);
+/// Adds "run" and "table".
+void AddSlamRunCommand(CLI::App* slam);
+void AddSlamTableCommand(CLI::App* slam);
 
 }  // namespace bulletnav::bench

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "benchmark/evaluate_perception/ranking.h"
+#include "benchmark/base/ranking.h"
 
 namespace bulletnav::bench {
 namespace {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "benchmark/evaluate_perception/ranking.h"
+#include "benchmark/base/ranking.h"
 
 namespace bulletnav::bench {
 

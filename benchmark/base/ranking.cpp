@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "benchmark/evaluate_perception/ranking.h"
+#include "benchmark/base/ranking.h"
 
 #include <algorithm>
 #include <cmath>

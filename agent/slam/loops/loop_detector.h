@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "agent/slam/features/orb.h"
+#include "agent/slam/retrieval/vocabulary.h"
+#include "sim/math/pose.h"
+
+namespace bulletnav::agent {
+
+/// What a detector of loops learns of a frame: pictures, and odometry added up; no true pose.
+/// Pictures and features live until Add returns.
+struct LoopFrame {
+  int number = 0;  // 0, 1, ...
+  int width_px = 0;
+  int height_px = 0;
+  std::span<const std::uint8_t> color;    // [height, width, 3] RGB
+  const OrbFeatures* features = nullptr;  // of `color`, shared by all who need them
+  sim::PlanarPose odometry;               // from the first frame's body
+  /// How many of the first frames are so far back, by travel as odometry has it, that they are
+  /// asked about.
+  int comparable = 0;
+};
+
+/// Two frames that may show the same place.
+struct LoopCandidate {
+  int later = 0;
+  int earlier = 0;
+  double score = 0.0;        // the larger, the surer; comparable within one drive
+  bool is_proposed = false;  // the detector takes it for a loop, to be verified
+};
+
+/// What detectors are built with, besides their own config.
+struct LoopContext {
+  std::shared_ptr<const Vocabulary> vocabulary;  // of ORB
+};
+
+/// Finds pairs of frames of a drive that show the same place. Sees what LoopFrame has and nothing
+/// else. A detector D has `static constexpr std::string_view kName`, a nested struct `Config` (see
+/// YamlReader) and a constructor D(const Config&, const LoopContext&), which throws Error if it
+/// cannot work with the context. It is one file in agent/slam/loops/detectors/ that ends in
+///   const LoopDetectorRegistration<D> registration;
+/// Deterministic: what it answers is a function of config, context and frames.
+class LoopDetector {
+ public:
+  LoopDetector() = default;
+  virtual ~LoopDetector() = default;
+  LoopDetector(const LoopDetector&) = delete;
+  LoopDetector& operator=(const LoopDetector&) = delete;
+  LoopDetector(LoopDetector&&) = delete;
+  LoopDetector& operator=(LoopDetector&&) = delete;
+
+  /// Takes the next frame. Candidates have it for their `later`, and an `earlier` below
+  /// frame.comparable; at most one for each.
+  virtual std::vector<LoopCandidate> Add(const LoopFrame& frame) = 0;
+
+  /// After the last frame: candidates of detectors that need the whole drive, which are not causal.
+  virtual std::vector<LoopCandidate> Finish() { return {}; }
+};
+
+}  // namespace bulletnav::agent

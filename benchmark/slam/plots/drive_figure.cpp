@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/slam/plots/drive_figure.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+
+#include "benchmark/report/palette.h"
+
+namespace bulletnav::bench {
+namespace {
+
+constexpr double kPanel = 420.0;  // units of a panel's side
+constexpr double kTitle = 34.0;
+constexpr double kGap = 16.0;
+
+using Way = std::vector<Eigen::Vector2d>;  // world x, z
+
+/// The estimate in the world: its first pose is the first true one.
+Way WayOf(const std::vector<sim::PlanarPose>& poses, const sim::BodyPose& first) {
+  Way way;
+  way.reserve(poses.size());
+  for (const sim::PlanarPose& pose : poses) {
+    const Eigen::Vector3d at = sim::Apply(first, pose).position;
+    way.emplace_back(at.x(), at.z());
+  }
+  return way;
+}
+
+Way WayOf(const std::vector<sim::BodyPose>& poses) {
+  Way way;
+  way.reserve(poses.size());
+  for (const sim::BodyPose& pose : poses) way.emplace_back(pose.position.x(), pose.position.z());
+  return way;
+}
+
+/// What is drawn, ready in the world's coordinates.
+struct Drawing {
+  std::vector<DrivePanel> panels;
+  std::vector<Way> ways;
+  Way truth;
+  std::optional<SceneMap> map;
+  Eigen::AlignedBox2d extent;
+};
+
+Drawing DrawingOf(const DrivePicture& picture, const std::optional<SceneMap>& map) {
+  Drawing drawing;
+  drawing.panels = picture.panels;
+  drawing.truth = WayOf(picture.truth);
+  drawing.map = map;
+  const sim::BodyPose first = picture.truth.empty() ? sim::BodyPose{} : picture.truth.front();
+  for (const Eigen::Vector2d& at : drawing.truth) drawing.extent.extend(at);
+  for (const DrivePanel& panel : picture.panels) {
+    drawing.ways.push_back(WayOf(panel.poses, first));
+    for (const Eigen::Vector2d& at : drawing.ways.back()) drawing.extent.extend(at);
+  }
+  if (drawing.extent.isEmpty()) drawing.extent.extend(Eigen::Vector2d::Zero());
+  const Eigen::Vector2d margin = Eigen::Vector2d::Constant(0.5);
+  drawing.extent.extend(Eigen::Vector2d(drawing.extent.min() - margin));
+  drawing.extent.extend(Eigen::Vector2d(drawing.extent.max() + margin));
+  return drawing;
+}
+
+/// World to canvas within a panel.
+class PanelPlace {
+ public:
+  PanelPlace(const Drawing& drawing, const Eigen::AlignedBox2d& box) {
+    const Eigen::Vector2d size = drawing.extent.sizes();
+    scale_ = std::min(box.sizes().x() / size.x(), box.sizes().y() / size.y());
+    offset_ = box.center() - scale_ * drawing.extent.center();
+  }
+  Canvas::Point At(const Eigen::Vector2d& world) const { return scale_ * world + offset_; }
+  double scale() const { return scale_; }
+
+ private:
+  double scale_ = 1.0;
+  Eigen::Vector2d offset_;
+};
+
+std::vector<Canvas::Point> Placed(const Way& way, const PanelPlace& place) {
+  std::vector<Canvas::Point> points;
+  points.reserve(way.size());
+  for (const Eigen::Vector2d& at : way) points.push_back(place.At(at));
+  return points;
+}
+
+void DrawFloor(const SceneMap& map, const PanelPlace& place, Canvas* canvas) {
+  std::vector<Canvas::Point> corners;
+  corners.reserve(map.walkable.size());
+  for (const Eigen::Vector2f& corner : map.walkable) {
+    corners.push_back(place.At(corner.cast<double>()));
+  }
+  canvas->FillTriangles(corners, kInk.WithAlpha(0.08));
+}
+
+void DrawLoops(const std::vector<LoopRecord>& loops, const Way& way, const PanelPlace& place,
+               Canvas* canvas) {
+  for (const LoopRecord& loop : loops) {
+    const auto last = std::max(loop.later, loop.earlier);
+    if (!loop.is_accepted || last >= static_cast<int>(way.size())) continue;
+    const Paint& paint = loop.is_wrong ? kVermillion : kGreen;
+    canvas->Line(place.At(way[static_cast<std::size_t>(loop.earlier)]),
+                 place.At(way[static_cast<std::size_t>(loop.later)]), loop.is_wrong ? 2.0 : 1.0,
+                 paint.WithAlpha(loop.is_wrong ? 0.9 : 0.5));
+  }
+}
+
+void DrawPanel(const Drawing& drawing, std::size_t panel, Canvas* canvas) {
+  const double left = kGap + static_cast<double>(panel) * (kPanel + kGap);
+  const Eigen::AlignedBox2d box(Eigen::Vector2d(left, kTitle),
+                                Eigen::Vector2d(left + kPanel, kTitle + kPanel));
+  const PanelPlace place(drawing, box);
+  canvas->Clip(box);
+  if (drawing.map) DrawFloor(*drawing.map, place, canvas);
+  canvas->Polyline(Placed(drawing.truth, place), {2.5, kInk.WithAlpha(0.35), {}});
+  const Way& way = drawing.ways[panel];
+  const Paint& color = panel == 0 ? kOrange : kBlue;
+  canvas->Polyline(Placed(way, place), {1.5, color, {}});
+  DrawLoops(drawing.panels[panel].loops, way, place, canvas);
+  if (!way.empty()) canvas->Disc(place.At(way.front()), 4.0, kInk);
+  canvas->Unclip();
+  canvas->Text({box.center().x(), kTitle / 2.0}, drawing.panels[panel].title,
+               {14.0, kInk, true, Align::kCenter, false, false});
+}
+
+}  // namespace
+
+Figure DriveFigure(const DrivePicture& picture, const std::optional<SceneMap>& map) {
+  const auto drawing = std::make_shared<const Drawing>(DrawingOf(picture, map));
+  const double panels = static_cast<double>(picture.panels.size());
+  Figure figure;
+  figure.width = static_cast<int>(kGap + panels * (kPanel + kGap));
+  figure.height = static_cast<int>(kTitle + kPanel + kGap);
+  figure.draw = [drawing](Canvas* canvas) {
+    for (std::size_t i = 0; i < drawing->panels.size(); ++i) DrawPanel(*drawing, i, canvas);
+  };
+  return figure;
+}
+
+}  // namespace bulletnav::bench

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/slam/plots/slam_charts.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "benchmark/report/chart.h"
+#include "benchmark/slam/truth/loop_truth.h"
+
+namespace bulletnav::bench {
+namespace {
+
+using Rankings = std::vector<const RankingOutcome*>;
+
+/// What the drives have of a detector, where there is anything to find.
+template <class Choose>
+Rankings Collect(std::span<const DriveResult> results, std::size_t detector, const Choose& choose) {
+  Rankings rankings;
+  for (const DriveResult& result : results) {
+    if (detector >= result.detectors.size()) continue;
+    const auto& map = choose(result.detectors[detector]).first;
+    const auto found = map.find(choose(result.detectors[detector]).second);
+    if (found != map.end() && found->second.loops > 0) rankings.push_back(&found->second);
+  }
+  return rankings;
+}
+
+Rankings OfKind(std::span<const DriveResult> results, std::size_t detector, LoopKind kind) {
+  return Collect(results, detector, [kind](const DetectorResult& result) {
+    return std::pair<const std::map<std::string, RankingOutcome>&, std::string>(
+        result.rankings, std::string(NameOf(kind)));
+  });
+}
+
+Rankings OfHeading(std::span<const DriveResult> results, std::size_t detector, HeadingBin bin) {
+  return Collect(results, detector, [bin](const DetectorResult& result) {
+    return std::pair<const std::map<std::string, RankingOutcome>&, std::string>(
+        result.headings, std::string(NameOf(bin)));
+  });
+}
+
+template <class Value>
+double MeanOf(const Rankings& rankings, const Value& value) {
+  double sum = 0.0;
+  for (const RankingOutcome* ranking : rankings) sum += value(*ranking);
+  return rankings.empty() ? 0.0 : sum / static_cast<double>(rankings.size());
+}
+
+double GuessingOf(const RankingOutcome& ranking) {
+  return ranking.figures.guessing;
+}
+
+Chart::Value Point(double x, double y) {
+  return {x, y, {y, y}};
+}
+
+/// Mean precision at each recall.
+Chart::Series CurveOf(const std::string& name, const Rankings& rankings) {
+  Chart::Series series{name, {}};
+  if (rankings.empty()) return series;
+  const std::size_t points = rankings.front()->precision.size();
+  for (std::size_t i = 0; i < points; ++i) {
+    const double precision = MeanOf(rankings, [i](const RankingOutcome& ranking) {
+      return i < ranking.precision.size() ? ranking.precision[i] : 0.0;
+    });
+    // No point where nothing is found: the line ends there.
+    if (precision == 0.0) break;
+    series.values.push_back(
+        Point(static_cast<double>(i) / static_cast<double>(points - 1), precision));
+  }
+  return series;
+}
+
+Chart KindChart(const SlamConfig& config, std::span<const DriveResult> results, LoopKind kind) {
+  Chart chart;
+  chart.x_label = "Recall, loops are: " + std::string(NameOf(kind));
+  chart.y_label = "Precision";
+  chart.has_marks = false;
+  chart.margin = 0.02;
+  for (const double tick : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+    chart.ticks.push_back({tick, std::to_string(tick).substr(0, 4)});
+  }
+  for (std::size_t i = 0; i < config.detectors.size(); ++i) {
+    chart.series.push_back(CurveOf(config.detectors[i].name, OfKind(results, i, kind)));
+  }
+  const double guessing = MeanOf(OfKind(results, 0, kind), GuessingOf);
+  chart.series.push_back({"guessing", {Point(0.0, guessing), Point(1.0, guessing)}});
+  return chart;
+}
+
+}  // namespace
+
+Figure PrecisionRecallFigure(const SlamConfig& config, std::span<const DriveResult> results) {
+  std::vector<Chart> charts;
+  for (const LoopKind kind : {LoopKind::kCovisible, LoopKind::kNode, LoopKind::kNear}) {
+    charts.push_back(KindChart(config, results, kind));
+  }
+  return ChartFigure(charts);
+}
+
+namespace {
+
+/// Mean over drives in each bin of headings.
+template <class Value>
+Chart::Series HeadingSeries(const std::string& name, std::span<const DriveResult> results,
+                            std::size_t detector, const Value& value) {
+  Chart::Series series{name, {}};
+  for (int bin = 0; bin < kHeadingBins; ++bin) {
+    const Rankings rankings = OfHeading(results, detector, static_cast<HeadingBin>(bin));
+    series.values.push_back(Point(bin, MeanOf(rankings, value)));
+  }
+  return series;
+}
+
+}  // namespace
+
+Figure HeadingFigure(const SlamConfig& config, std::span<const DriveResult> results) {
+  Chart chart;
+  chart.x_label = "Later camera turned by, degrees";
+  chart.y_label = "Average precision";
+  for (int bin = 0; bin < kHeadingBins; ++bin) {
+    chart.ticks.push_back(
+        {static_cast<double>(bin), std::string(NameOf(static_cast<HeadingBin>(bin)))});
+  }
+  for (std::size_t i = 0; i < config.detectors.size(); ++i) {
+    chart.series.push_back(
+        HeadingSeries(config.detectors[i].name, results, i, [](const RankingOutcome& ranking) {
+          return ranking.figures.average_precision;
+        }));
+  }
+  chart.series.push_back(HeadingSeries("guessing", results, 0, GuessingOf));
+  return ChartFigure({&chart, 1});
+}
+
+}  // namespace bulletnav::bench

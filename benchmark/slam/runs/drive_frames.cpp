@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/slam/runs/drive_frames.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "benchmark/slam/io/file_frames.h"
+#include "sim/base/error.h"
+#include "sim/base/files.h"
+
+namespace bulletnav::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kMostApart = 0.05;  // seconds between a frame and its pose
+
+/// The pose of each time, if there is one near it.
+std::vector<std::optional<agent::SpatialPose>> PosesAt(std::span<const double> times,
+                                                       const CameraTrajectory& trajectory) {
+  std::vector<double> known;
+  known.reserve(trajectory.size());
+  for (const TimedPose& pose : trajectory) known.push_back(pose.time);
+  std::vector<std::optional<agent::SpatialPose>> poses(times.size());
+  for (const auto& [frame, pose] : NearestTimes(times, known, kMostApart)) {
+    poses[static_cast<std::size_t>(frame)] = trajectory[static_cast<std::size_t>(pose)].pose;
+  }
+  return poses;
+}
+
+/// RGB of a picture file.
+sim::Image ReadColor(const fs::path& file) {
+  sim::Image picture;
+  try {
+    picture = sim::DecodeImage(sim::ReadFile(file));
+  } catch (const sim::ImageError& e) {
+    throw sim::FileError(file, "", e.what());
+  }
+  sim::Image color(picture.width, picture.height, 3);
+  for (std::size_t i = 0; i < color.pixels.size(); ++i) {
+    color.pixels[i] = picture.pixels[i / 3 * 4 + i % 3];
+  }
+  return color;
+}
+
+}  // namespace
+
+TraversalSpec TraversalOf(const SlamConfig& config, int actions, std::uint64_t seed) {
+  TraversalSpec traversal;
+  traversal.body = config.body;
+  traversal.camera = config.camera;
+  traversal.noise = config.noise;
+  traversal.actions = actions;
+  traversal.seed = seed;
+  return traversal;
+}
+
+sim::WorldOptions WorldOptionsOf(const SlamConfig& config) {
+  sim::WorldOptions options;
+  options.import = config.import.options();
+  options.backend = sim::Backend::kEmbree;  // the same pictures with and without a GPU
+  return options;
+}
+
+DriveSource::DriveSource(const SlamConfig& config, const Drive& drive) {
+  if (drive.is_recording) {
+    recording_ = Read(drive.source);
+  } else {
+    traversal_ = TraversalOf(config, drive.actions, drive.seed);
+    world_ = sim::World::Load(drive.source, WorldOptionsOf(config));
+  }
+}
+
+DriveSource::Recording DriveSource::Read(const fs::path& folder) {
+  Recording recording;
+  recording.folder = ReadTumFolder(folder, {});
+  std::vector<double> times;
+  for (const TumFrame& frame : recording.folder.frames) times.push_back(frame.time);
+  const fs::path odometry = folder / "odometry.txt";
+  if (!fs::exists(odometry)) {
+    throw sim::FileError(odometry, "",
+                         "is not there; write the odometry added up as 't x y z qx qy qz qw' of "
+                         "the camera, a line a frame");
+  }
+  const auto measured = PosesAt(times, ReadTumTrajectory(odometry));
+  recording.odometry.reserve(times.size());
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (!measured[i]) {
+      throw sim::FileError(odometry, "",
+                           fmt::format("has no pose within {} s of the frame at {}; leave the "
+                                       "frame out or add the pose",
+                                       kMostApart, times[i]));
+    }
+    recording.odometry.push_back(PlanarFromFile(*measured[i]));
+  }
+  const sim::PlanarPose back = sim::Inverse(recording.odometry.front());
+  for (sim::PlanarPose& pose : recording.odometry) pose = sim::Compose(back, pose);
+  const auto truth = PosesAt(times, recording.folder.truth);
+  recording.truth.resize(times.size());
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (truth[i]) recording.truth[i] = BodyFromFile(*truth[i], 0.0);
+  }
+  return recording;
+}
+
+Intrinsics DriveSource::intrinsics() const {
+  return recording_ ? recording_->folder.intrinsics : IntrinsicsOf(traversal_.camera);
+}
+
+bool DriveSource::has_truth() const {
+  return !recording_ ||
+         std::all_of(recording_->truth.begin(), recording_->truth.end(), [](const auto& pose) {
+           return pose.has_value();
+         });
+}
+
+void DriveSource::ForEach(const std::function<void(const DriveFrame&)>& take) const {
+  if (!recording_) {
+    Traverse(world_, traversal_, [&](const TraversalFrame& frame) {
+      take({frame.color, frame.depth, frame.dead_reckoned, frame.true_pose});
+    });
+    return;
+  }
+  for (std::size_t i = 0; i < recording_->folder.frames.size(); ++i) {
+    const TumFrame& frame = recording_->folder.frames[i];
+    DriveFrame read;
+    read.color = ReadColor(frame.color);
+    read.depth = ReadTumDepth(frame.depth);
+    read.odometry = recording_->odometry[i];
+    read.truth = recording_->truth[i];
+    take(read);
+  }
+}
+
+}  // namespace bulletnav::bench

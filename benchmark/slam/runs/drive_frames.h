@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "benchmark/slam/io/tum.h"
+#include "benchmark/slam/runs/slam_config.h"
+#include "sim/image/image.h"
+#include "sim/world.h"
+
+namespace bulletnav::bench {
+
+/// A frame of a drive, from the simulator or from files.
+struct DriveFrame {
+  sim::Image color;                    // RGB
+  DepthPicture depth;                  // along the camera's axis
+  sim::PlanarPose odometry;            // added up, from the first frame's body
+  std::optional<sim::BodyPose> truth;  // where it is known; for measuring only
+};
+
+/// The frames of a drive, one after the other.
+class DriveSource {
+ public:
+  /// Loads the scene, or the lists of a recording. Throws sim::FileError, also for a recording
+  /// without odometry.txt, or whose odometry or truth lacks the time of a frame.
+  DriveSource(const SlamConfig& config, const Drive& drive);
+
+  Intrinsics intrinsics() const;
+  /// Null for a recording.
+  const sim::World* world() const { return world_.get(); }
+  bool has_truth() const;
+
+  void ForEach(const std::function<void(const DriveFrame&)>& take) const;
+
+ private:
+  struct Recording {
+    TumFolder folder;
+    std::vector<sim::PlanarPose> odometry;            // by frame
+    std::vector<std::optional<sim::BodyPose>> truth;  // by frame
+  };
+  static Recording Read(const std::filesystem::path& folder);
+
+  std::shared_ptr<const sim::World> world_;
+  TraversalSpec traversal_;
+  std::optional<Recording> recording_;
+};
+
+/// The drive of a config through a scene.
+TraversalSpec TraversalOf(const SlamConfig& config, int actions, std::uint64_t seed);
+sim::WorldOptions WorldOptionsOf(const SlamConfig& config);
+
+}  // namespace bulletnav::bench

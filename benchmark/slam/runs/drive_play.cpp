@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/slam/runs/drive_play.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "benchmark/privileged/visibility.h"
+#include "benchmark/slam/runs/drive_frames.h"
+#include "benchmark/slam/runs/measure_drive.h"
+#include "sim/base/error.h"
+
+namespace bulletnav::bench {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double MillisecondsSince(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+/// What of a frame is needed until the end of the drive.
+struct KeptFrame {
+  agent::OrbFeatures features;
+  std::vector<float> corner_depths;
+};
+
+std::vector<float> DepthsAtCorners(const DepthPicture& depth, const agent::OrbFeatures& features) {
+  std::vector<float> depths;
+  depths.reserve(features.corners.size());
+  for (const agent::Corner& corner : features.corners) {
+    const int col = std::clamp(static_cast<int>(std::lround(corner.x)), 0, depth.width - 1);
+    const int row = std::clamp(static_cast<int>(std::lround(corner.y)), 0, depth.height - 1);
+    depths.push_back(
+        depth.metres[static_cast<std::size_t>(row) * static_cast<std::size_t>(depth.width) +
+                     static_cast<std::size_t>(col)]);
+  }
+  return depths;
+}
+
+/// How far the body has come, as odometry has it, and which frames are far back.
+class Travel {
+ public:
+  explicit Travel(double apart_m) : apart_m_(apart_m) {}
+
+  /// Takes the next frame's odometry; how many of the first frames are `apart_m` back.
+  int Next(const sim::PlanarPose& odometry) {
+    if (!travelled_.empty()) {
+      metres_ += std::hypot(odometry.x - last_.x, odometry.y - last_.y);
+    }
+    travelled_.push_back(metres_);
+    last_ = odometry;
+    const auto end = std::upper_bound(travelled_.begin(), travelled_.end(), metres_ - apart_m_);
+    return static_cast<int>(end - travelled_.begin());
+  }
+  double metres() const { return metres_; }
+
+ private:
+  double apart_m_;
+  double metres_ = 0.0;
+  std::vector<double> travelled_;  // rises
+  sim::PlanarPose last_;
+};
+
+/// A detector at work.
+struct RunningDetector {
+  std::string name;
+  std::unique_ptr<agent::LoopDetector> detector;
+  std::vector<agent::LoopCandidate> named;
+  std::vector<double> milliseconds;
+
+  void Take(const agent::LoopFrame& frame) {
+    const auto start = Clock::now();
+    const std::vector<agent::LoopCandidate> found = detector->Add(frame);
+    milliseconds.push_back(MillisecondsSince(start));
+    named.insert(named.end(), found.begin(), found.end());
+  }
+};
+
+/// A drive while it is played.
+class DrivePlay {
+ public:
+  DrivePlay(const SlamConfig& config, const Drive& drive,
+            const std::shared_ptr<const agent::Vocabulary>& vocabulary)
+      : config_(config), source_(config, drive), travel_(config.apart_m) {
+    const Intrinsics k = source_.intrinsics();
+    camera_ = {k.fx, k.fy, k.cx, k.cy};
+    played_.result.drive = drive.name;
+    played_.result.actions = drive.actions;
+    detectors_.reserve(config.detectors.size());
+    for (const DetectorEntry& entry : config.detectors) {
+      const sim::YamlNode name = sim::ParseYaml(entry.detector, "detectors");
+      const auto make = agent::ConfigureLoopDetector(name, entry.parameters);
+      detectors_.push_back({entry.name, make({vocabulary}), {}, {}});
+    }
+  }
+
+  PlayedDrive Play() {
+    source_.ForEach([this](const DriveFrame& frame) {
+      Take(frame);
+    });
+    for (RunningDetector& running : detectors_) {
+      const auto late = running.detector->Finish();
+      running.named.insert(running.named.end(), late.begin(), late.end());
+    }
+    played_.result.frames = static_cast<int>(kept_.size());
+    played_.result.travelled_m = travel_.metres();
+    if (source_.has_truth()) Measure();
+    for (const RunningDetector& running : detectors_) Close(running);
+    if (truth_) CloseWithTruth();
+    played_.times["corners"] = TimesOf(corners_ms_);
+    played_.times["verification of a pair"] = TimesOf(verify_ms_);
+    return std::move(played_);
+  }
+
+ private:
+  void Take(const DriveFrame& frame) {
+    auto start = Clock::now();
+    KeptFrame kept;
+    kept.features =
+        agent::FindOrb(frame.color.pixels, frame.color.width, frame.color.height, config_.orb);
+    corners_ms_.push_back(MillisecondsSince(start));
+    kept.corner_depths = DepthsAtCorners(frame.depth, kept.features);
+    agent::LoopFrame seen;
+    seen.number = static_cast<int>(kept_.size());
+    seen.width_px = frame.color.width;
+    seen.height_px = frame.color.height;
+    seen.color = frame.color.pixels;
+    seen.features = &kept.features;
+    seen.odometry = frame.odometry;
+    seen.comparable = travel_.Next(frame.odometry);
+    for (RunningDetector& running : detectors_) running.Take(seen);
+    played_.odometry.push_back(frame.odometry);
+    if (frame.truth) {
+      truth_frames_.push_back(
+          {*frame.truth, Coarsened(frame.depth, source_.intrinsics()), seen.comparable});
+      played_.truth.push_back(*frame.truth);
+    }
+    kept_.push_back(std::move(kept));
+  }
+
+  void Measure() {
+    std::function<bool(const sim::BodyPose&, const sim::BodyPose&)> is_node;
+    if (source_.world() != nullptr) {
+      is_node = [this](const sim::BodyPose& a, const sim::BodyPose& b) {
+        return IsInNode(*source_.world(), config_.body, a, b);
+      };
+    }
+    truth_.emplace(truth_frames_, is_node);
+    played_.result.odometry = MeasureBoth(played_.truth, played_.odometry);
+  }
+
+  /// What becomes of the pairs that a detector took for loops.
+  std::vector<LoopRecord> Verified(const RunningDetector& running) {
+    std::vector<LoopRecord> records;
+    for (const agent::LoopCandidate& pair : running.named) {
+      if (!pair.is_proposed) continue;
+      LoopRecord& record = records.emplace_back();
+      record.later = pair.later;
+      record.earlier = pair.earlier;
+      record.score = pair.score;
+      Verify(&record);
+      if (!truth_) continue;
+      record.is_covisible = truth_->Is(LoopKind::kCovisible, pair.later, pair.earlier);
+      record.turned_deg =
+          sim::RadToDeg(sim::RelativePose(played_.truth[static_cast<std::size_t>(pair.earlier)],
+                                          played_.truth[static_cast<std::size_t>(pair.later)])
+                            .yaw);
+    }
+    return records;
+  }
+
+  void Verify(LoopRecord* record) {
+    const auto start = Clock::now();
+    const KeptFrame& a = kept_[static_cast<std::size_t>(record->earlier)];
+    const KeptFrame& b = kept_[static_cast<std::size_t>(record->later)];
+    const auto motion = agent::FindMotion({&a.features, a.corner_depths},
+                                          {&b.features, b.corner_depths}, camera_, config_.verify);
+    if (motion) {
+      if (const auto level = agent::LevelMotion(motion->X_AB, config_.verify)) {
+        record->inliers = motion->inliers;
+        record->motion = *level;
+      }
+    }
+    verify_ms_.push_back(MillisecondsSince(start));
+  }
+
+  /// Back end and figures of a detector.
+  void Close(const RunningDetector& running) {
+    PlayedDetector& played = played_.detectors.emplace_back();
+    played.name = running.name;
+    played.loops = Verified(running);
+    std::vector<MeasuredLoop> measured;
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < played.loops.size(); ++i) {
+      const LoopRecord& loop = played.loops[i];
+      if (loop.inliers == 0) continue;
+      measured.push_back({loop.later, loop.earlier, loop.motion});
+      places.push_back(i);
+    }
+    played.back_end = RunBackEnd(played_.odometry, measured, config_.back_end);
+    DetectorResult& result = played_.result.detectors.emplace_back();
+    result.name = running.name;
+    result.outcome.proposed = static_cast<int>(played.loops.size());
+    result.outcome.verified = static_cast<int>(measured.size());
+    result.outcome.trouble = played.back_end.trouble;
+    result.outcome.accepted = static_cast<int>(played.back_end.accepted.size());
+    for (const int accepted : played.back_end.accepted) {
+      LoopRecord& loop = played.loops[places[static_cast<std::size_t>(accepted)]];
+      loop.is_accepted = true;
+      if (!truth_) continue;
+      loop.is_wrong = IsOff(measured[static_cast<std::size_t>(accepted)], played_.truth);
+      if (loop.is_wrong) ++result.outcome.wrong;
+    }
+    if (truth_) {
+      result.outcome.error = MeasureBoth(played_.truth, played.back_end.poses);
+      MeasureRanking(running.named, *truth_, source_.world() != nullptr, &result);
+    }
+    played_.times[running.name] = TimesOf(running.milliseconds);
+  }
+
+  void CloseWithTruth() {
+    const std::vector<MeasuredLoop> loops = TrueLoops(truth_frames_, *truth_);
+    const BackEndOutcome back_end = RunBackEnd(played_.odometry, loops, config_.back_end);
+    LoopOutcome& outcome = played_.result.true_loops.emplace();
+    outcome.proposed = static_cast<int>(loops.size());
+    outcome.verified = outcome.proposed;
+    outcome.accepted = static_cast<int>(back_end.accepted.size());
+    outcome.trouble = back_end.trouble;
+    outcome.error = MeasureBoth(played_.truth, back_end.poses);
+  }
+
+  const SlamConfig& config_;
+  DriveSource source_;
+  agent::Pinhole camera_;
+  Travel travel_;
+  std::vector<RunningDetector> detectors_;
+  std::vector<KeptFrame> kept_;
+  std::vector<TruthFrame> truth_frames_;
+  std::optional<LoopTruth> truth_;
+  std::vector<double> corners_ms_;
+  std::vector<double> verify_ms_;
+  PlayedDrive played_;
+};
+
+}  // namespace
+
+PlayedDrive PlayDrive(const SlamConfig& config, const Drive& drive,
+                      std::shared_ptr<const agent::Vocabulary> vocabulary) {
+  return DrivePlay(config, drive, vocabulary).Play();
+}
+
+}  // namespace bulletnav::bench

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "benchmark/slam/metrics/detection_figures.h"
+#include "benchmark/slam/metrics/trajectory_error.h"
+
+namespace bulletnav::bench {
+
+/// The same trajectory laid over the truth in two ways; see Alignment.
+struct BothErrors {
+  TrajectoryError start;
+  TrajectoryError planar;
+
+  template <class V>
+  void Visit(V& v) {
+    v("start", start);
+    v("planar", planar);
+  }
+};
+
+/// What loops did to a drive.
+struct LoopOutcome {
+  int proposed = 0;  // pairs that the detector takes for loops
+  int verified = 0;  // of those, pairs whose corners agree on a motion
+  int accepted = 0;  // of those, pairs that went into the pose graph
+  int wrong = 0;     // of those, pairs whose motion is off by more than half a metre or 10 degrees
+  std::optional<BothErrors> error;  // of the optimised trajectory, where the truth is known
+  std::string trouble;              // why there is no optimised trajectory
+
+  template <class V>
+  void Visit(V& v) {
+    v("proposed", proposed);
+    v("verified", verified);
+    v("accepted", accepted);
+    v("wrong", wrong);
+    v("error", error);
+    v("trouble", trouble);
+  }
+};
+
+/// How well a detector's scores rank the pairs of a drive, by a truth.
+struct RankingOutcome {
+  DetectionFigures figures;
+  std::int64_t loops = 0;         // there are
+  std::vector<double> precision;  // the best at a recall of 0, 1/50, ..., 1 or more
+
+  template <class V>
+  void Visit(V& v) {
+    v("figures", figures);
+    v("loops", loops);
+    v("precision", precision);
+  }
+};
+
+/// One detector on one drive.
+struct DetectorResult {
+  std::string name;
+  std::map<std::string, RankingOutcome> rankings;  // by kind of loop, see LoopKind
+  /// Of covisible pairs alone, by how far the later camera is turned, see HeadingBin.
+  std::map<std::string, RankingOutcome> headings;
+  double recall_at_10 = 0.0;  // of frames that have a covisible loop
+  LoopOutcome outcome;
+
+  template <class V>
+  void Visit(V& v) {
+    v("name", name);
+    v("rankings", rankings);
+    v("headings", headings);
+    v("recall_at_10", recall_at_10);
+    v("outcome", outcome);
+  }
+};
+
+/// All of one drive: what tables and charts are made from.
+struct DriveResult {
+  std::string drive;
+  int actions = 0;
+  int frames = 0;
+  double travelled_m = 0.0;  // as odometry has it
+  std::optional<BothErrors> odometry;
+  std::vector<DetectorResult> detectors;
+  std::optional<LoopOutcome> true_loops;  // the bound: loops and motions from the truth
+
+  template <class V>
+  void Visit(V& v) {
+    v("drive", drive);
+    v("actions", actions);
+    v("frames", frames);
+    v("travelled_m", travelled_m);
+    v("odometry", odometry);
+    v("detectors", detectors);
+    v("true_loops", true_loops);
+  }
+};
+
+/// Milliseconds a frame. Not in results: they depend on the machine.
+struct StageTimes {
+  double median_ms = 0.0;
+  double p95_ms = 0.0;
+
+  template <class V>
+  void Visit(V& v) {
+    v("median_ms", median_ms);
+    v("p95_ms", p95_ms);
+  }
+};
+
+}  // namespace bulletnav::bench

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/slam/runs/slam_config.h"
+
+#include <set>
+
+#include <fmt/core.h>
+
+#include "sim/base/error.h"
+#include "sim/config/override.h"
+#include "sim/house/house_index.h"
+
+namespace bulletnav::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Fills in names, and defaults of parameters, which complain at their place in the file.
+void Complete(const sim::YamlNode& root, const fs::path& file, SlamConfig* config) {
+  if (config->name.empty()) config->name = file.stem().string();
+  std::set<std::string> names;
+  const YAML::Node entries = root.yaml()["detectors"];
+  for (std::size_t i = 0; i < config->detectors.size(); ++i) {
+    DetectorEntry& entry = config->detectors[i];
+    const sim::YamlNode place = root.Child(entries[i]);
+    const sim::YamlNode detector = root.Child(entries[i]["detector"]);
+    const std::string resolved = agent::ResolveLoopConfig(detector, entry.parameters);
+    entry.parameters.emplace(root.Child(YAML::Load(resolved)));
+    if (entry.name.empty()) entry.name = entry.detector;
+    if (!names.insert(entry.name).second) {
+      place.Fail("two detectors are called '" + entry.name + "'; give one a 'name'");
+    }
+  }
+}
+
+std::vector<fs::path> ScenesOf(const SlamConfig& config) {
+  std::vector<fs::path> scenes;
+  if (config.houses) {
+    const fs::path folder = config.houses->folder;
+    FilesOf(*config.houses);  // that they are there
+    for (const sim::HouseEntry& house : sim::ReadHouseIndex(folder / "index.json")) {
+      if (!config.split || house.split == *config.split) scenes.push_back(folder / house.file);
+    }
+  }
+  for (const std::string& scene : config.scenes) {
+    if (!fs::exists(scene)) throw sim::FileError(scene, "", "is not there; see 'scenes'");
+    scenes.emplace_back(scene);
+  }
+  return scenes;
+}
+
+}  // namespace
+
+void VocabularySource::Validate() const {
+  if (actions < 1 || every < 1) throw sim::Error("expected actions and every of at least 1");
+}
+
+void BackEndSpec::Validate() const {
+  if (!(step_m > 0.0 && step_deg > 0.0 && loop_m > 0.0 && loop_deg > 0.0 && width > 0.0)) {
+    throw sim::Error("step_m, step_deg, loop_m, loop_deg and width must be positive");
+  }
+  if (!(confidence > 0.0 && confidence < 1.0)) {
+    throw sim::KeyError("confidence", "confidence must lie between 0 and 1");
+  }
+}
+
+void SlamConfig::Validate() const {
+  if (detectors.empty()) throw sim::KeyError("detectors", "'detectors' has no entry");
+  if (actions.empty()) throw sim::KeyError("actions", "'actions' has no number");
+  for (const int count : actions) {
+    if (count < 1) throw sim::KeyError("actions", "'actions' must be at least 1");
+  }
+  if (seeds.empty()) throw sim::KeyError("seeds", "'seeds' has no number");
+  if (!(apart_m > 0.0)) throw sim::KeyError("apart_m", "apart_m must be positive");
+  if (camera.pitch_deg != 0.0)
+    throw sim::KeyError("camera", "the camera must be level: pitch_deg 0");
+}
+
+SlamConfig LoadSlamConfig(const fs::path& file, std::span<const std::string> overrides) {
+  const sim::YamlNode root =
+      sim::WithOverrides(sim::ParseYaml(sim::ReadYamlFile(file), file), file, overrides);
+  SlamConfig config;
+  sim::YamlReader::Read(root, config);
+  Complete(root, file, &config);
+  return config;
+}
+
+namespace {
+
+void AddDrives(const fs::path& scene, const SlamConfig& config, std::vector<Drive>* drives) {
+  for (const int actions : config.actions) {
+    for (const std::uint64_t seed : config.seeds) {
+      drives->push_back({fmt::format("{}_{}_{}", scene.stem().string(), actions, seed), scene,
+                         false, actions, seed});
+    }
+  }
+}
+
+Drive RecordingOf(const std::string& recording) {
+  if (!fs::exists(recording)) {
+    throw sim::FileError(recording, "", "is not there; see 'recordings'");
+  }
+  const fs::path folder = fs::path(recording).lexically_normal();
+  const fs::path named = folder.has_filename() ? folder : folder.parent_path();
+  return {named.filename().string(), recording, true, 0, 0};
+}
+
+void CheckNames(const std::vector<Drive>& drives) {
+  std::set<std::string> names;
+  for (const Drive& drive : drives) {
+    if (names.insert(drive.name).second) continue;
+    throw sim::Error("two drives are called '" + drive.name +
+                     "'; give their scenes or recordings different names");
+  }
+}
+
+}  // namespace
+
+std::vector<Drive> DrivesOf(const SlamConfig& config) {
+  std::vector<Drive> drives;
+  for (const fs::path& scene : ScenesOf(config)) AddDrives(scene, config, &drives);
+  for (const std::string& recording : config.recordings) drives.push_back(RecordingOf(recording));
+  if (drives.empty()) {
+    throw sim::Error("there is nothing to drive through; name 'houses', 'scenes' or 'recordings'");
+  }
+  CheckNames(drives);
+  return drives;
+}
+
+}  // namespace bulletnav::bench

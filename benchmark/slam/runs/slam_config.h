@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "agent/slam/features/orb.h"
+#include "agent/slam/loops/loop_registry.h"
+#include "agent/slam/pose_graph/optimize.h"
+#include "agent/slam/retrieval/vocabulary.h"
+#include "agent/slam/verify/verify_loop.h"
+#include "benchmark/episodes/import_spec.h"
+#include "benchmark/episodes/made_houses.h"
+#include "benchmark/slam/traversal/traversal.h"
+
+template <>
+struct bulletnav::sim::EnumNames<bulletnav::agent::RobustKernel> {
+  static constexpr std::array kNames = {
+      std::pair{"none", bulletnav::agent::RobustKernel::kNone},
+      std::pair{"huber", bulletnav::agent::RobustKernel::kHuber},
+      std::pair{"cauchy", bulletnav::agent::RobustKernel::kCauchy}};
+};
+
+namespace bulletnav::bench {
+
+/// Where the vocabulary of binary words comes from: drives through houses for training.
+struct VocabularySource {
+  HousesSpec houses;
+  int actions = 300;       // a house
+  int every = 5;           // frames of which one is taken
+  std::uint64_t seed = 1;  // of the drives
+  agent::VocabularySpec tree;
+
+  template <class V>
+  void Visit(V& v) {
+    v.Required("houses", houses);
+    v("actions", actions);
+    v("every", every);
+    v("seed", seed);
+    v("tree", tree);
+  }
+  void Validate() const;
+};
+
+/// How sure the back end is of what it puts together; standard deviations. Defaults of odometry:
+/// what 700 actions under ans_released add up to, a step.
+struct BackEndSpec {
+  double step_m = 0.02;  // odometry, a step, along and across
+  double step_deg = 0.8;
+  double loop_m = 0.05;  // a verified loop
+  double loop_deg = 1.0;
+  bool consistent = true;    // keep the largest set of loops that agree two by two
+  double confidence = 0.99;  // of right ones that agree
+  agent::RobustKernel robust = agent::RobustKernel::kHuber;
+  double width = 3.0;  // of the kernel, standard deviations
+
+  template <class V>
+  void Visit(V& v) {
+    v("step_m", step_m);
+    v("step_deg", step_deg);
+    v("loop_m", loop_m);
+    v("loop_deg", loop_deg);
+    v("consistent", consistent);
+    v("confidence", confidence);
+    v("robust", robust);
+    v("width", width);
+  }
+  void Validate() const;
+};
+
+struct DetectorEntry {
+  std::string detector;  // as it is registered
+  std::string name;      // of its rows; the detector's if empty
+  std::optional<sim::YamlNode> parameters;
+
+  template <class V>
+  void Visit(V& v) {
+    v.Required("detector", detector);
+    v("name", name);
+    v("parameters", parameters);
+  }
+};
+
+/// Figures that a paper gives of a trajectory, for a row of its own.
+struct PublishedRow {
+  std::string name;
+  int actions = 0;  // of the table that it belongs to
+  double min = 0.0;
+  double mean = 0.0;
+  double max = 0.0;
+
+  template <class V>
+  void Visit(V& v) {
+    v.Required("name", name);
+    v.Required("actions", actions);
+    v.Required("min", min);
+    v.Required("mean", mean);
+    v.Required("max", max);
+  }
+};
+
+/// An experiment: drives through scenes, or recordings, and detectors of loops on all of them.
+struct SlamConfig {
+  std::string name;  // of the folder of results; the config file's if empty
+  std::optional<HousesSpec> houses;
+  std::optional<sim::Split> split;      // of the houses; all if not given
+  std::vector<std::string> scenes;      // mesh files, in addition
+  std::vector<std::string> recordings;  // TUM folders with odometry.txt, in addition
+  ImportSpec import;
+  sim::BodySpec body;
+  sim::PinholeSpec camera = {.rows = 240, .cols = 320};
+  sim::NoiseMode noise = sim::NoiseMode::kAnsReleased;
+  std::vector<int> actions = {700};
+  std::vector<std::uint64_t> seeds = {0};
+  std::optional<VocabularySource> vocabulary;
+  agent::OrbSpec orb;
+  double apart_m = 10.0;  // of travel, as odometry has it, between frames that may be a loop
+  agent::VerifySpec verify;
+  BackEndSpec back_end;
+  std::vector<DetectorEntry> detectors;
+  std::vector<PublishedRow> published;
+
+  template <class V>
+  void Visit(V& v) {
+    v("name", name);
+    v("houses", houses);
+    v("split", split);
+    v("scenes", scenes);
+    v("recordings", recordings);
+    v("import", import);
+    v("body", body);
+    v("camera", camera);
+    v("noise", noise);
+    v("actions", actions);
+    v("seeds", seeds);
+    v("vocabulary", vocabulary);
+    v("orb", orb);
+    v("apart_m", apart_m);
+    v("verify", verify);
+    v("back_end", back_end);
+    v.Required("detectors", detectors);
+    v("published", published);
+  }
+  void Validate() const;
+};
+
+/// Reads a config, fills in names and every default of the detectors' parameters. Throws
+/// sim::FileError at file:line:column. `overrides`: see sim::WithOverrides.
+SlamConfig LoadSlamConfig(const std::filesystem::path& file,
+                          std::span<const std::string> overrides = {});
+
+/// One traversal of an experiment.
+struct Drive {
+  std::string name;              // of its folder
+  std::filesystem::path source;  // a scene, or a recording
+  bool is_recording = false;
+  int actions = 0;  // 0: of a recording
+  std::uint64_t seed = 0;
+};
+
+/// All drives of a config, whose houses are made. Throws sim::FileError for scenes or recordings
+/// that are not there, sim::Error if there is no drive at all or two of one name.
+std::vector<Drive> DrivesOf(const SlamConfig& config);
+
+}  // namespace bulletnav::bench

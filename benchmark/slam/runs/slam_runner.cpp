@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/slam/runs/slam_runner.h"
+
+#include <memory>
+#include <string>
+
+#include "benchmark/base/program_version.h"
+#include "benchmark/slam/runs/drive_files.h"
+#include "sim/base/error.h"
+#include "sim/base/files.h"
+#include "sim/base/folder_lock.h"
+#include "sim/config/yaml_writer.h"
+#include "sim/threads/worker_pool.h"
+
+namespace bulletnav::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kConfig = "config.yaml";
+
+std::function<void()> Start(const SlamRunOptions& options, const std::string& what, int total) {
+  if (!options.progress) return [] {};
+  return options.progress(what, total);
+}
+
+/// Writes the config, or sees that it is the one that is there.
+void KeepConfig(const SlamConfig& config, const fs::path& folder) {
+  const std::string text = sim::ToYaml(config);
+  const fs::path file = folder / kConfig;
+  if (!fs::exists(file)) {
+    sim::WriteFileAtomically(file, text);
+  } else if (sim::ReadTextFile(file) != text) {
+    throw sim::FileError(file, "", "is another config than this run's; choose another --out");
+  }
+}
+
+void MakeAllHouses(const SlamConfig& config, const SlamRunOptions& options) {
+  const auto start = [&](const std::string& what, int total) {
+    return Start(options, what, total);
+  };
+  if (config.houses) MakeHouses(*config.houses, CommittedVersion(), options.workers, start);
+  if (config.vocabulary) {
+    MakeHouses(config.vocabulary->houses, CommittedVersion(), options.workers, start);
+  }
+}
+
+std::shared_ptr<const agent::Vocabulary> Vocabulary(const SlamConfig& config,
+                                                    const SlamRunOptions& options) {
+  if (!config.vocabulary) return nullptr;
+  const auto advance = Start(options, "growing a vocabulary", 1);
+  auto vocabulary = GrowVocabulary(config, options.workers);
+  advance();
+  return vocabulary;
+}
+
+}  // namespace
+
+fs::path DriveFolder(const fs::path& folder, const std::string& drive) {
+  return folder / "drives" / drive;
+}
+
+std::vector<DriveResult> RunSlam(const SlamConfig& config, const fs::path& folder,
+                                 const SlamRunOptions& options) {
+  sim::MakeFolder(folder);
+  const sim::FolderLock lock(folder);
+  KeepConfig(config, folder);
+  MakeAllHouses(config, options);
+  std::vector<Drive> left;
+  for (const Drive& drive : DrivesOf(config)) {
+    if (!HasDrive(DriveFolder(folder, drive.name))) left.push_back(drive);
+  }
+  if (!left.empty()) {
+    NoteVersion(folder);
+    const auto vocabulary = Vocabulary(config, options);
+    const auto advance = Start(options, "drives", static_cast<int>(left.size()));
+    sim::WorkerPool pool(options.workers);
+    pool.ForEach(static_cast<int>(left.size()), [&](int task, int /*worker*/) {
+      const Drive& drive = left[static_cast<std::size_t>(task)];
+      WriteDrive(DriveFolder(folder, drive.name), PlayDrive(config, drive, vocabulary));
+      advance();
+    });
+  }
+  return ReadSlamResults(config, folder);
+}
+
+SlamConfig ReadSlamRun(const fs::path& folder) {
+  const fs::path file = folder / kConfig;
+  if (!fs::exists(file)) {
+    throw sim::FileError(folder, "", "holds no results of 'slam run'");
+  }
+  return LoadSlamConfig(file);
+}
+
+std::vector<DriveResult> ReadSlamResults(const SlamConfig& config, const fs::path& folder) {
+  std::vector<DriveResult> results;
+  for (const Drive& drive : DrivesOf(config)) {
+    const fs::path place = DriveFolder(folder, drive.name);
+    if (HasDrive(place)) results.push_back(ReadDriveResult(place));
+  }
+  if (results.empty()) {
+    throw sim::FileError(folder, "", "has no drive that is done; ./bulletnav slam run plays them");
+  }
+  return results;
+}
+
+}  // namespace bulletnav::bench

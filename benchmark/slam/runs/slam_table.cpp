@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/slam/runs/slam_table.h"
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "benchmark/base/counted.h"
+#include "benchmark/slam/truth/loop_truth.h"
+
+namespace bulletnav::bench {
+namespace {
+
+using Results = std::vector<const DriveResult*>;
+
+/// Of the drives that have it.
+class Mean {
+ public:
+  void Add(double value) {
+    sum_ += value;
+    ++count_;
+  }
+  double value() const { return count_ == 0 ? 0.0 : sum_ / count_; }
+  int count() const { return count_; }
+
+ private:
+  double sum_ = 0.0;
+  int count_ = 0;
+};
+
+/// A row of the table of trajectories.
+struct ErrorRow {
+  Mean min;
+  Mean mean;
+  Mean max;
+  Mean planar;
+  int accepted = 0;
+  int wrong = 0;
+  int made_worse = 0;  // drives whose mean error is above odometry's
+
+  void Add(const BothErrors& errors) {
+    min.Add(errors.start.min);
+    mean.Add(errors.start.mean);
+    max.Add(errors.start.max);
+    planar.Add(errors.planar.mean);
+  }
+  void Add(const LoopOutcome& outcome, const BothErrors& odometry) {
+    accepted += outcome.accepted;
+    wrong += outcome.wrong;
+    if (!outcome.error) return;
+    Add(*outcome.error);
+    if (outcome.error->planar.mean > odometry.planar.mean) ++made_worse;
+  }
+};
+
+std::string Line(const std::string& name, const ErrorRow& row, bool has_loops) {
+  std::string line =
+      fmt::format("| {} | {:.3f} | {:.3f} | {:.3f} | {:.3f} |", name, row.min.value(),
+                  row.mean.value(), row.max.value(), row.planar.value());
+  line += has_loops ? fmt::format(" {} | {} | {} |\n", row.accepted, row.wrong, row.made_worse)
+                    : std::string("  |  |  |\n");
+  return line;
+}
+
+std::string ErrorTable(const SlamConfig& config, const Results& results, int actions) {
+  ErrorRow odometry;
+  ErrorRow bound;
+  std::vector<ErrorRow> rows(config.detectors.size());
+  for (const DriveResult* result : results) {
+    odometry.Add(*result->odometry);
+    if (result->true_loops) bound.Add(*result->true_loops, *result->odometry);
+    for (std::size_t i = 0; i < rows.size() && i < result->detectors.size(); ++i) {
+      rows[i].Add(result->detectors[i].outcome, *result->odometry);
+    }
+  }
+  const std::string what =
+      actions > 0 ? fmt::format("Drives of {} actions", actions) : std::string("Recordings");
+  std::string text = fmt::format(
+      "{} ({}): absolute pose error in metres, each the mean over drives\n\n"
+      "| | min | mean | max | mean, best laid over | loops | wrong | made worse |\n"
+      "|---|---:|---:|---:|---:|---:|---:|---:|\n",
+      what, results.size());
+  for (const PublishedRow& row : config.published) {
+    if (row.actions != actions) continue;
+    text += fmt::format("| *{}* | *{:.3f}* | *{:.3f}* | *{:.3f}* |  |  |  |  |\n", row.name,
+                        row.min, row.mean, row.max);
+  }
+  text += Line("odometry alone", odometry, false);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    text += Line(config.detectors[i].name, rows[i], true);
+  }
+  return text + Line("true loops", bound, true) + "\n";
+}
+
+using Choose = std::function<const RankingOutcome*(const DetectorResult&)>;
+
+std::string RankingLine(const std::string& name, const std::string& truth, const Results& results,
+                        std::size_t detector, const Choose& choose) {
+  Mean precision;
+  Mean at_1;
+  Mean at_099;
+  Mean guessing;
+  for (const DriveResult* result : results) {
+    if (detector >= result->detectors.size()) continue;
+    const RankingOutcome* ranking = choose(result->detectors[detector]);
+    if (ranking == nullptr || ranking->loops == 0) continue;
+    precision.Add(ranking->figures.average_precision);
+    at_1.Add(ranking->figures.recall_at_1);
+    at_099.Add(ranking->figures.recall_at_099);
+    guessing.Add(ranking->figures.guessing);
+  }
+  if (precision.count() == 0) return "";
+  return fmt::format("| {} | {} | {:.3f} | {:.3f} | {:.3f} | {:.3f} |\n", name, truth,
+                     guessing.value(), precision.value(), at_1.value(), at_099.value());
+}
+
+const RankingOutcome* Find(const std::map<std::string, RankingOutcome>& rankings,
+                           std::string_view name) {
+  const auto found = rankings.find(std::string(name));
+  return found == rankings.end() ? nullptr : &found->second;
+}
+
+/// All lines of a detector.
+std::string RankingLines(const std::string& name, const Results& results, std::size_t detector) {
+  std::string text;
+  for (const LoopKind kind : {LoopKind::kCovisible, LoopKind::kNode, LoopKind::kNear}) {
+    text += RankingLine(name, std::string(NameOf(kind)), results, detector,
+                        [kind](const DetectorResult& result) {
+                          return Find(result.rankings, NameOf(kind));
+                        });
+  }
+  for (int i = 0; i < kHeadingBins; ++i) {
+    const std::string_view bin = NameOf(static_cast<HeadingBin>(i));
+    text += RankingLine(name, fmt::format("covisible, turned by {}", bin), results, detector,
+                        [bin](const DetectorResult& result) {
+                          return Find(result.headings, bin);
+                        });
+  }
+  return text;
+}
+
+std::string RankingTable(const SlamConfig& config, const Results& results) {
+  std::string text =
+      "Pairs of frames, ranked by score; all that are far enough apart are compared\n\n"
+      "| | loops are | guessing | AP | recall at precision 1 | at .99 |\n"
+      "|---|---|---:|---:|---:|---:|\n";
+  for (std::size_t i = 0; i < config.detectors.size(); ++i) {
+    text += RankingLines(config.detectors[i].name, results, i);
+  }
+  return text + "\n";
+}
+
+/// Drives of one length whose truth is known.
+Results Known(std::span<const DriveResult> results, std::optional<int> actions) {
+  Results known;
+  for (const DriveResult& result : results) {
+    if (result.odometry && (!actions || result.actions == *actions)) known.push_back(&result);
+  }
+  return known;
+}
+
+}  // namespace
+
+std::string SlamTables(const SlamConfig& config, std::span<const DriveResult> results) {
+  std::vector<int> lengths = config.actions;
+  lengths.push_back(0);
+  std::string text;
+  for (const int actions : lengths) {
+    const Results known = Known(results, actions);
+    if (!known.empty()) text += ErrorTable(config, known, actions);
+  }
+  const Results known = Known(results, std::nullopt);
+  if (!known.empty()) text += RankingTable(config, known);
+  if (known.size() < results.size()) {
+    text += fmt::format("{} without ground truth: only their loops and trajectories are written\n",
+                        Counted(results.size() - known.size(), "drive"));
+  }
+  return text;
+}
+
+}  // namespace bulletnav::bench

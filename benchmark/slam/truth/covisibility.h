@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "benchmark/slam/io/tum.h"
+#include "sim/math/pose.h"
+
+namespace bulletnav::bench {
+
+/// What of a frame is kept to tell whether two frames see the same things: a coarse depth picture
+/// and points of it.
+struct DepthThumbnail {
+  DepthPicture depth;                   // of every `kCoarse`-th pixel
+  Intrinsics intrinsics;                // of the coarse picture
+  std::vector<Eigen::Vector3f> points;  // seen from the body: metres ahead, to the left, up from
+                                        // the camera
+};
+
+/// Expects: a picture of at least one pixel, with as many values as its size says (checked).
+DepthThumbnail Coarsened(const DepthPicture& depth, const Intrinsics& intrinsics);
+
+/// The share of points of `a` that fall into the picture of `b` where nothing hides them: depth
+/// there differs from theirs by at most 5% and 5 cm. 0 if `a` has no points. X_AB: body b seen from
+/// body a; both cameras are level and above their body's axis.
+double ShareSeen(const DepthThumbnail& a, const DepthThumbnail& b, const sim::PlanarPose& X_AB);
+
+/// The smaller of the shares of one frame's points that the other sees.
+double Covisibility(const DepthThumbnail& a, const DepthThumbnail& b, const sim::PlanarPose& X_AB);
+
+}  // namespace bulletnav::bench

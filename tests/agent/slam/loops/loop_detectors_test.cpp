@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+// All detectors, each on a made-up drive that comes by the same places twice.
+#include <algorithm>
+#include <cstddef>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "agent/slam/loops/loop_registry.h"
+#include "sim/base/error.h"
+#include "sim/math/rng.h"
+
+namespace bulletnav::agent {
+namespace {
+
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+constexpr int kPlaces = 60;
+constexpr int kApart = 20;
+constexpr int kWidth = 64;
+constexpr int kHeight = 32;
+
+struct Seen {
+  OrbFeatures features;
+  std::vector<std::uint8_t> color;
+};
+
+/// Twenty descriptors of a place, a little different each time.
+void AddDescriptors(int place, sim::Rng* noise, Seen* seen) {
+  sim::Rng fixed(static_cast<std::uint64_t>(place), "descriptors");
+  for (int i = 0; i < 20; ++i) {
+    BinaryDescriptor descriptor{};
+    for (std::uint64_t& word : descriptor) {
+      word = (static_cast<std::uint64_t>(fixed.Next()) << 32) | fixed.Next();
+    }
+    for (int bit = 0; bit < 5; ++bit) {
+      descriptor[static_cast<std::size_t>(noise->Below(4))] ^= std::uint64_t{1} << noise->Below(64);
+    }
+    seen->features.descriptors.push_back(descriptor);
+    seen->features.corners.push_back({});
+  }
+}
+
+/// A place: blocks of grey of its own, and descriptors, half of which the next place has too.
+Seen See(int place, int time) {
+  sim::Rng fixed(static_cast<std::uint64_t>(place), "place");
+  sim::Rng noise(static_cast<std::uint64_t>(time), "noise");
+  Seen seen;
+  AddDescriptors(place, &noise, &seen);
+  AddDescriptors(place + 1, &noise, &seen);
+  std::vector<int> blocks(32 * 16);
+  for (int& block : blocks) block = fixed.Between(20, 230);
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      const int grey = blocks[static_cast<std::size_t>(y / 2 * 32 + x / 2)] + noise.Between(-8, 8);
+      seen.color.insert(seen.color.end(), 3, static_cast<std::uint8_t>(grey));
+    }
+  }
+  return seen;
+}
+
+std::shared_ptr<const Vocabulary> SomeVocabulary() {
+  std::vector<std::vector<BinaryDescriptor>> pictures;
+  for (int place = 0; place < kPlaces; ++place) {
+    pictures.push_back(See(place, 1000 + place).features.descriptors);
+  }
+  return std::make_shared<const Vocabulary>(pictures, VocabularySpec{.branches = 5, .levels = 4});
+}
+
+std::unique_ptr<LoopDetector> Make(const std::string& name) {
+  return ConfigureLoopDetector(sim::ParseYaml(name, "test"), std::nullopt)({SomeVocabulary()});
+}
+
+/// Places in turn, twice, or each only once.
+std::vector<LoopCandidate> Drive(const std::string& name, bool is_twice) {
+  const auto detector = Make(name);
+  std::vector<LoopCandidate> all;
+  const int frames = is_twice ? 2 * kPlaces : kPlaces;
+  for (int i = 0; i < frames; ++i) {
+    const Seen seen = See(i % kPlaces, i);
+    LoopFrame frame;
+    frame.number = i;
+    frame.width_px = kWidth;
+    frame.height_px = kHeight;
+    frame.color = seen.color;
+    frame.features = &seen.features;
+    frame.comparable = std::max(0, i - kApart);
+    const auto found = detector->Add(frame);
+    all.insert(all.end(), found.begin(), found.end());
+  }
+  const auto late = detector->Finish();
+  all.insert(all.end(), late.begin(), late.end());
+  return all;
+}
+
+class AllDetectors : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(AllDetectors, ProposesTheSamePlacesAndNoOthers) {
+  int proposed = 0;
+  for (const LoopCandidate& pair : Drive(GetParam(), true)) {
+    EXPECT_LT(pair.earlier, pair.later - kApart);
+    EXPECT_GE(pair.earlier, 0);
+    if (!pair.is_proposed) continue;
+    ++proposed;
+    EXPECT_NEAR(pair.later - pair.earlier, kPlaces, 2) << pair.later;
+  }
+  EXPECT_GT(proposed, kPlaces / 2);
+}
+
+TEST_P(AllDetectors, ProposesNothingWhereAllIsNew) {
+  for (const LoopCandidate& pair : Drive(GetParam(), false)) {
+    EXPECT_FALSE(pair.is_proposed) << pair.later << " " << pair.earlier;
+  }
+}
+
+TEST_P(AllDetectors, RightPairsScoreHigher) {
+  std::vector<double> right;
+  std::vector<double> wrong;
+  for (const LoopCandidate& pair : Drive(GetParam(), true)) {
+    if (pair.later < kPlaces + 20) continue;
+    (pair.later - pair.earlier == kPlaces ? right : wrong).push_back(pair.score);
+  }
+  ASSERT_FALSE(right.empty());
+  const double least = *std::min_element(right.begin(), right.end());
+  const auto above = std::count_if(wrong.begin(), wrong.end(), [least](double score) {
+    return score > least;
+  });
+  EXPECT_LE(above, static_cast<std::ptrdiff_t>(wrong.size() / 20));
+}
+
+INSTANTIATE_TEST_SUITE_P(LoopDetectors, AllDetectors, ::testing::ValuesIn(LoopDetectorNames()),
+                         [](const auto& detector) {
+                           return detector.param;
+                         });
+
+TEST(LoopRegistry, AnUnknownDetectorIsToldWithTheKnownOnes) {
+  const auto configure = [] {
+    ConfigureLoopDetector(sim::ParseYaml("bwo", "c.yaml"), std::nullopt);
+  };
+  EXPECT_THAT(configure, ThrowsMessage<sim::FileError>(HasSubstr("bow, seqslam")));
+  EXPECT_THAT(LoopDetectorNames(), Contains("bow"));
+}
+
+TEST(LoopRegistry, ParametersAreCheckedAtTheirPlace) {
+  const auto configure = [] {
+    ConfigureLoopDetector(sim::ParseYaml("seqslam", "c.yaml"),
+                          sim::ParseYaml("{cols: 63}", "c.yaml"));
+  };
+  EXPECT_THAT(configure, ThrowsMessage<sim::FileError>(HasSubstr("multiples of patch")));
+  EXPECT_THAT(ResolveLoopConfig(sim::ParseYaml("bow", "c.yaml"), std::nullopt),
+              HasSubstr("least_score: 0.3"));
+}
+
+TEST(Bow, NeedsAVocabulary) {
+  const auto make = ConfigureLoopDetector(sim::ParseYaml("bow", "c.yaml"), std::nullopt);
+  EXPECT_THROW(make({}), sim::Error);
+}
+
+}  // namespace
+}  // namespace bulletnav::agent

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/slam/runs/slam_runner.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "benchmark/slam/runs/drive_files.h"
+#include "benchmark/slam/runs/slam_table.h"
+#include "benchmark/slam/traversal/tum_recorder.h"
+#include "sim/base/error.h"
+#include "sim/base/files.h"
+#include "tests/support/temporary_folder.h"
+
+namespace bulletnav::bench {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+/// A room of 6 x 5 m with a ceiling, as OBJ.
+constexpr const char* kRoom =
+    "v 0 0 0\nv 6 0 0\nv 6 0 -5\nv 0 0 -5\nv 0 2.5 0\nv 6 2.5 0\nv 6 2.5 -5\nv 0 2.5 -5\n"
+    "f 1 2 3 4\nf 5 8 7 6\nf 1 5 6 2\nf 2 6 7 3\nf 3 7 8 4\nf 4 8 5 1\n";
+
+class SlamRunner : public ::testing::Test {
+ protected:
+  SlamRunner() { folder_.Write("room.obj", kRoom); }
+
+  fs::path path(const char* name) const { return folder_.path() / name; }
+
+  SlamConfig Config(const std::string& more = "") const {
+    const std::string scene = (folder_.path() / "room.obj").string();
+    return LoadSlamConfig(folder_.Write(
+        "drive.yaml", "scenes: [" + scene + "]\nactions: [60]\nseeds: [3, 4]\napart_m: 1\n" +
+                          "camera: {rows: 24, cols: 32}\ndetectors: [{detector: seqslam}]\n" +
+                          more));
+  }
+
+  tests::TemporaryFolder folder_;
+};
+
+TEST_F(SlamRunner, WritesTheSameForAnyNumberOfWorkersAndAfterAKill) {
+  const SlamConfig config = Config();
+  EXPECT_EQ(config.name, "drive");
+  SlamRunOptions two;
+  two.workers = 2;
+  const auto results = RunSlam(config, path("two"), two);
+  SlamRunOptions one;
+  one.workers = 1;
+  RunSlam(config, path("one"), one);
+  // What a kill leaves: a drive without its result.
+  fs::remove(path("one") / "drives/room_60_3/result.yaml");
+  EXPECT_EQ(RunSlam(config, path("one"), one).size(), 2u);
+  for (const char* drive : {"room_60_3", "room_60_4"}) {
+    for (const char* file : {"result.yaml", "odometry.tum", "groundtruth.tum", "seqslam.csv",
+                             "seqslam.tum", "seqslam.g2o"}) {
+      EXPECT_EQ(sim::ReadTextFile(path("one") / "drives" / drive / file),
+                sim::ReadTextFile(path("two") / "drives" / drive / file))
+          << drive << " " << file;
+    }
+  }
+  ASSERT_EQ(results.size(), 2u);
+  EXPECT_EQ(results[0].frames, 61);
+  EXPECT_GT(results[0].travelled_m, 3.0);
+  ASSERT_TRUE(results[0].odometry.has_value());
+  EXPECT_GT(results[0].odometry->start.max, 0.0);
+  ASSERT_EQ(results[0].detectors.size(), 1u);
+  EXPECT_EQ(results[0].detectors[0].rankings.size(), 3u);
+  // Written and read again, and printed from that.
+  EXPECT_EQ(ReadSlamResults(ReadSlamRun(path("one")), path("one")).size(), 2u);
+  EXPECT_THAT(SlamTables(config, results),
+              AllOf(HasSubstr("Drives of 60 actions (2)"), HasSubstr("| odometry alone | 0.000 |"),
+                    HasSubstr("| seqslam | near |"), HasSubstr("| true loops |")));
+}
+
+TEST_F(SlamRunner, AFolderOfAnotherConfigIsLeftAlone) {
+  RunSlam(Config(), path("run"), {});
+  const SlamConfig other = Config("name: other\n");
+  EXPECT_THAT(
+      [&] {
+        RunSlam(other, path("run"), {});
+      },
+      ThrowsMessage<sim::FileError>(HasSubstr("another config")));
+}
+
+/// A drive that was written as files is played from them to the same poses and loops.
+TEST_F(SlamRunner, PlaysARecording) {
+  const SlamConfig drives = Config();
+  TraversalSpec traversal;
+  traversal.camera = drives.camera;
+  traversal.actions = 60;
+  traversal.seed = 3;
+  TumRecorder recorder(path("recording"), traversal);
+  sim::WorldOptions options;
+  options.backend = sim::Backend::kEmbree;
+  Traverse(sim::World::Load(path("room.obj"), options), traversal,
+           [&](const TraversalFrame& frame) {
+             recorder.Add(frame);
+           });
+  recorder.Finish();
+  const SlamConfig config = LoadSlamConfig(
+      folder_.Write("files.yaml", "recordings: [" + path("recording").string() +
+                                      "]\napart_m: 1\ndetectors: [{detector: seqslam}]\n"));
+  const DriveResult played = RunSlam(config, path("files"), {}).front();
+  const DriveResult driven = RunSlam(drives, path("drives"), {}).front();
+  EXPECT_EQ(played.frames, driven.frames);
+  EXPECT_NEAR(played.travelled_m, driven.travelled_m, 1e-6);
+  EXPECT_NEAR(played.odometry->start.mean, driven.odometry->start.mean, 1e-6);
+  EXPECT_NEAR(played.detectors[0].rankings.at("near").figures.average_precision,
+              driven.detectors[0].rankings.at("near").figures.average_precision, 1e-6);
+  EXPECT_THAT(SlamTables(config, {&played, 1}), HasSubstr("Recordings (1)"));
+
+  fs::remove(path("recording") / "groundtruth.txt");
+  const DriveResult unknown = RunSlam(config, path("unknown"), {}).front();
+  EXPECT_FALSE(unknown.odometry.has_value());
+  EXPECT_THAT(SlamTables(config, {&unknown, 1}), HasSubstr("1 drive without ground truth"));
+
+  fs::remove(path("recording") / "odometry.txt");
+  EXPECT_THAT(
+      [&] {
+        RunSlam(config, path("none"), {});
+      },
+      ThrowsMessage<sim::FileError>(AllOf(HasSubstr("odometry.txt"), HasSubstr("write"))));
+}
+
+TEST_F(SlamRunner, ABadConfigIsToldWithItsPlace) {
+  const auto load = [this](const std::string& text) {
+    return [this, text] {
+      LoadSlamConfig(folder_.Write("bad.yaml", text));
+    };
+  };
+  EXPECT_THAT(load("detectors: []\n"), ThrowsMessage<sim::FileError>(HasSubstr("no entry")));
+  EXPECT_THAT(load("detectors:\n  - {detector: bwo}\n"),
+              ThrowsMessage<sim::FileError>(AllOf(HasSubstr("bad.yaml:2"), HasSubstr("bow"))));
+  EXPECT_THAT(load("detectors: [{detector: seqslam}, {detector: seqslam}]\n"),
+              ThrowsMessage<sim::FileError>(HasSubstr("give one a 'name'")));
+  EXPECT_THAT(load("detectors: [{detector: seqslam, parameters: {patch: 0}}]\n"),
+              ThrowsMessage<sim::FileError>(HasSubstr("multiples of patch")));
+  EXPECT_THAT(load("apart_m: 0\ndetectors: [{detector: bow}]\n"),
+              ThrowsMessage<sim::FileError>(HasSubstr("bad.yaml:1")));
+}
+
+TEST_F(SlamRunner, SomethingMustBeThereToDriveThrough) {
+  SlamConfig config = Config();
+  config.scenes.clear();
+  EXPECT_THROW(DrivesOf(config), sim::Error);
+  config.scenes = {path("nowhere.obj").string()};
+  EXPECT_THROW(DrivesOf(config), sim::FileError);
+  config.scenes = {path("room.obj").string(), path("room.obj").string()};
+  EXPECT_THAT(
+      [&] {
+        DrivesOf(config);
+      },
+      ThrowsMessage<sim::Error>(HasSubstr("two drives are called")));
+}
+
+}  // namespace
+}  // namespace bulletnav::bench
