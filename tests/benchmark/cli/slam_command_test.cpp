@@ -101,5 +101,33 @@ TEST(SlamTraverse, WritesARecordingOnce) {
   EXPECT_THAT(again.err, HasSubstr("run: holds a recording already"));
 }
 
+/// Played, shown, drawn, and played no more.
+TEST(SlamRun, PlaysDrawsAndGoesOn) {
+  const tests::TemporaryFolder folder;
+  const std::string scene = folder.Write("floor.obj", kFloor).string();
+  const std::string config =
+      folder
+          .Write("c.yaml", "scenes: [" + scene +
+                               "]\nactions: [30]\ncamera: {rows: 24, cols: 32}\n"
+                               "detectors: [{detector: seqslam}]\n")
+          .string();
+  const std::string out = (folder.path() / "run").string();
+  const Ran ran = RunSlam({"run", config, "apart_m=1", "--out", out, "--workers", "1"});
+  EXPECT_EQ(ran.status, 0) << ran.err;
+  EXPECT_THAT(ran.out, HasSubstr("Drives of 30 actions (1)"));
+  for (const char* file : {"table.md", "config.yaml", "plots/precision_recall.svg",
+                           "plots/headings.png", "plots/floor_30_0.svg"}) {
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "run" / file)) << file;
+  }
+  const Ran again = RunSlam({"table", out});
+  EXPECT_EQ(again.status, 0) << again.err;
+  EXPECT_EQ(again.out, ran.out);
+  const Ran other = RunSlam({"run", config, "apart_m=2", "--out", out});
+  EXPECT_EQ(other.status, 1);
+  EXPECT_THAT(other.err, HasSubstr("config.yaml: is another config than this run's"));
+  EXPECT_THAT(RunSlam({"plot", folder.path().string()}).err, HasSubstr("holds no results"));
+  EXPECT_THAT(RunSlam({"run", config, "nosuch=1", "--out", out}).err, HasSubstr("nosuch"));
+}
+
 }  // namespace
 }  // namespace bulletnav::bench
