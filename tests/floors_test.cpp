@@ -30,7 +30,7 @@ const std::vector<std::vector<std::string>> kFloors = {
     {"sim/house/", "sim/"},
     {"agent/observation.h", "agent/belief.h"},
     {"agent/models/"},
-    {"agent/slam/pose_graph/", "agent/slam/retrieval/"},
+    {"agent/slam/pose_graph/", "agent/slam/retrieval/", "agent/slam/topology/"},
     {"agent/slam/features/"},
     {"agent/slam/verify/", "agent/slam/loops/"},
     {"agent/"},

@@ -96,16 +96,27 @@ Vocabulary::Vocabulary(std::span<const std::vector<BinaryDescriptor>> pictures,
   }
 }
 
+const Vocabulary::Node* Vocabulary::NearestChild(const Node& node,
+                                                 const BinaryDescriptor& descriptor) const {
+  const auto children = std::span(nodes_).subspan(static_cast<std::size_t>(node.first_child),
+                                                  static_cast<std::size_t>(node.children));
+  return &*std::min_element(children.begin(), children.end(), [&](const Node& a, const Node& b) {
+    return Distance(descriptor, a.centre) < Distance(descriptor, b.centre);
+  });
+}
+
 int Vocabulary::WordOf(const BinaryDescriptor& descriptor) const {
   const Node* node = &nodes_.front();
-  while (node->word < 0) {
-    const auto children = std::span(nodes_).subspan(static_cast<std::size_t>(node->first_child),
-                                                    static_cast<std::size_t>(node->children));
-    node = &*std::min_element(children.begin(), children.end(), [&](const Node& a, const Node& b) {
-      return Distance(descriptor, a.centre) < Distance(descriptor, b.centre);
-    });
-  }
+  while (node->word < 0) node = NearestChild(*node, descriptor);
   return node->word;
+}
+
+int Vocabulary::NodeOf(const BinaryDescriptor& descriptor, int levels) const {
+  const Node* node = &nodes_.front();
+  for (int level = 0; level < levels && node->word < 0; ++level) {
+    node = NearestChild(*node, descriptor);
+  }
+  return static_cast<int>(node - nodes_.data());
 }
 
 WordVector Vocabulary::Describe(std::span<const BinaryDescriptor> descriptors) const {

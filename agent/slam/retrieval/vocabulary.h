@@ -44,6 +44,9 @@ class Vocabulary {
   double weight(int word) const { return weights_[static_cast<std::size_t>(word)]; }
   /// Down the tree by the nearest child, the first of several.
   int WordOf(const BinaryDescriptor& descriptor) const;
+  /// As WordOf, but only so many levels down: the number of a node of the tree, which stands for
+  /// all words below it. A leaf above that level stands for itself.
+  int NodeOf(const BinaryDescriptor& descriptor, int levels) const;
   /// Empty if there are no descriptors or all are of words that every picture has.
   WordVector Describe(std::span<const BinaryDescriptor> descriptors) const;
 
@@ -55,6 +58,8 @@ class Vocabulary {
     int word = -1;  // of leaves
   };
   class Grower;
+
+  const Node* NearestChild(const Node& node, const BinaryDescriptor& descriptor) const;
 
   std::vector<Node> nodes_;  // the root first
   std::vector<double> weights_;

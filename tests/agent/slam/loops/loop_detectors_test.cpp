@@ -70,7 +70,10 @@ std::shared_ptr<const Vocabulary> SomeVocabulary() {
 }
 
 std::unique_ptr<LoopDetector> Make(const std::string& name) {
-  return ConfigureLoopDetector(sim::ParseYaml(name, "test"), std::nullopt)({SomeVocabulary()});
+  // Frames are half like their neighbours here, less than in drives, to which likeness is compared.
+  std::optional<sim::YamlNode> parameters;
+  if (name == "words_hierarchy") parameters = sim::ParseYaml("{least_frame: 1.0}", "test");
+  return ConfigureLoopDetector(sim::ParseYaml(name, "test"), parameters)({SomeVocabulary()});
 }
 
 /// Places in turn, twice, or each only once.
@@ -139,7 +142,7 @@ TEST(LoopRegistry, AnUnknownDetectorIsToldWithTheKnownOnes) {
   const auto configure = [] {
     ConfigureLoopDetector(sim::ParseYaml("bwo", "c.yaml"), std::nullopt);
   };
-  EXPECT_THAT(configure, ThrowsMessage<sim::FileError>(HasSubstr("bow, seqslam")));
+  EXPECT_THAT(configure, ThrowsMessage<sim::FileError>(HasSubstr("bow, seqslam, words_hierarchy")));
   EXPECT_THAT(LoopDetectorNames(), Contains("bow"));
 }
 
@@ -153,9 +156,15 @@ TEST(LoopRegistry, ParametersAreCheckedAtTheirPlace) {
               HasSubstr("least_score: 0.3"));
 }
 
-TEST(Bow, NeedsAVocabulary) {
-  const auto make = ConfigureLoopDetector(sim::ParseYaml("bow", "c.yaml"), std::nullopt);
-  EXPECT_THROW(make({}), sim::Error);
+TEST(LoopRegistry, DetectorsThatNeedAVocabularySaySo) {
+  for (const char* name : {"bow", "words_hierarchy"}) {
+    const auto make = ConfigureLoopDetector(sim::ParseYaml(name, "c.yaml"), std::nullopt);
+    EXPECT_THAT(
+        [&] {
+          make({});
+        },
+        ThrowsMessage<sim::Error>(HasSubstr("needs a vocabulary")));
+  }
 }
 
 }  // namespace

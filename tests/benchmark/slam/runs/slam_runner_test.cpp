@@ -142,6 +142,16 @@ TEST_F(SlamRunner, ABadConfigIsToldWithItsPlace) {
               ThrowsMessage<sim::FileError>(HasSubstr("bad.yaml:1")));
 }
 
+TEST(SlamConfig, EveryShippedOneLoads) {
+  int count = 0;
+  for (const auto& entry : fs::directory_iterator(fs::path(BULLETNAV_CONFIGS) / "slam")) {
+    const SlamConfig config = LoadSlamConfig(entry.path());
+    EXPECT_FALSE(config.detectors.empty()) << entry.path();
+    ++count;
+  }
+  EXPECT_GE(count, 2);
+}
+
 TEST_F(SlamRunner, SomethingMustBeThereToDriveThrough) {
   SlamConfig config = Config();
   config.scenes.clear();
