@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/slam/runs/slam_config.h"
 
+#include <algorithm>
 #include <set>
 
 #include <fmt/core.h>
@@ -86,13 +87,29 @@ SlamConfig LoadSlamConfig(const fs::path& file, std::span<const std::string> ove
 
 namespace {
 
-void AddDrives(const fs::path& scene, const SlamConfig& config, std::vector<Drive>* drives) {
-  for (const int actions : config.actions) {
-    for (const std::uint64_t seed : config.seeds) {
-      drives->push_back({fmt::format("{}_{}_{}", scene.stem().string(), actions, seed), scene,
-                         false, actions, seed});
+/// A scene's file name, after that of its folder where another scene's file is called the same.
+std::string NameIn(const std::vector<fs::path>& scenes, const fs::path& scene) {
+  const auto same = std::count_if(scenes.begin(), scenes.end(), [&](const fs::path& other) {
+    return other.stem() == scene.stem();
+  });
+  const std::string stem = scene.stem().string();
+  const std::string folder = fs::absolute(scene).parent_path().filename().string();
+  return same > 1 && !folder.empty() ? folder + "_" + stem : stem;
+}
+
+std::vector<Drive> SceneDrives(const SlamConfig& config) {
+  const std::vector<fs::path> scenes = ScenesOf(config);
+  std::vector<Drive> drives;
+  for (const fs::path& scene : scenes) {
+    const std::string name = NameIn(scenes, scene);
+    for (const int actions : config.actions) {
+      for (const std::uint64_t seed : config.seeds) {
+        drives.push_back(
+            {fmt::format("{}_{}_{}", name, actions, seed), scene, false, actions, seed});
+      }
     }
   }
+  return drives;
 }
 
 Drive RecordingOf(const std::string& recording) {
@@ -116,8 +133,7 @@ void CheckNames(const std::vector<Drive>& drives) {
 }  // namespace
 
 std::vector<Drive> DrivesOf(const SlamConfig& config) {
-  std::vector<Drive> drives;
-  for (const fs::path& scene : ScenesOf(config)) AddDrives(scene, config, &drives);
+  std::vector<Drive> drives = SceneDrives(config);
   for (const std::string& recording : config.recordings) drives.push_back(RecordingOf(recording));
   if (drives.empty()) {
     throw sim::Error("there is nothing to drive through; name 'houses', 'scenes' or 'recordings'");

@@ -145,14 +145,15 @@ std::string RankingLines(const std::string& name, const Results& results, std::s
 }
 
 std::string RankingTable(const SlamConfig& config, const Results& results) {
-  std::string text =
-      "Pairs of frames, ranked by score; all that are far enough apart are compared\n\n"
-      "| | loops are | guessing | AP | recall at precision 1 | at .99 |\n"
-      "|---|---|---:|---:|---:|---:|\n";
+  std::string lines;
   for (std::size_t i = 0; i < config.detectors.size(); ++i) {
-    text += RankingLines(config.detectors[i].name, results, i);
+    lines += RankingLines(config.detectors[i].name, results, i);
   }
-  return text + "\n";
+  if (lines.empty()) return "No pair of frames that are compared is a loop\n";
+  return "Pairs of frames, ranked by score; all that are far enough apart are compared\n\n"
+         "| | loops are | guessing | AP | recall at precision 1 | at .99 |\n"
+         "|---|---|---:|---:|---:|---:|\n" +
+         lines + "\n";
 }
 
 /// Drives of one length whose truth is known.

@@ -56,7 +56,8 @@ class BowDetector final : public LoopDetector {
 
   BowDetector(const Config& config, const LoopContext& context)
       : config_(config), vocabulary_(context.vocabulary) {
-    if (!vocabulary_) throw sim::Error("the detector 'bow' needs a vocabulary");
+    if (!vocabulary_)
+      throw sim::Error("the detector 'bow' needs a vocabulary; add 'vocabulary' to the config");
     index_.emplace(vocabulary_->words());
   }
 

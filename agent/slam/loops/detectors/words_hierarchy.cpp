@@ -56,7 +56,9 @@ class WordsHierarchy final : public LoopDetector {
 
   WordsHierarchy(const Config& config, const LoopContext& context)
       : config_(config), vocabulary_(context.vocabulary) {
-    if (!vocabulary_) throw sim::Error("the detector 'words_hierarchy' needs a vocabulary");
+    if (!vocabulary_)
+      throw sim::Error(
+          "the detector 'words_hierarchy' needs a vocabulary; add 'vocabulary' to the config");
   }
 
   std::vector<LoopCandidate> Add(const LoopFrame& frame) override {

@@ -158,6 +158,9 @@ TEST_F(SlamRunner, SomethingMustBeThereToDriveThrough) {
   EXPECT_THROW(DrivesOf(config), sim::Error);
   config.scenes = {path("nowhere.obj").string()};
   EXPECT_THROW(DrivesOf(config), sim::FileError);
+  folder_.Write("other/room.obj", kRoom);
+  config.scenes = {path("room.obj").string(), path("other/room.obj").string()};
+  EXPECT_EQ(DrivesOf(config)[2].name, "other_room_60_3");
   config.scenes = {path("room.obj").string(), path("room.obj").string()};
   EXPECT_THAT(
       [&] {
