@@ -97,18 +97,20 @@ std::string NameIn(const std::vector<fs::path>& scenes, const fs::path& scene) {
   return same > 1 && !folder.empty() ? folder + "_" + stem : stem;
 }
 
+void AddDrives(const std::string& name, const fs::path& scene, const SlamConfig& config,
+               std::vector<Drive>* drives) {
+  for (const int actions : config.actions) {
+    for (const std::uint64_t seed : config.seeds) {
+      drives->push_back(
+          {fmt::format("{}_{}_{}", name, actions, seed), scene, false, actions, seed});
+    }
+  }
+}
+
 std::vector<Drive> SceneDrives(const SlamConfig& config) {
   const std::vector<fs::path> scenes = ScenesOf(config);
   std::vector<Drive> drives;
-  for (const fs::path& scene : scenes) {
-    const std::string name = NameIn(scenes, scene);
-    for (const int actions : config.actions) {
-      for (const std::uint64_t seed : config.seeds) {
-        drives.push_back(
-            {fmt::format("{}_{}_{}", name, actions, seed), scene, false, actions, seed});
-      }
-    }
-  }
+  for (const fs::path& scene : scenes) AddDrives(NameIn(scenes, scene), scene, config, &drives);
   return drives;
 }
 
