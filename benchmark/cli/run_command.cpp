@@ -15,6 +15,7 @@
 #include "benchmark/base/program_version.h"
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/draw_run.h"
+#include "benchmark/cli/out_option.h"
 #include "benchmark/cli/progress.h"
 #include "benchmark/cli/run_progress.h"
 #include "benchmark/cli/tell_outcome.h"
@@ -144,10 +145,7 @@ void AddRunCommand(CLI::App* program) {
       ->check(CLI::Range(1, 100'000'000));
   command->add_option("--workers", options->run.workers, "Threads (default: one per processor)")
       ->check(CLI::Range(1, 1024));
-  command->add_option("--out", options->out, "Folder of results (default: results/NAME)")
-      ->check([](const std::string& text) {
-        return std::string(text.empty() ? "is empty; is a shell variable not set?" : "");
-      });
+  AddResultsOption(command, &options->out);
   command
       ->add_option("--shard", options->shard,
                    "I/N: only the I-th of N shares of the episodes, into a folder of its own below "

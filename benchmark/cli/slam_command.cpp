@@ -73,10 +73,9 @@ void AddOptimizeCommand(CLI::App* slam) {
   command->add_option("graph", options->graph, "File with SE2 or SE3:QUAT vertices and edges")
       ->required();
   command->add_option("--out", options->out, "File for the optimised graph")->required();
-  const std::map<std::string, agent::RobustKernel> kernels = {
-      {"none", agent::RobustKernel::kNone},
-      {"huber", agent::RobustKernel::kHuber},
-      {"cauchy", agent::RobustKernel::kCauchy}};
+  using Names = sim::EnumNames<agent::RobustKernel>;
+  const std::map<std::string, agent::RobustKernel> kernels(Names::kNames.begin(),
+                                                           Names::kNames.end());
   command
       ->add_option("--robust", options->optimize.kernel,
                    "How far loops that fit badly are trusted: none (all the same), huber, cauchy")

@@ -11,7 +11,6 @@
 
 #include "benchmark/base/counted.h"
 #include "benchmark/cli/slam_commands.h"
-#include "benchmark/slam/io/file_frames.h"
 #include "benchmark/slam/plots/drive_figure.h"
 #include "benchmark/slam/plots/slam_charts.h"
 #include "benchmark/slam/runs/drive_files.h"
@@ -24,35 +23,39 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<sim::PlanarPose> PlanarPoses(const fs::path& file) {
-  std::vector<sim::PlanarPose> poses;
-  for (const TimedPose& pose : ReadTumTrajectory(file)) poses.push_back(PlanarFromFile(pose.pose));
-  return poses;
-}
-
 /// What a drive's folder holds.
 DrivePicture PictureOf(const SlamConfig& config, const fs::path& folder) {
   DrivePicture picture;
-  if (fs::exists(folder / "groundtruth.tum")) {
-    for (const TimedPose& pose : ReadTumTrajectory(folder / "groundtruth.tum")) {
-      picture.truth.push_back(BodyFromFile(pose.pose, 0.0));
-    }
-  }
-  picture.panels.push_back({"odometry alone", PlanarPoses(folder / "odometry.tum"), {}});
+  picture.truth = ReadTruth(folder);
+  picture.panels.push_back({"odometry alone", ReadPoses(folder, "odometry"), {}});
   for (const DetectorEntry& detector : config.detectors) {
-    picture.panels.push_back({detector.name, PlanarPoses(folder / (detector.name + ".tum")),
-                              ReadLoops(folder / (detector.name + ".csv"))});
+    picture.panels.push_back(
+        {detector.name, ReadPoses(folder, detector.name), ReadLoops(folder, detector.name)});
   }
   return picture;
 }
 
-/// The plan of a drive's scene; none of a recording, or where the scene is gone.
-std::optional<SceneMap> MapOf(const SlamConfig& config, const Drive& drive) {
-  if (drive.is_recording || !fs::exists(drive.source)) return std::nullopt;
-  const auto world = sim::World::Load(drive.source, WorldOptionsOf(config));
-  const auto imported = sim::ImportScene(drive.source, config.import.options());
-  return MakeSceneMap(imported.mesh, world->navmesh(), std::nullopt);
-}
+/// The plans of scenes; all drives of one come one after the other.
+class ScenePlans {
+ public:
+  explicit ScenePlans(const SlamConfig& config) : options_(WorldOptionsOf(config)) {}
+
+  /// None of a recording, or where the scene is gone. Good until the next call.
+  const std::optional<SceneMap>& Of(const Drive& drive) {
+    if (drive.source == source_) return map_;
+    source_ = drive.source;
+    map_.reset();
+    if (drive.is_recording || !fs::exists(source_)) return map_;
+    const auto imported = sim::ImportScene(source_, options_.import);
+    map_ = MakeSceneMap(imported.mesh, sim::Navmesh(imported.mesh, options_.navmesh), std::nullopt);
+    return map_;
+  }
+
+ private:
+  sim::WorldOptions options_;
+  fs::path source_;
+  std::optional<SceneMap> map_;
+};
 
 }  // namespace
 
@@ -63,10 +66,11 @@ void DrawSlamRun(const fs::path& folder) {
   WriteFigure(PrecisionRecallFigure(config, results), plots / "precision_recall");
   WriteFigure(HeadingFigure(config, results), plots / "headings");
   std::size_t drawn = 2;
+  ScenePlans plans(config);
   for (const Drive& drive : DrivesOf(config)) {
     const fs::path place = DriveFolder(folder, drive.name);
     if (!HasDrive(place)) continue;
-    WriteFigure(DriveFigure(PictureOf(config, place), MapOf(config, drive)), plots / drive.name);
+    WriteFigure(DriveFigure(PictureOf(config, place), plans.Of(drive)), plots / drive.name);
     ++drawn;
   }
   fmt::print(stderr, "{} in {}\n", Counted(drawn, "picture"), plots.string());

@@ -10,6 +10,7 @@
 #include <CLI/Formatter.hpp>
 #include <fmt/core.h>
 
+#include "benchmark/cli/out_option.h"
 #include "benchmark/cli/progress.h"
 #include "benchmark/cli/slam_commands.h"
 #include "benchmark/slam/runs/slam_runner.h"
@@ -56,10 +57,7 @@ void AddSlamRunCommand(CLI::App* slam) {
       ->required();
   command->add_option("overrides", options->overrides,
                       "KEY=VALUE ...: set in the config, as actions=[300] or apart_m=5");
-  command->add_option("--out", options->out, "Folder of results (default: results/NAME)")
-      ->check([](const std::string& text) {
-        return std::string(text.empty() ? "is empty; is a shell variable not set?" : "");
-      });
+  AddResultsOption(command, &options->out);
   command->add_flag("--no-plots", options->no_plots, "Draw nothing");
   command->add_option("--workers", options->run.workers, "Threads (default: one per processor)")
       ->check(CLI::Range(1, 1024));

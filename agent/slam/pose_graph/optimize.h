@@ -1,11 +1,27 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <array>
+#include <utility>
+
 #include "agent/slam/pose_graph/pose_graph.h"
+#include "sim/config/enum_names.h"
 
 namespace bulletnav::agent {
 
 /// How much less a loop's error counts the larger it is, so that wrong loops bend little.
 enum class RobustKernel { kNone, kHuber, kCauchy };
+
+}  // namespace bulletnav::agent
+
+template <>
+struct bulletnav::sim::EnumNames<bulletnav::agent::RobustKernel> {
+  static constexpr std::array kNames = {
+      std::pair{"none", bulletnav::agent::RobustKernel::kNone},
+      std::pair{"huber", bulletnav::agent::RobustKernel::kHuber},
+      std::pair{"cauchy", bulletnav::agent::RobustKernel::kCauchy}};
+};
+
+namespace bulletnav::agent {
 
 struct OptimizeOptions {
   RobustKernel kernel = RobustKernel::kNone;  // of loop edges; odometry is never doubted

@@ -7,17 +7,10 @@
 
 #include "agent/slam/features/orb.h"
 #include "agent/slam/pose_graph/spatial_pose.h"
+#include "agent/slam/verify/pinhole.h"
 #include "sim/math/pose.h"
 
 namespace bulletnav::agent {
-
-/// A pinhole camera without distortion, in pixels; the centre of the first pixel is 0, 0.
-struct Pinhole {
-  double fx = 0.0;
-  double fy = 0.0;
-  double cx = 0.0;
-  double cy = 0.0;
-};
 
 /// What a frame's corners are and how far away: depth along the camera's axis in metres, 0 where
 /// there is none. As many depths as corners.

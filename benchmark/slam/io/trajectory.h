@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "agent/slam/pose_graph/spatial_pose.h"
+#include "agent/slam/verify/pinhole.h"
 
 namespace bulletnav::bench {
 
@@ -16,12 +17,10 @@ struct TimedPose {
 /// Times rise.
 using CameraTrajectory = std::vector<TimedPose>;
 
-/// A pinhole camera, in pixels; the centre of the first pixel is 0, 0.
-struct Intrinsics {
-  double fx = 0.0;
-  double fy = 0.0;
-  double cx = 0.0;
-  double cy = 0.0;
-};
+/// What files call the numbers of a camera.
+using Intrinsics = agent::Pinhole;
+
+/// Frames of a drive that have no times of their own.
+inline constexpr double kFramesASecond = 10.0;
 
 }  // namespace bulletnav::bench

@@ -35,8 +35,7 @@ double MaxRecall(std::span<const PrecisionRecall> curve, double precision) {
   return most;
 }
 
-DetectionFigures MeasureDetection(std::vector<Answer> answers, const PairCounts& pairs) {
-  const std::vector<PrecisionRecall> curve = LoopCurve(std::move(answers), pairs);
+DetectionFigures MeasureCurve(std::span<const PrecisionRecall> curve, const PairCounts& pairs) {
   DetectionFigures figures;
   figures.average_precision = AveragePrecision(curve);
   figures.recall_at_1 = MaxRecall(curve, 1.0);
@@ -45,6 +44,10 @@ DetectionFigures MeasureDetection(std::vector<Answer> answers, const PairCounts&
     figures.guessing = static_cast<double>(pairs.true_pairs) / static_cast<double>(pairs.all_pairs);
   }
   return figures;
+}
+
+DetectionFigures MeasureDetection(std::vector<Answer> answers, const PairCounts& pairs) {
+  return MeasureCurve(LoopCurve(std::move(answers), pairs), pairs);
 }
 
 double RecallAt(std::span<const RankedTruth> queries, int k) {

@@ -37,6 +37,8 @@ std::vector<PrecisionRecall> LoopCurve(std::vector<Answer> answers, const PairCo
 /// The largest recall at which precision is at least `precision`; 0 if it never is.
 double MaxRecall(std::span<const PrecisionRecall> curve, double precision);
 
+/// Of a LoopCurve of the same pairs.
+DetectionFigures MeasureCurve(std::span<const PrecisionRecall> curve, const PairCounts& pairs);
 DetectionFigures MeasureDetection(std::vector<Answer> answers, const PairCounts& pairs);
 
 /// A query's candidates, best first: whether each is right. Only of queries that have a right one.

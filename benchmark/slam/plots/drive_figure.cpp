@@ -70,7 +70,6 @@ class PanelPlace {
     offset_ = box.center() - scale_ * drawing.extent.center();
   }
   Canvas::Point At(const Eigen::Vector2d& world) const { return scale_ * world + offset_; }
-  double scale() const { return scale_; }
 
  private:
   double scale_ = 1.0;

@@ -6,45 +6,18 @@
 #include <vector>
 
 #include "benchmark/report/chart.h"
-#include "benchmark/slam/truth/loop_truth.h"
+#include "benchmark/slam/runs/rankings.h"
 
 namespace bulletnav::bench {
 namespace {
 
-using Rankings = std::vector<const RankingOutcome*>;
+using Results = std::vector<const DriveResult*>;
 
-/// What the drives have of a detector, where there is anything to find.
-template <class Choose>
-Rankings Collect(std::span<const DriveResult> results, std::size_t detector, const Choose& choose) {
-  Rankings rankings;
-  for (const DriveResult& result : results) {
-    if (detector >= result.detectors.size()) continue;
-    const auto& map = choose(result.detectors[detector]).first;
-    const auto found = map.find(choose(result.detectors[detector]).second);
-    if (found != map.end() && found->second.loops > 0) rankings.push_back(&found->second);
-  }
-  return rankings;
-}
-
-Rankings OfKind(std::span<const DriveResult> results, std::size_t detector, LoopKind kind) {
-  return Collect(results, detector, [kind](const DetectorResult& result) {
-    return std::pair<const std::map<std::string, RankingOutcome>&, std::string>(
-        result.rankings, std::string(NameOf(kind)));
-  });
-}
-
-Rankings OfHeading(std::span<const DriveResult> results, std::size_t detector, HeadingBin bin) {
-  return Collect(results, detector, [bin](const DetectorResult& result) {
-    return std::pair<const std::map<std::string, RankingOutcome>&, std::string>(
-        result.headings, std::string(NameOf(bin)));
-  });
-}
-
-template <class Value>
-double MeanOf(const Rankings& rankings, const Value& value) {
-  double sum = 0.0;
-  for (const RankingOutcome* ranking : rankings) sum += value(*ranking);
-  return rankings.empty() ? 0.0 : sum / static_cast<double>(rankings.size());
+Results PointersTo(std::span<const DriveResult> results) {
+  Results pointers;
+  pointers.reserve(results.size());
+  for (const DriveResult& result : results) pointers.push_back(&result);
+  return pointers;
 }
 
 double GuessingOf(const RankingOutcome& ranking) {
@@ -72,7 +45,7 @@ Chart::Series CurveOf(const std::string& name, const Rankings& rankings) {
   return series;
 }
 
-Chart KindChart(const SlamConfig& config, std::span<const DriveResult> results, LoopKind kind) {
+Chart KindChart(const SlamConfig& config, const Results& results, LoopKind kind) {
   Chart chart;
   chart.x_label = "Recall, loops are: " + std::string(NameOf(kind));
   chart.y_label = "Precision";
@@ -82,9 +55,9 @@ Chart KindChart(const SlamConfig& config, std::span<const DriveResult> results, 
     chart.ticks.push_back({tick, std::to_string(tick).substr(0, 4)});
   }
   for (std::size_t i = 0; i < config.detectors.size(); ++i) {
-    chart.series.push_back(CurveOf(config.detectors[i].name, OfKind(results, i, kind)));
+    chart.series.push_back(CurveOf(config.detectors[i].name, RankingsOf(results, i, kind)));
   }
-  const double guessing = MeanOf(OfKind(results, 0, kind), GuessingOf);
+  const double guessing = MeanOf(RankingsOf(results, 0, kind), GuessingOf);
   chart.series.push_back({"guessing", {Point(0.0, guessing), Point(1.0, guessing)}});
   return chart;
 }
@@ -92,9 +65,10 @@ Chart KindChart(const SlamConfig& config, std::span<const DriveResult> results, 
 }  // namespace
 
 Figure PrecisionRecallFigure(const SlamConfig& config, std::span<const DriveResult> results) {
+  const Results pointers = PointersTo(results);
   std::vector<Chart> charts;
   for (const LoopKind kind : {LoopKind::kCovisible, LoopKind::kNode, LoopKind::kNear}) {
-    charts.push_back(KindChart(config, results, kind));
+    charts.push_back(KindChart(config, pointers, kind));
   }
   return ChartFigure(charts);
 }
@@ -103,11 +77,11 @@ namespace {
 
 /// Mean over drives in each bin of headings.
 template <class Value>
-Chart::Series HeadingSeries(const std::string& name, std::span<const DriveResult> results,
-                            std::size_t detector, const Value& value) {
+Chart::Series HeadingSeries(const std::string& name, const Results& results, std::size_t detector,
+                            const Value& value) {
   Chart::Series series{name, {}};
   for (int bin = 0; bin < kHeadingBins; ++bin) {
-    const Rankings rankings = OfHeading(results, detector, static_cast<HeadingBin>(bin));
+    const Rankings rankings = RankingsOf(results, detector, static_cast<HeadingBin>(bin));
     series.values.push_back(Point(bin, MeanOf(rankings, value)));
   }
   return series;
@@ -116,6 +90,7 @@ Chart::Series HeadingSeries(const std::string& name, std::span<const DriveResult
 }  // namespace
 
 Figure HeadingFigure(const SlamConfig& config, std::span<const DriveResult> results) {
+  const Results pointers = PointersTo(results);
   Chart chart;
   chart.x_label = "Later camera turned by, degrees";
   chart.y_label = "Average precision";
@@ -125,11 +100,11 @@ Figure HeadingFigure(const SlamConfig& config, std::span<const DriveResult> resu
   }
   for (std::size_t i = 0; i < config.detectors.size(); ++i) {
     chart.series.push_back(
-        HeadingSeries(config.detectors[i].name, results, i, [](const RankingOutcome& ranking) {
+        HeadingSeries(config.detectors[i].name, pointers, i, [](const RankingOutcome& ranking) {
           return ranking.figures.average_precision;
         }));
   }
-  chart.series.push_back(HeadingSeries("guessing", results, 0, GuessingOf));
+  chart.series.push_back(HeadingSeries("guessing", pointers, 0, GuessingOf));
   return ChartFigure({&chart, 1});
 }
 

@@ -24,8 +24,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kFramesASecond = 10.0;
 constexpr const char* kResult = "result.yaml";
+constexpr const char* kTruth = "groundtruth.tum";
 constexpr const char* kLoopHead =
     "later,earlier,score,inliers,accepted,covisible,wrong,turned_deg,x_m,y_m,yaw_rad\n";
 constexpr std::size_t kLoopColumns = 11;
@@ -77,8 +77,7 @@ void WriteDrive(const fs::path& folder, const PlayedDrive& drive) {
   sim::MakeFolder(folder);
   sim::WriteFileAtomically(folder / "odometry.tum", TumOf(drive.odometry));
   if (drive.truth.size() == drive.odometry.size()) {
-    sim::WriteFileAtomically(folder / "groundtruth.tum",
-                             TumOf(drive.truth, [](const sim::BodyPose& pose) {
+    sim::WriteFileAtomically(folder / kTruth, TumOf(drive.truth, [](const sim::BodyPose& pose) {
                                return CameraInFile(pose, 0.0);
                              }));
   }
@@ -120,7 +119,26 @@ std::optional<LoopRecord> ParseLoop(const std::string& line) {
 
 }  // namespace
 
-std::vector<LoopRecord> ReadLoops(const fs::path& file) {
+std::vector<sim::BodyPose> ReadTruth(const fs::path& folder) {
+  std::vector<sim::BodyPose> poses;
+  const fs::path file = folder / kTruth;
+  if (!fs::exists(file)) return poses;
+  for (const TimedPose& pose : ReadTumTrajectory(file)) {
+    poses.push_back(BodyFromFile(pose.pose, 0.0));
+  }
+  return poses;
+}
+
+std::vector<sim::PlanarPose> ReadPoses(const fs::path& folder, const std::string& name) {
+  std::vector<sim::PlanarPose> poses;
+  for (const TimedPose& pose : ReadTumTrajectory(folder / (name + ".tum"))) {
+    poses.push_back(PlanarFromFile(pose.pose));
+  }
+  return poses;
+}
+
+std::vector<LoopRecord> ReadLoops(const fs::path& folder, const std::string& detector) {
+  const fs::path file = folder / (detector + ".csv");
   std::istringstream lines(sim::ReadTextFile(file));
   std::vector<LoopRecord> loops;
   std::string line;

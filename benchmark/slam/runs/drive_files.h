@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "benchmark/slam/runs/drive_play.h"
 
@@ -16,7 +18,12 @@ bool HasDrive(const std::filesystem::path& folder);
 /// Throws sim::FileError.
 DriveResult ReadDriveResult(const std::filesystem::path& folder);
 
-/// A pair of NAME.csv.
-std::vector<LoopRecord> ReadLoops(const std::filesystem::path& file);
+/// What WriteDrive wrote of a drive: the true poses (none where they are not known), the poses that
+/// NAME, a detector or "odometry", has, from the first frame's body, and the pairs that a detector
+/// took for loops. All throw sim::FileError.
+std::vector<sim::BodyPose> ReadTruth(const std::filesystem::path& folder);
+std::vector<sim::PlanarPose> ReadPoses(const std::filesystem::path& folder,
+                                       const std::string& name);
+std::vector<LoopRecord> ReadLoops(const std::filesystem::path& folder, const std::string& detector);
 
 }  // namespace bulletnav::bench

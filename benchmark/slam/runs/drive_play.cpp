@@ -85,8 +85,6 @@ class DrivePlay {
   DrivePlay(const SlamConfig& config, const Drive& drive,
             const std::shared_ptr<const agent::Vocabulary>& vocabulary)
       : config_(config), source_(config, drive), travel_(config.apart_m) {
-    const Intrinsics k = source_.intrinsics();
-    camera_ = {k.fx, k.fy, k.cx, k.cy};
     played_.result.drive = drive.name;
     played_.result.actions = drive.actions;
     detectors_.reserve(config.detectors.size());
@@ -176,8 +174,9 @@ class DrivePlay {
     const auto start = Clock::now();
     const KeptFrame& a = kept_[static_cast<std::size_t>(record->earlier)];
     const KeptFrame& b = kept_[static_cast<std::size_t>(record->later)];
-    const auto motion = agent::FindMotion({&a.features, a.corner_depths},
-                                          {&b.features, b.corner_depths}, camera_, config_.verify);
+    const auto motion =
+        agent::FindMotion({&a.features, a.corner_depths}, {&b.features, b.corner_depths},
+                          source_.intrinsics(), config_.verify);
     if (motion) {
       if (const auto level = agent::LevelMotion(motion->X_AB, config_.verify)) {
         record->inliers = motion->inliers;
@@ -234,7 +233,6 @@ class DrivePlay {
 
   const SlamConfig& config_;
   DriveSource source_;
-  agent::Pinhole camera_;
   Travel travel_;
   std::vector<RunningDetector> detectors_;
   std::vector<KeptFrame> kept_;

@@ -42,12 +42,8 @@ struct PlayedDrive {
 /// Drives once and shows each frame to all detectors; then verifies what they proposed, optimises
 /// and measures. Detectors and back end see pictures and odometry alone. A function of config,
 /// drive and vocabulary, but for the times. Throws sim::Error as DriveSource and detectors do.
-/// Cost: mostly corners (5 ms a frame of 320 x 240) and verification (5 ms a pair).
+/// Cost: mostly drawing, corners and verification of pairs; times.yaml of a run has the figures.
 PlayedDrive PlayDrive(const SlamConfig& config, const Drive& drive,
                       std::shared_ptr<const agent::Vocabulary> vocabulary);
-
-/// Grows a vocabulary from drives through a config's training houses, which are there.
-/// Cost: about 10 ms a picture, shared among the workers.
-std::shared_ptr<const agent::Vocabulary> GrowVocabulary(const SlamConfig& config, int workers);
 
 }  // namespace bulletnav::bench

@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <utility>
 
 namespace bulletnav::bench {
 namespace {
@@ -28,12 +29,13 @@ std::vector<double> PrecisionAtRecall(std::span<const PrecisionRecall> curve) {
   return best;
 }
 
-RankingOutcome RankingOf(const std::vector<Answer>& answers, const PairCounts& pairs) {
+RankingOutcome RankingOf(std::vector<Answer> answers, const PairCounts& pairs) {
   RankingOutcome outcome;
   outcome.loops = pairs.true_pairs;
   if (pairs.true_pairs == 0) return outcome;
-  outcome.figures = MeasureDetection(answers, pairs);
-  outcome.precision = PrecisionAtRecall(LoopCurve(answers, pairs));
+  const std::vector<PrecisionRecall> curve = LoopCurve(std::move(answers), pairs);
+  outcome.figures = MeasureCurve(curve, pairs);
+  outcome.precision = PrecisionAtRecall(curve);
   return outcome;
 }
 

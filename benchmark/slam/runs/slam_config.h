@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -17,14 +16,6 @@
 #include "benchmark/episodes/import_spec.h"
 #include "benchmark/episodes/made_houses.h"
 #include "benchmark/slam/traversal/traversal.h"
-
-template <>
-struct bulletnav::sim::EnumNames<bulletnav::agent::RobustKernel> {
-  static constexpr std::array kNames = {
-      std::pair{"none", bulletnav::agent::RobustKernel::kNone},
-      std::pair{"huber", bulletnav::agent::RobustKernel::kHuber},
-      std::pair{"cauchy", bulletnav::agent::RobustKernel::kCauchy}};
-};
 
 namespace bulletnav::bench {
 
@@ -47,8 +38,8 @@ struct VocabularySource {
   void Validate() const;
 };
 
-/// How sure the back end is of what it puts together; standard deviations. Defaults of odometry:
-/// what 700 actions under ans_released add up to, a step.
+/// How sure the back end is of what it puts together; standard deviations, set by hand and not
+/// measured.
 struct BackEndSpec {
   double step_m = 0.02;  // odometry, a step, along and across
   double step_deg = 0.8;

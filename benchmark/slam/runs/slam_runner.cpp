@@ -6,6 +6,7 @@
 
 #include "benchmark/base/program_version.h"
 #include "benchmark/slam/runs/drive_files.h"
+#include "benchmark/slam/runs/vocabulary.h"
 #include "sim/base/error.h"
 #include "sim/base/files.h"
 #include "sim/base/folder_lock.h"

@@ -2,16 +2,13 @@
 #include "benchmark/slam/runs/slam_table.h"
 
 #include <cstddef>
-#include <functional>
-#include <map>
 #include <optional>
-#include <string_view>
 #include <vector>
 
 #include <fmt/core.h>
 
 #include "benchmark/base/counted.h"
-#include "benchmark/slam/truth/loop_truth.h"
+#include "benchmark/slam/runs/rankings.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -26,7 +23,6 @@ class Mean {
     ++count_;
   }
   double value() const { return count_ == 0 ? 0.0 : sum_ / count_; }
-  int count() const { return count_; }
 
  private:
   double sum_ = 0.0;
@@ -97,49 +93,29 @@ std::string ErrorTable(const SlamConfig& config, const Results& results, int act
   return text + Line("true loops", bound, true) + "\n";
 }
 
-using Choose = std::function<const RankingOutcome*(const DetectorResult&)>;
-
-std::string RankingLine(const std::string& name, const std::string& truth, const Results& results,
-                        std::size_t detector, const Choose& choose) {
-  Mean precision;
-  Mean at_1;
-  Mean at_099;
-  Mean guessing;
-  for (const DriveResult* result : results) {
-    if (detector >= result->detectors.size()) continue;
-    const RankingOutcome* ranking = choose(result->detectors[detector]);
-    if (ranking == nullptr || ranking->loops == 0) continue;
-    precision.Add(ranking->figures.average_precision);
-    at_1.Add(ranking->figures.recall_at_1);
-    at_099.Add(ranking->figures.recall_at_099);
-    guessing.Add(ranking->figures.guessing);
-  }
-  if (precision.count() == 0) return "";
+std::string RankingLine(const std::string& name, const std::string& truth,
+                        const Rankings& rankings) {
+  if (rankings.empty()) return "";
+  const auto mean = [&rankings](double DetectionFigures::*figure) {
+    return MeanOf(rankings, [figure](const RankingOutcome& ranking) {
+      return ranking.figures.*figure;
+    });
+  };
   return fmt::format("| {} | {} | {:.3f} | {:.3f} | {:.3f} | {:.3f} |\n", name, truth,
-                     guessing.value(), precision.value(), at_1.value(), at_099.value());
-}
-
-const RankingOutcome* Find(const std::map<std::string, RankingOutcome>& rankings,
-                           std::string_view name) {
-  const auto found = rankings.find(std::string(name));
-  return found == rankings.end() ? nullptr : &found->second;
+                     mean(&DetectionFigures::guessing), mean(&DetectionFigures::average_precision),
+                     mean(&DetectionFigures::recall_at_1), mean(&DetectionFigures::recall_at_099));
 }
 
 /// All lines of a detector.
 std::string RankingLines(const std::string& name, const Results& results, std::size_t detector) {
   std::string text;
   for (const LoopKind kind : {LoopKind::kCovisible, LoopKind::kNode, LoopKind::kNear}) {
-    text += RankingLine(name, std::string(NameOf(kind)), results, detector,
-                        [kind](const DetectorResult& result) {
-                          return Find(result.rankings, NameOf(kind));
-                        });
+    text += RankingLine(name, std::string(NameOf(kind)), RankingsOf(results, detector, kind));
   }
   for (int i = 0; i < kHeadingBins; ++i) {
-    const std::string_view bin = NameOf(static_cast<HeadingBin>(i));
-    text += RankingLine(name, fmt::format("covisible, turned by {}", bin), results, detector,
-                        [bin](const DetectorResult& result) {
-                          return Find(result.headings, bin);
-                        });
+    const auto bin = static_cast<HeadingBin>(i);
+    text += RankingLine(name, fmt::format("covisible, turned by {}", NameOf(bin)),
+                        RankingsOf(results, detector, bin));
   }
   return text;
 }

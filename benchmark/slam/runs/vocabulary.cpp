@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "benchmark/slam/runs/vocabulary.h"
+
 #include <filesystem>
 #include <iterator>
 #include <utility>
 #include <vector>
 
 #include "benchmark/slam/runs/drive_frames.h"
-#include "benchmark/slam/runs/drive_play.h"
 #include "sim/base/check.h"
 #include "sim/threads/worker_pool.h"
 

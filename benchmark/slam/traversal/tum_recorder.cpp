@@ -10,12 +10,6 @@
 #include "sim/base/files.h"
 
 namespace bulletnav::bench {
-namespace {
-
-constexpr double kFramesASecond = 10.0;
-
-}  // namespace
-
 TumRecorder::TumRecorder(std::filesystem::path folder, const TraversalSpec& spec)
     : folder_(std::move(folder)), spec_(spec) {
   if (std::filesystem::exists(folder_ / "rgb.txt")) {

@@ -42,7 +42,7 @@ class LoopTruth {
   using IsNode = std::function<bool(const sim::BodyPose& earlier, const sim::BodyPose& later)>;
 
   /// `is_node` says whether two body poses are of one node; without it no pair is.
-  /// Cost: covisibility of all pairs within 12 m, two microseconds each.
+  /// Cost: covisibility of all pairs within 12 m.
   LoopTruth(std::span<const TruthFrame> frames, const IsNode& is_node);
 
   /// Expects: earlier < comparable of later (checked).
