@@ -37,6 +37,7 @@ const std::vector<std::vector<std::string>> kFloors = {
     {"agent/mapping/"},
     {"agent/integer/"},
     {"agent/perception/"},
+    {"agent/policy/"},
     {"agent/nts/"},
     {"agent/baselines/"},
     {"benchmark/base/"},

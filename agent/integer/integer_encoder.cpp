@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "sim/base/check.h"
 #include "sim/base/error.h"
 
 namespace bulletnav::agent {
@@ -84,20 +85,40 @@ void IntegerEncoder::Pool(int picture, std::int16_t* features) const {
 }
 
 IntegerEncoder::Codes IntegerEncoder::Encode(std::span<const Panorama> panoramas) {
-  const std::size_t channels = static_cast<std::size_t>(trunk_.bytes(kLastStage).shape.channels);
-  std::vector<std::int16_t> features(panoramas.size() * kDirections * channels);
-  for (std::size_t done = 0; done < panoramas.size(); done += IntegerTrunk::kAtATime) {
-    const auto count =
-        static_cast<int>(std::min<std::size_t>(IntegerTrunk::kAtATime, panoramas.size() - done));
-    for (int i = 0; i < count; ++i) {
-      input_.Prepare(panoramas[done + static_cast<std::size_t>(i)], i, trunk_.input());
+  return EncodeAll(panoramas.size(), [&](std::size_t i, int slot) {
+    input_.Prepare(panoramas[i], slot, trunk_.input());
+  });
+}
+
+IntegerEncoder::Codes IntegerEncoder::EncodePictures(std::span<const std::uint8_t> pictures) {
+  const PictureShape& shape = trunk_.input()->shape;
+  BULLETNAV_CHECK_EQ(shape.channels, kInputChannels);
+  const std::size_t row = static_cast<std::size_t>(shape.cols) * kInputChannels;
+  const std::size_t picture = row * static_cast<std::size_t>(shape.rows);
+  BULLETNAV_CHECK_EQ(pictures.size() % picture, std::size_t{0});
+  return EncodeAll(pictures.size() / picture, [&](std::size_t i, int slot) {
+    for (int r = 0; r < shape.rows; ++r) {
+      const auto from = pictures.subspan(i * picture + static_cast<std::size_t>(r) * row, row);
+      std::copy(
+          from.begin(), from.end(),
+          trunk_.input()->bytes.begin() + std::ptrdiff_t{slot} * shape.size() + shape.Offset(r, 0));
     }
-    trunk_.Run(count);
-    for (int i = 0; i < count; ++i) {
+  });
+}
+
+IntegerEncoder::Codes IntegerEncoder::EncodeAll(std::size_t count,
+                                                const std::function<void(std::size_t, int)>& fill) {
+  const std::size_t channels = static_cast<std::size_t>(trunk_.bytes(kLastStage).shape.channels);
+  std::vector<std::int16_t> features(count * kDirections * channels);
+  for (std::size_t done = 0; done < count; done += IntegerTrunk::kAtATime) {
+    const auto some = static_cast<int>(std::min<std::size_t>(IntegerTrunk::kAtATime, count - done));
+    for (int i = 0; i < some; ++i) fill(done + static_cast<std::size_t>(i), i);
+    trunk_.Run(some);
+    for (int i = 0; i < some; ++i) {
       Pool(i, features.data() + (done + static_cast<std::size_t>(i)) * kDirections * channels);
     }
   }
-  const int pixels = static_cast<int>(panoramas.size()) * kDirections;
+  const int pixels = static_cast<int>(count) * kDirections;
   const auto bytes = [&](int values) {
     return PixelOffsets({1, pixels, 2 * values, 0}, 1);
   };

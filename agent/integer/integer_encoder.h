@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -28,10 +29,14 @@ class IntegerEncoder {
   int code_size() const { return second_.padded_outputs(); }
   /// Of one panorama each, all together [panoramas, kDirections, code_size].
   Codes Encode(std::span<const Panorama> panoramas);
+  /// The same of what IntegerInput made of them: bytes [panoramas, rows, cols, kInputChannels].
+  Codes EncodePictures(std::span<const std::uint8_t> pictures);
 
   void Use(const IntegerKernels& kernels);
 
  private:
+  /// `fill(i, slot)` puts number i into the trunk's input.
+  Codes EncodeAll(std::size_t count, const std::function<void(std::size_t, int)>& fill);
   void Pool(int picture, std::int16_t* features) const;
 
   IntegerInput input_;

@@ -142,6 +142,7 @@ void AddQuantised(const QuantisedNet& net, const std::filesystem::path& file,
   TensorFile content = ReadTensorFile(file);
   const StoredType type = TypeOf(content);
   SetQuantised(net, &content);
+  content.metadata.erase(kIntegerPart);
   WriteTensorFile(out, content, type);
 }
 

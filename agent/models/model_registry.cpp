@@ -68,6 +68,7 @@ std::optional<std::int64_t> FramesOfOldFile(const TensorFile& file) {
 }  // namespace
 
 bool HoldsIntegers(const TensorFile& file) {
+  if (file.metadata.contains(kIntegerPart)) return false;
   return std::any_of(file.tensors.begin(), file.tensors.end(), [](const auto& entry) {
     return entry.first.starts_with(kIntegerPrefix);
   });

@@ -28,7 +28,11 @@ enum class NumberForm { kTrained, kIntegers };
 /// trained numbers, which it is made from.
 inline constexpr const char* kIntegerPrefix = "integer.";
 
-/// Whether weights hold a network in integers beside the trained one.
+/// The entry of a file's metadata that says so if its integers are but a part of the network, such
+/// as an encoder that was not trained: it works with the trained numbers.
+inline constexpr const char* kIntegerPart = "integer_part";
+
+/// Whether weights hold a whole network in integers beside the trained one.
 bool HoldsIntegers(const TensorFile& weights);
 
 /// Keys of all registered kinds of models, in alphabetical order.

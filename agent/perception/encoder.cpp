@@ -84,7 +84,7 @@ void AverageDepth(const float* in, std::int64_t factor, float* out) {
 Trunk::Shape TrunkShape(const ModelConfig& config, int in) {
   const int halvings = config.rows == 128 ? 3 : config.rows == 64 ? 2 : 1;
   const Ends ends = config.encoder == EncoderForm::kPanorama ? Ends::kMeet : Ends::kZeros;
-  return {in, config.width, halvings, ends};
+  return {in, config.width, halvings, ends, config.norm};
 }
 
 Encoder::Encoder(const ModelConfig& config, sim::Rng* rng) : config_(config) {

@@ -42,7 +42,7 @@ ConvNorm::ConvNorm(const Shape& shape, sim::Rng* rng) : shape_(shape) {
   weight_ =
       register_parameter("weight", NormalTensor({shape.out, shape.in, shape.kernel, shape.kernel},
                                                 std::sqrt(2.0 / fan_out), rng));
-  scale_ = register_parameter("scale", torch::ones({shape.out}));
+  scale_ = register_parameter("scale", at::full({shape.out}, shape.scale));
   shift_ = register_parameter("shift", torch::zeros({shape.out}));
   mean_ = register_buffer("mean", torch::zeros({shape.out}));
   variance_ = register_buffer("variance", torch::ones({shape.out}));
@@ -61,6 +61,12 @@ torch::Tensor ConvNorm::forward(const torch::Tensor& x) {
                                     1);
     }
     return at::conv2d(padded, folded_weight_, folded_bias_, stride, padding);
+  }
+  if (shape_.norm == Norm::kFixed) {
+    const torch::Tensor factor = scale_ / (variance_ + kNormEpsilon).sqrt();
+    const torch::Tensor fixed = (weight_ * factor.view({-1, 1, 1, 1})).to(x.scalar_type());
+    return at::conv2d(padded, fixed.contiguous(at::MemoryFormat::ChannelsLast),
+                      (shift_ - mean_ * factor).to(x.scalar_type()), stride, padding);
   }
   const torch::Tensor weight =
       weight_.to(x.scalar_type()).contiguous(at::MemoryFormat::ChannelsLast);

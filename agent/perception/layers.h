@@ -3,6 +3,7 @@
 #include <optional>
 #include <string_view>
 
+#include "agent/perception/model_config.h"
 #include "agent/perception/torch.h"
 #include "sim/math/rng.h"
 
@@ -11,7 +12,7 @@ namespace bulletnav::agent {
 /// How the left and right ends of a picture are continued.
 enum class Ends { kZeros, kMeet };
 
-/// A convolution without bias, then batch normalisation. Computes in the type of its input, its
+/// A convolution without bias, then normalisation. Computes in the type of its input, its
 /// parameters are float32. Square odd kernels; pads by half of one. The format of pictures is
 /// [n, channels, rows, cols] in channels_last memory. Weights are Kaiming-normal.
 /// Source: He et al., "Deep residual learning for image recognition", 2015.
@@ -23,6 +24,8 @@ class ConvNorm : public torch::nn::Module {
     int kernel = 3;
     int stride = 1;
     Ends ends = Ends::kZeros;
+    Norm norm = Norm::kBatch;
+    double scale = 1.0;  // of the results, at first
   };
   ConvNorm(const Shape& shape, sim::Rng* rng);
 

@@ -14,6 +14,9 @@ enum class EncoderForm { kPanorama, kPatches };
 /// kNone: colour alone. kChannel: depth is a fourth channel. kSeparate: depth has a trunk of its
 /// own, joined after a 1x1 convolution, as in Neural Topological SLAM.
 enum class DepthFusion { kNone, kChannel, kSeparate };
+/// kBatch: by the batch in training, by running means after it. kFixed: by means and variances that
+/// stay as they are, 0 and 1 if nothing else was loaded: a scale and a shift.
+enum class Norm { kBatch, kFixed };
 /// What the trunk computes in; all else is float32. Processors without AVX-512 take float32.
 enum class Precision { kFloat32, kBfloat16 };
 
@@ -55,6 +58,7 @@ struct ModelConfig {
   double dropout = 0.5;     // of the two layers after the trunk
   int pair_features = 128;  // of the layers that compare two panoramas
   Precision precision = Precision::kBfloat16;
+  Norm norm = Norm::kBatch;  // not in files: the kind of model says it
 
   bool operator==(const ModelConfig&) const = default;
   bool uses_depth() const { return depth != DepthFusion::kNone; }

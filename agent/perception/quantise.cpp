@@ -37,7 +37,8 @@ class SemanticQuantiser {
   explicit SemanticQuantiser(const SemanticNet& net) : quantiser_(net) {}
 
   QuantisedNet Run(const torch::Tensor& input) {
-    const torch::Tensor codes = Encoder(input);
+    const torch::Tensor codes = QuantiseEncoder("encoder.", input, &quantiser_);
+    code_step_ = quantiser_.net()->Scale("encoder.second");
     Describe(codes);
     Compare();
     return *quantiser_.net();
@@ -46,19 +47,6 @@ class SemanticQuantiser {
  private:
   torch::Tensor Apply(const std::string& name, const torch::Tensor& x) {
     return at::linear(x, quantiser_.Weight(name + ".weight"), quantiser_.Weight(name + ".bias"));
-  }
-
-  torch::Tensor Encoder(const torch::Tensor& input) {
-    const torch::Tensor map = quantiser_.Trunk("encoder.trunk.", input).back();
-    const double step = quantiser_.net()->Scale("encoder.trunk.stage4_2_second") * kPooledStep;
-    const torch::Tensor features = at::matmul(Shares(), map.mean(2).transpose(1, 2));
-    quantiser_.Dense16("encoder.first", step, kLargestPooled);
-    const torch::Tensor hidden = Apply("encoder.first", features).relu();
-    const double hidden_step = quantiser_.RoomyScale("encoder.first", hidden, kLargest16, kRoom);
-    quantiser_.Dense16("encoder.second", hidden_step, kLargest16);
-    torch::Tensor codes = Apply("encoder.second", hidden).relu();
-    code_step_ = quantiser_.RoomyScale("encoder.second", codes, kLargest16, kRoom);
-    return codes;
   }
 
   /// NAME_hidden and NAME_out. `weight`: of the first, by inputs in steps.
@@ -159,6 +147,24 @@ class SemanticQuantiser {
 };
 
 }  // namespace
+
+torch::Tensor QuantiseEncoder(const std::string& prefix, const torch::Tensor& input,
+                              Quantiser* quantiser) {
+  const auto apply = [&](const std::string& name, const torch::Tensor& x) {
+    return at::linear(x, quantiser->Weight(name + ".weight"), quantiser->Weight(name + ".bias"));
+  };
+  const std::string trunk = prefix + "trunk.";
+  const torch::Tensor map = quantiser->Trunk(trunk, input).back();
+  const double step = quantiser->net()->Scale(trunk + "stage4_2_second") * kPooledStep;
+  const torch::Tensor features = at::matmul(Shares(), map.mean(2).transpose(1, 2));
+  quantiser->Dense16(prefix + "first", step, kLargestPooled);
+  const torch::Tensor hidden = apply(prefix + "first", features).relu();
+  const double hidden_step = quantiser->RoomyScale(prefix + "first", hidden, kLargest16, kRoom);
+  quantiser->Dense16(prefix + "second", hidden_step, kLargest16);
+  torch::Tensor codes = apply(prefix + "second", hidden).relu();
+  quantiser->RoomyScale(prefix + "second", codes, kLargest16, kRoom);
+  return codes;
+}
 
 bool HasIntegerForm(const ModelConfig& config) {
   return config.encoder == EncoderForm::kPanorama && config.depth != DepthFusion::kSeparate &&

@@ -11,6 +11,14 @@ namespace bulletnav::agent {
 bool HasIntegerForm(const ModelConfig& config);
 bool HasIntegerForm(const MapperConfig& config);
 
+class Quantiser;
+
+/// The layers and scales of an encoder of form kPanorama, whose parameters are named after
+/// `prefix`; see IntegerEncoder. Returns what it makes of `input`, [n, channels, rows, cols] of
+/// PrepareInput.
+torch::Tensor QuantiseEncoder(const std::string& prefix, const torch::Tensor& input,
+                              Quantiser* quantiser);
+
 /// The network in integers that a trained one becomes; see IntegerModel. Scales are from what it
 /// makes of `input`, [n, channels, rows, cols] of PrepareInput, n >= 2: each panorama and pairs of
 /// each with the next. Throws Error for a form that there is none of.

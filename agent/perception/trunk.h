@@ -19,6 +19,7 @@ class Trunk : public torch::nn::Module {
     int width = 64;
     int halvings = 3;
     Ends ends = Ends::kZeros;
+    Norm norm = Norm::kBatch;
   };
   Trunk(const Shape& shape, sim::Rng* rng);
 
@@ -39,6 +40,7 @@ class Trunk : public torch::nn::Module {
   void AddBlock(const std::string& name, ConvNorm::Shape shape, sim::Rng* rng);
 
   Ends ends_;
+  Norm norm_;
   std::vector<std::shared_ptr<ConvNorm>> layers_;
   std::shared_ptr<ConvNorm> stem_;
   std::vector<Block> blocks_;

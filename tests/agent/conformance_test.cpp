@@ -8,6 +8,7 @@
 
 #include "agent/models/goal_estimator.h"
 #include "agent/models/usual_slots.h"
+#include "agent/policy/policy_model.h"
 #include "agent/registry.h"
 #include "sim/base/error.h"
 #include "sim/simulator.h"
@@ -82,6 +83,23 @@ class FixedMapper final : public FreeSpaceModel {
   }
 };
 
+/// Turns to one side or goes ahead by the brightness of a panorama's corner, and remembers steps;
+/// every so often it would rather stop.
+class FixedPolicy final : public PolicyModel {
+ public:
+  int step_limit() const override { return 500; }
+  std::vector<float> NoMemory() const override { return {0.0f}; }
+  std::vector<float> CodeOf(const Panorama& goal) override {
+    return {static_cast<float>(goal.color.front()) / 255.0f};
+  }
+  std::array<float, 4> Act(const PolicyQuestion& question, std::vector<float>* memory) override {
+    memory->front() += 1.0f;
+    const float light = static_cast<float>(question.panorama.color.front()) / 255.0f;
+    const float left = 0.5f * std::fabs(light - question.goal.front());
+    return {memory->front() > 30.0f ? 0.4f : 0.0f, 0.5f, left, 0.5f - left};
+  }
+};
+
 sim::SimulatorSpec SmallSpec() {
   sim::SimulatorSpec spec;
   spec.panorama.rows = 16;
@@ -93,6 +111,7 @@ AgentContext Context(bool sees = false) {
   AgentContext context;
   context.rig.panorama = SmallSpec().panorama;
   context.models.Set("semantic_model", std::make_shared<FixedModel>(sees));
+  context.models.Set("policy", std::make_shared<FixedPolicy>());
   return context;
 }
 

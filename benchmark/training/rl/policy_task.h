@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -12,10 +13,13 @@ struct LaneOutcome {
   bool terminated = false;
   bool truncated = false;
   double score = 0.0;  // of an episode that is over: 1 is the best that can be had
+  bool success = false;
+
+  bool is_over() const { return terminated || truncated; }
 };
 
-/// Lanes that a policy acts in, with observations as plain numbers. A lane is a function of its
-/// number, the number of its episode and the actions.
+/// Lanes that a policy acts in, with observations as plain numbers and, if there are any, pictures
+/// in bytes. A lane is a function of its number, the number of its episode and the actions.
 class PolicyTask {
  public:
   PolicyTask() = default;
@@ -27,16 +31,23 @@ class PolicyTask {
 
   virtual int lanes() const = 0;
   virtual int actions() const = 0;
-  virtual int observation_size() const = 0;
+  virtual int observation_size() const = 0;                // numbers
+  virtual std::size_t picture_bytes() const { return 0; }  // 0: there are no pictures
 
   virtual void Begin(int lane, std::uint64_t episode) = 0;
-  /// [lanes, observation_size]
-  virtual void Observe(std::span<float> out) const = 0;
+  /// [lanes, observation_size] and [lanes, picture_bytes]
+  virtual void Observe(std::span<float> numbers, std::span<std::uint8_t> pictures) = 0;
+  /// The picture of a lane's goal, [picture_bytes].
+  virtual void ShowGoal(int /*lane*/, std::span<std::uint8_t> /*picture*/) const {}
+  /// What a teacher who sees the truth would do, [lanes]. False: there is none.
+  virtual bool Teach(std::span<int> /*actions*/) { return false; }
   /// An action and an outcome for each lane. An episode that is over stays as it is until Begin.
   virtual void Step(std::span<const int> actions, std::span<LaneOutcome> outcomes) = 0;
 
-  /// Where all lanes are, in whole numbers below 2^24, and back.
+  /// Where all lanes are, in whole numbers below 2^24, and back. After it, no lane's goal is as it
+  /// was shown.
   virtual std::vector<float> State() const = 0;
+  /// Expects: what State gave, of a task of the same config.
   virtual void SetState(std::span<const float> state) = 0;
 };
 

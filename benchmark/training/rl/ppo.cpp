@@ -55,27 +55,14 @@ Targets TargetsOf(const Rollout& rollout, const GaeSpec& spec, RunningMoments* m
   return targets;
 }
 
-void LimitGradients(const torch::nn::Module& net, double limit) {
-  double squares = 0.0;
-  for (const torch::Tensor& parameter : net.parameters()) {
-    if (!parameter.grad().defined()) continue;
-    squares += parameter.grad().square().sum().item<double>();
-  }
-  const double norm = std::sqrt(squares);
-  if (norm <= limit) return;
-  for (const torch::Tensor& parameter : net.parameters()) {
-    if (parameter.grad().defined()) parameter.mutable_grad().mul_(limit / norm);
-  }
-}
-
-/// Gradients of the loss on some lanes.
-PpoReport Differentiate(const Rollout& rollout, const Targets& targets, const torch::Tensor& lanes,
-                        const PpoSpec& spec, PolicyNet* net) {
+/// The loss of some lanes, and how they fared.
+torch::Tensor LossOf(const Rollout& rollout, const Targets& targets, const torch::Tensor& lanes,
+                     const PpoSpec& spec, ActorCritic* net, PpoReport* report) {
   const auto of = [&](const torch::Tensor& all) {
     return all.index_select(1, lanes);
   };
-  const PolicyNet::Output output =
-      net->Run(of(rollout.observations), of(rollout.starts), rollout.hidden.index_select(0, lanes));
+  const ActorCritic::Output output = net->Run(rollout.SeenBy(net, lanes), of(rollout.starts),
+                                              rollout.hidden.index_select(0, lanes));
   const torch::Tensor log_probability =
       output.log_probabilities.gather(-1, of(rollout.actions).unsqueeze(-1)).squeeze(-1);
   const torch::Tensor log_ratio = log_probability - of(rollout.log_probabilities);
@@ -86,16 +73,26 @@ PpoReport Differentiate(const Rollout& rollout, const Targets& targets, const to
   const torch::Tensor value_error = (output.values - of(targets.returns)).square().mean();
   const torch::Tensor entropy =
       -(output.log_probabilities.exp() * output.log_probabilities).sum(-1).mean();
-  const torch::Tensor loss = -gain.mean() + spec.value * 0.5 * value_error - spec.entropy * entropy;
-  loss.backward();
-  PpoReport report;
-  report.loss = loss.item<double>();
-  report.entropy = entropy.item<double>();
-  report.kl = (ratio - 1.0 - log_ratio).mean().item<double>();
+  report->entropy = entropy.item<double>();
+  report->kl = (ratio - 1.0 - log_ratio).mean().item<double>();
   const torch::Tensor off = (ratio - 1.0).abs();
-  report.clip_fraction = (off > spec.clip).to(torch::kFloat32).mean().item<double>();
-  report.first_ratio_error = off.mean().item<double>();
-  return report;
+  report->clip_fraction = (off > spec.clip).to(torch::kFloat32).mean().item<double>();
+  report->first_ratio_error = off.mean().item<double>();
+  return -gain.mean() + spec.value * 0.5 * value_error - spec.entropy * entropy;
+}
+
+/// Means over groups.
+PpoReport MeanOf(const std::vector<PpoReport>& parts, const std::vector<double>& losses) {
+  PpoReport mean;
+  const auto count = static_cast<double>(parts.size());
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    mean.loss += losses[i] / count;
+    mean.entropy += parts[i].entropy / count;
+    mean.kl += parts[i].kl / count;
+    mean.clip_fraction += parts[i].clip_fraction / count;
+    mean.first_ratio_error += parts[i].first_ratio_error / count;
+  }
+  return mean;
 }
 
 }  // namespace
@@ -104,8 +101,10 @@ void PpoSpec::Validate() const {
   if (lanes < 1) throw sim::KeyError("lanes", "lanes must be at least 1");
   if (rollout < 1) throw sim::KeyError("rollout", "rollout must be at least 1");
   if (epochs < 1) throw sim::KeyError("epochs", "epochs must be at least 1");
-  if (minibatches < 1 || lanes % minibatches != 0) {
-    throw sim::KeyError("minibatches", "minibatches must divide lanes");
+  if (group < 1 || lanes % group != 0) throw sim::KeyError("group", "group must divide lanes");
+  if (minibatches < 1 || lanes / group % minibatches != 0) {
+    throw sim::KeyError("minibatches",
+                        "minibatches must divide the number of groups, lanes / group");
   }
   if (!(clip > 0.0)) throw sim::KeyError("clip", "clip must be positive");
   if (!(gradient_norm > 0.0)) {
@@ -114,9 +113,9 @@ void PpoSpec::Validate() const {
 }
 
 PpoReport LearnFrom(const Rollout& rollout, const PpoSpec& spec, const PpoStep& step,
-                    PolicyNet* net, RunningMoments* moments) {
+                    LaneGroups* groups, ActorCritic* net, RunningMoments* moments) {
   const Targets targets = TargetsOf(rollout, spec.gae, moments);
-  std::vector<std::int64_t> order(rollout.steps.size());
+  std::vector<int> order(static_cast<std::size_t>(groups->groups()));
   std::iota(order.begin(), order.end(), 0);
   const std::size_t size = order.size() / static_cast<std::size_t>(spec.minibatches);
   const int updates = spec.epochs * spec.minibatches;
@@ -129,9 +128,17 @@ PpoReport LearnFrom(const Rollout& rollout, const PpoSpec& spec, const PpoStep& 
       rng.Shuffle(order);
     }
     const auto first = order.begin() + static_cast<std::ptrdiff_t>(size) * part;
-    const torch::Tensor lanes =
-        at::tensor(std::vector<std::int64_t>(first, first + static_cast<std::ptrdiff_t>(size)));
-    const PpoReport report = Differentiate(rollout, targets, lanes, spec, net);
+    const std::vector<int> chosen(first, first + static_cast<std::ptrdiff_t>(size));
+    std::vector<PpoReport> reports(static_cast<std::size_t>(groups->groups()));
+    const std::vector<double> losses =
+        groups->Differentiate(chosen, [&](int group, ActorCritic* own) {
+          return LossOf(rollout, targets, groups->LanesOf(group), spec, own,
+                        &reports[static_cast<std::size_t>(group)]);
+        });
+    std::vector<PpoReport> in_order;
+    in_order.reserve(chosen.size());
+    for (const int group : chosen) in_order.push_back(reports[static_cast<std::size_t>(group)]);
+    const PpoReport report = MeanOf(in_order, losses);
     LimitGradients(*net, spec.gradient_norm);
     step.optimiser->Step(step.rate);
     mean.loss += report.loss / updates;

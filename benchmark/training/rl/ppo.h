@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "benchmark/training/core/optimiser.h"
+#include "benchmark/training/rl/lane_groups.h"
 #include "benchmark/training/rl/rollout.h"
 
 namespace bulletnav::bench {
@@ -11,9 +12,10 @@ namespace bulletnav::bench {
 /// ddppo_imagenav_gibson.yaml.
 struct PpoSpec {
   int lanes = 32;
+  int group = 4;     // lanes that are asked and learned from together
   int rollout = 64;  // steps of each lane between updates
   int epochs = 2;
-  int minibatches = 2;  // each of whole lanes
+  int minibatches = 2;  // each of whole groups
   double clip = 0.2;
   double entropy = 0.01;
   double value = 0.5;
@@ -23,6 +25,7 @@ struct PpoSpec {
   template <class V>
   void Visit(V& v) {
     v("lanes", lanes);
+    v("group", group);
     v("rollout", rollout);
     v("epochs", epochs);
     v("minibatches", minibatches);
@@ -51,12 +54,12 @@ struct PpoReport {
 struct PpoStep {
   Optimiser* optimiser = nullptr;
   double rate = 0.0;
-  std::uint64_t seed = 0;  // of the order of lanes
+  std::uint64_t seed = 0;  // of the order of groups
 };
 
-/// Learns from a rollout: minibatches of whole lanes, each played again from its hidden state.
-/// `moments`: of returns; takes in this rollout's.
+/// Learns from a rollout: minibatches of whole groups, each played again from its hidden state.
+/// `groups`: of `net`. `moments`: of returns; takes in this rollout's.
 PpoReport LearnFrom(const Rollout& rollout, const PpoSpec& spec, const PpoStep& step,
-                    PolicyNet* net, RunningMoments* moments);
+                    LaneGroups* groups, ActorCritic* net, RunningMoments* moments);
 
 }  // namespace bulletnav::bench

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <map>
+#include <functional>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "benchmark/training/core/train_plan.h"
 #include "benchmark/training/core/training.h"
@@ -14,51 +13,45 @@ namespace bulletnav::bench {
 /// What every training by PPO is told beside its task; `steps` are rollouts with their updates.
 struct PpoPlan : TrainPlan {
   PpoSpec ppo;
-  PolicyNetSpec model;
-  int validation_steps = 200;  // that an episode of a validation may take
 
   template <class V>
   void Visit(V& v) {
     TrainPlan::Visit(v);
     v("ppo", ppo);
-    v("model", model);
-    v("validation_steps", validation_steps);
   }
   /// Throws Error.
-  void Validate() const {
-    TrainPlan::Validate();
-    internal::RequireAtLeast(1, validation_steps, "validation_steps");
-  }
+  void Validate() const { TrainPlan::Validate(); }
 };
 
 /// Recurrent PPO on a task. The config, the number of the rollout and the checkpoint's state decide
-/// all bits: killed and begun again, it ends as if it had not been.
+/// all bits: killed and begun again, it ends as if it had not been, on any number of threads.
 class PpoTraining : public Training {
  public:
-  /// `validation`: the same task with other episodes.
-  PpoTraining(const PpoPlan& plan, std::unique_ptr<PolicyTask> task,
-              std::unique_ptr<PolicyTask> validation);
+  /// `task` is made with the pool, for its own work. `make`: always the same net.
+  PpoTraining(const PpoPlan& plan, const ActorCriticMaker& make,
+              const std::function<std::unique_ptr<PolicyTask>(sim::WorkerPool*)>& task);
 
-  torch::nn::Module& net() override { return net_; }
+  torch::nn::Module& net() override { return *net_; }
   double Learn(const TrainStep& step) override;
-  /// "score" is the mean of the lanes' first episodes, acted as in training; one that does not end
-  /// in time scores nothing. "loss" is what the score lacks of 1.
-  Measures Validate() override;
   std::int64_t FramesAfter(int steps) const override;
   std::string frames_are() const override { return "steps of the task"; }
-  void Save(std::map<std::string, std::string> notes,
-            const std::filesystem::path& file) const override;
   void AppendState(agent::TensorFile* content) const override;
   void SetState(const agent::TensorFile& content, const std::filesystem::path& file) override;
-  std::string Describe(const Measures& measures) const override;
-  std::vector<CurveLine> curves() const override { return {{"score", "score"}}; }
-  std::string validated_on() const override { return "episodes that no training has played"; }
+
+ protected:
+  /// How the last update went, and the episodes that ended since the last call, under their names.
+  void AppendReport(Measures* measures);
+  const ActorCritic& policy() const { return *net_; }
+  ActorCritic& policy() { return *net_; }
+  const RunningMoments& moments() const { return moments_; }
+  sim::WorkerPool* pool() { return &pool_; }
 
  private:
   PpoPlan plan_;
+  sim::WorkerPool pool_;
+  std::unique_ptr<ActorCritic> net_;
   std::unique_ptr<PolicyTask> task_;
-  std::unique_ptr<PolicyTask> validation_;
-  PolicyNet net_;
+  LaneGroups groups_;
   Actor actor_;
   RunningMoments moments_;
   PpoReport report_;

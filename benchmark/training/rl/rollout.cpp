@@ -2,14 +2,44 @@
 #include "benchmark/training/rl/rollout.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
+#include <numeric>
 
+#include "agent/perception/one_thread.h"
 #include "sim/base/check.h"
 #include "sim/base/elementary.h"
 #include "sim/math/rng.h"
 
 namespace bulletnav::bench {
+namespace {
+
+std::int64_t Wide(std::size_t size) {
+  return static_cast<std::int64_t>(size);
+}
+
+torch::Tensor Indices(const std::vector<std::int64_t>& indices) {
+  return at::tensor(indices, torch::kInt64);
+}
+
+}  // namespace
+
+ActorCritic::Seen Rollout::SeenBy(ActorCritic* net, const torch::Tensor& lanes) const {
+  ActorCritic::Seen seen;
+  seen.numbers = numbers.index_select(1, lanes);
+  if (!goals.defined()) return seen;
+  const torch::Tensor index = goal_index.index_select(1, lanes);
+  const std::int64_t rows = index.size(0);
+  const std::int64_t columns = index.size(1);
+  const auto in_order = at::_unique(index.reshape({-1}), true, true);
+  const torch::Tensor used = goals.index_select(0, std::get<0>(in_order));
+  const bool learns = pictures.defined();
+  const torch::Tensor coded = learns ? net->Encode(used) : used;
+  seen.goal_codes = coded.index_select(0, std::get<1>(in_order)).view({rows, columns, -1});
+  seen.codes = codes.defined() ? codes.index_select(1, lanes) : torch::Tensor();
+  if (!learns) return seen;
+  const torch::Tensor shown = pictures.index_select(1, lanes);
+  seen.codes = net->Encode(shown.view({rows * columns, -1})).view({rows, columns, -1});
+  return seen;
+}
 
 int SampleAction(const ActionKey& key, std::span<const float> log_probabilities) {
   std::vector<double> weights(log_probabilities.size());
@@ -24,73 +54,205 @@ int SampleAction(const ActionKey& key, std::span<const float> log_probabilities)
   return static_cast<int>(rng.Weighted(weights));
 }
 
-Actor::Actor(PolicyTask* task, PolicyNet* net, std::uint64_t seed)
+struct Actor::Now {
+  torch::Tensor numbers;   // [lanes, size]
+  torch::Tensor pictures;  // u8 [lanes, bytes]
+  torch::Tensor codes;     // what was made of them, once asked
+};
+
+Actor::Actor(PolicyTask* task, ActorCritic* net, sim::WorkerPool* pool, int group,
+             std::uint64_t seed)
     : task_(task),
       net_(net),
+      pool_(pool),
+      group_(group),
       seed_(seed),
       hidden_(net->NoMemory(task->lanes())),
       starts_(torch::ones({task->lanes()})),
       episodes_(static_cast<std::size_t>(task->lanes())),
       steps_(episodes_.size()) {
-  for (int lane = 0; lane < task->lanes(); ++lane) task->Begin(lane, 0);
+  BULLETNAV_CHECK(group >= 1);
+  const std::size_t bytes = task->picture_bytes();
+  if (bytes > 0) goals_ = torch::zeros({Wide(lanes()), Wide(bytes)}, torch::kUInt8);
+  for (std::size_t i = 0; i < lanes(); ++i) Begin(i, 0);
 }
 
-torch::Tensor Actor::Observed() const {
-  torch::Tensor observed = torch::empty({1, task_->lanes(), task_->observation_size()});
-  task_->Observe({observed.data_ptr<float>(), static_cast<std::size_t>(observed.numel())});
-  return observed;
+Actor::Now Actor::Observe() {
+  Now now;
+  now.numbers = torch::empty({Wide(lanes()), task_->observation_size()});
+  const std::size_t bytes = task_->picture_bytes() * lanes();
+  std::span<std::uint8_t> pictures;
+  if (bytes > 0) {
+    now.pictures = torch::empty({Wide(lanes()), Wide(task_->picture_bytes())}, torch::kUInt8);
+    pictures = {now.pictures.data_ptr<std::uint8_t>(), bytes};
+  }
+  task_->Observe({now.numbers.data_ptr<float>(), static_cast<std::size_t>(now.numbers.numel())},
+                 pictures);
+  return now;
 }
 
-Rollout Actor::Play(int steps, const RunningMoments& moments) {
+/// Each by itself: an episode's goal is coded alike whenever that is.
+void Actor::EncodeGoals(const std::vector<std::int64_t>& lanes) {
+  if (!goals_.defined() || lanes.empty()) return;
+  std::vector<torch::Tensor> coded(lanes.size());
+  pool_->ForEach(static_cast<int>(lanes.size()), [&](int i, int) {
+    const torch::NoGradGuard no_grad;
+    agent::StayInThisThread();
+    const auto at = static_cast<std::size_t>(i);
+    coded[at] = net_->Encode(goals_.narrow(0, lanes[at], 1));
+  });
+  if (!goal_codes_.defined()) {
+    goal_codes_ = torch::zeros({Wide(this->lanes()), coded.front().size(1)});
+  }
+  for (std::size_t i = 0; i < lanes.size(); ++i) {
+    goal_codes_.narrow(0, lanes[i], 1).copy_(coded[i]);
+  }
+}
+
+ActorCritic::Output Actor::Ask(const torch::Tensor& starts, Now* seen_now) {
+  Now& now = *seen_now;
+  const std::int64_t count = Wide(lanes());
+  const std::int64_t groups = (count + group_ - 1) / group_;
+  std::vector<ActorCritic::Output> parts(static_cast<std::size_t>(groups));
+  std::vector<torch::Tensor> codes(parts.size());
+  pool_->ForEach(static_cast<int>(groups), [&](int i, int) {
+    const torch::NoGradGuard no_grad;
+    agent::StayInThisThread();
+    const std::int64_t first = i * group_;
+    const std::int64_t size = std::min(group_, count - first);
+    const auto of = [&](const torch::Tensor& all) {
+      return all.narrow(0, first, size);
+    };
+    ActorCritic::Seen seen;
+    seen.numbers = of(now.numbers).unsqueeze(0);
+    torch::Tensor& code = codes[static_cast<std::size_t>(i)];
+    if (now.pictures.defined()) {
+      code = net_->Encode(of(now.pictures));
+      seen.codes = code.unsqueeze(0);
+      seen.goal_codes = of(goal_codes_).unsqueeze(0);
+    }
+    parts[static_cast<std::size_t>(i)] = net_->Run(seen, of(starts).unsqueeze(0), of(hidden_));
+  });
+  std::vector<torch::Tensor> probabilities, values, hidden;
+  for (const ActorCritic::Output& part : parts) {
+    probabilities.push_back(part.log_probabilities);
+    values.push_back(part.values);
+    hidden.push_back(part.hidden);
+  }
+  if (now.pictures.defined()) now.codes = at::cat(codes);
+  return {at::cat(probabilities, 1), at::cat(values, 1), at::cat(hidden)};
+}
+
+/// What is kept of each step while it is played.
+struct Actor::Record {
+  std::vector<torch::Tensor> numbers, seen, goals, goal_index, starts, actions, lessons;
+  std::vector<torch::Tensor> log_probabilities;
+  std::vector<std::int64_t> goal_of_lane;
+  std::int64_t goal_count = 0;
+  bool keeps_pictures = false;
+  bool asks = false;
+};
+
+Actor::Record Actor::BeginRecord(const PlaySpec& spec) {
+  Record record;
+  record.keeps_pictures = goals_.defined() && net_->learns_to_see();
+  const bool keeps_codes = goals_.defined() && !record.keeps_pictures;
+  record.asks = keeps_codes || !(spec.lessons && spec.taught_episodes >= 1.0);
+  record.goal_of_lane.resize(lanes());
+  std::iota(record.goal_of_lane.begin(), record.goal_of_lane.end(), 0);
+  AddGoals(record.goal_of_lane, &record);
+  return record;
+}
+
+void Actor::AddGoals(const std::vector<std::int64_t>& lanes, Record* record) {
+  if (!goals_.defined() || lanes.empty()) return;
+  if (record->asks) EncodeGoals(lanes);
+  const torch::Tensor& rows = record->keeps_pictures ? goals_ : goal_codes_;
+  record->goals.push_back(rows.index_select(0, Indices(lanes)));
+  for (const std::int64_t lane : lanes) {
+    record->goal_of_lane[static_cast<std::size_t>(lane)] = record->goal_count++;
+  }
+}
+
+/// The actions of a step. `output`: what the net says, if it is asked.
+std::vector<int> Actor::Choose(const PlaySpec& spec, Record* record, ActorCritic::Output* output) {
+  Now now = Observe();
+  record->numbers.push_back(now.numbers);
+  record->starts.push_back(starts_.clone());
+  record->goal_index.push_back(Indices(record->goal_of_lane));
+  std::vector<int> actions(lanes());
+  if (record->asks) {
+    *output = Ask(starts_, &now);
+    hidden_ = output->hidden;
+    Act(*output, &actions);
+  }
+  if (goals_.defined()) {
+    record->seen.push_back(record->keeps_pictures ? now.pictures : now.codes);
+  }
+  starts_ = torch::zeros_like(starts_);
+  if (spec.lessons) {
+    std::vector<int> taught(lanes());
+    BULLETNAV_CHECK(task_->Teach(taught));
+    record->lessons.push_back(Indices({taught.begin(), taught.end()}));
+    for (std::size_t i = 0; i < lanes(); ++i) {
+      if (IsTaught(i, spec.taught_episodes)) actions[i] = taught[i];
+    }
+  }
+  const torch::Tensor chosen = Indices({actions.begin(), actions.end()});
+  record->actions.push_back(chosen);
+  if (record->asks) {
+    record->log_probabilities.push_back(
+        output->log_probabilities[0].gather(-1, chosen.unsqueeze(-1)).squeeze(-1));
+  }
+  return actions;
+}
+
+Rollout Actor::Play(const PlaySpec& spec, const RunningMoments& moments) {
   const torch::NoGradGuard no_grad;
-  const std::size_t lanes = episodes_.size();
   Rollout rollout;
   rollout.hidden = hidden_.clone();
-  rollout.steps.resize(lanes);
-  std::vector<torch::Tensor> observations, starts, chosen, log_probabilities;
-  for (auto* of_steps : {&observations, &starts, &chosen, &log_probabilities}) {
-    of_steps->reserve(static_cast<std::size_t>(steps));
-  }
-  rollout.first_scores.reserve(lanes);
-  std::vector<int> actions(lanes);
-  std::vector<LaneOutcome> outcomes(lanes);
-  for (int t = 0; t < steps; ++t) {
-    observations.push_back(Observed());
-    starts.push_back(starts_.unsqueeze(0));
-    const PolicyNet::Output output = net_->Run(observations.back(), starts.back(), hidden_);
-    hidden_ = output.hidden;
-    starts_ = torch::zeros_like(starts_);
-    Act(output, &actions);
-    chosen.push_back(
-        at::tensor(std::vector<std::int64_t>(actions.begin(), actions.end())).unsqueeze(0));
-    log_probabilities.push_back(
-        output.log_probabilities.gather(-1, chosen.back().unsqueeze(-1)).squeeze(-1));
-    task_->Step(actions, outcomes);
+  rollout.steps.resize(lanes());
+  Record record = BeginRecord(spec);
+  std::vector<LaneOutcome> outcomes(lanes());
+  for (int t = 0; t < spec.steps; ++t) {
+    ActorCritic::Output output;
+    task_->Step(Choose(spec, &record, &output), outcomes);
     const bool has_cut =
         std::any_of(outcomes.begin(), outcomes.end(), [](const LaneOutcome& outcome) {
           return outcome.truncated;
         });
-    std::vector<double> cut_values(lanes);
-    if (has_cut) cut_values = ValuesHere(starts_, moments);
-    for (std::size_t i = 0; i < lanes; ++i) {
-      const double value = output.values[0][static_cast<std::int64_t>(i)].item<double>();
-      rollout.steps[i].push_back({outcomes[i].reward, value * moments.deviation() + moments.mean,
-                                  outcomes[i].terminated, outcomes[i].truncated, cut_values[i]});
-      if ((outcomes[i].terminated || outcomes[i].truncated) && episodes_[i] == 0) {
-        rollout.first_scores.push_back(outcomes[i].score);
-      }
+    std::vector<double> values(lanes());
+    std::vector<double> cut_values(lanes());
+    if (spec.values) values = ValuesOf(output.values[0], moments);
+    if (spec.values && has_cut) cut_values = ValuesHere(moments);
+    for (std::size_t i = 0; i < lanes(); ++i) {
+      const LaneOutcome& outcome = outcomes[i];
+      rollout.steps[i].push_back(
+          {outcome.reward, values[i], outcome.terminated, outcome.truncated, cut_values[i]});
+      if (!outcome.is_over()) continue;
+      rollout.ended.push_back(
+          {static_cast<int>(i), episodes_[i], outcome.score, outcome.success, steps_[i] + 1});
     }
-    BeginOver(outcomes);
+    AddGoals(BeginOver(outcomes), &record);
   }
-  rollout.observations = at::cat(observations);
-  rollout.starts = at::cat(starts);
-  rollout.actions = at::cat(chosen);
-  rollout.log_probabilities = at::cat(log_probabilities);
-  rollout.last_values = ValuesHere(starts_, moments);
+  if (spec.values) rollout.last_values = ValuesHere(moments);
+  Stack(record, &rollout);
   return rollout;
 }
 
-void Actor::Act(const PolicyNet::Output& output, std::vector<int>* actions) const {
+void Actor::Stack(const Record& record, Rollout* rollout) const {
+  rollout->numbers = at::stack(record.numbers);
+  rollout->starts = at::stack(record.starts);
+  rollout->actions = at::stack(record.actions);
+  rollout->goal_index = at::stack(record.goal_index);
+  if (!record.lessons.empty()) rollout->lessons = at::stack(record.lessons);
+  if (record.asks) rollout->log_probabilities = at::stack(record.log_probabilities);
+  if (!goals_.defined()) return;
+  (record.keeps_pictures ? rollout->pictures : rollout->codes) = at::stack(record.seen);
+  rollout->goals = at::cat(record.goals);
+}
+
+void Actor::Act(const ActorCritic::Output& output, std::vector<int>* actions) const {
   const auto count = static_cast<std::size_t>(task_->actions());
   const torch::Tensor flat = output.log_probabilities.contiguous();
   for (std::size_t i = 0; i < actions->size(); ++i) {
@@ -99,43 +261,73 @@ void Actor::Act(const PolicyNet::Output& output, std::vector<int>* actions) cons
   }
 }
 
-std::vector<double> Actor::ValuesHere(const torch::Tensor& starts, const RunningMoments& moments) {
-  const torch::Tensor values = net_->Run(Observed(), starts.unsqueeze(0), hidden_).values[0];
-  std::vector<double> all(episodes_.size());
+/// Decided once an episode.
+bool Actor::IsTaught(std::size_t lane, double share) const {
+  sim::Rng rng = sim::Rng(seed_, "taught")
+                     .Fork("lane", static_cast<std::uint64_t>(lane))
+                     .Fork("episode", episodes_[lane]);
+  return rng.Uniform() < share;
+}
+
+std::vector<double> Actor::ValuesOf(const torch::Tensor& values,
+                                    const RunningMoments& moments) const {
+  std::vector<double> all(lanes());
   for (std::size_t i = 0; i < all.size(); ++i) {
-    all[i] =
-        values[static_cast<std::int64_t>(i)].item<double>() * moments.deviation() + moments.mean;
+    all[i] = values[Wide(i)].item<double>() * moments.deviation() + moments.mean;
   }
   return all;
 }
 
-void Actor::BeginOver(const std::vector<LaneOutcome>& outcomes) {
+std::vector<double> Actor::ValuesHere(const RunningMoments& moments) {
+  Now now = Observe();
+  return ValuesOf(Ask(starts_, &now).values[0], moments);
+}
+
+/// The lanes whose next episode began.
+std::vector<std::int64_t> Actor::BeginOver(const std::vector<LaneOutcome>& outcomes) {
+  std::vector<std::int64_t> begun;
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     ++steps_[i];
-    if (!outcomes[i].terminated && !outcomes[i].truncated) continue;
-    task_->Begin(static_cast<int>(i), ++episodes_[i]);
-    steps_[i] = 0;
-    starts_[static_cast<std::int64_t>(i)] = 1.0;
+    if (!outcomes[i].is_over()) continue;
+    begun.push_back(Wide(i));
+    Begin(i, episodes_[i] + 1);
   }
+  return begun;
+}
+
+void Actor::Begin(std::size_t lane, std::uint64_t episode) {
+  task_->Begin(static_cast<int>(lane), episode);
+  episodes_[lane] = episode;
+  steps_[lane] = 0;
+  starts_[Wide(lane)] = 1.0;
+  LookAtGoal(lane);
+}
+
+void Actor::LookAtGoal(std::size_t lane) {
+  if (!goals_.defined()) return;
+  torch::Tensor goal = goals_[Wide(lane)];
+  task_->ShowGoal(static_cast<int>(lane),
+                  {goal.data_ptr<std::uint8_t>(), static_cast<std::size_t>(goal.numel())});
 }
 
 std::vector<float> Actor::State() const {
   std::vector<float> state;
-  state.reserve(3 * episodes_.size());
-  for (std::size_t i = 0; i < episodes_.size(); ++i) {
+  state.reserve(3 * lanes());
+  for (std::size_t i = 0; i < lanes(); ++i) {
     state.push_back(static_cast<float>(episodes_[i]));
     state.push_back(static_cast<float>(steps_[i]));
-    state.push_back(starts_[static_cast<std::int64_t>(i)].item<float>());
+    state.push_back(starts_[Wide(i)].item<float>());
   }
   return state;
 }
 
 void Actor::SetState(const std::vector<float>& state, const torch::Tensor& hidden) {
-  BULLETNAV_CHECK(state.size() == 3 * episodes_.size());
-  for (std::size_t i = 0; i < episodes_.size(); ++i) {
+  BULLETNAV_CHECK(state.size() == 3 * lanes());
+  for (std::size_t i = 0; i < lanes(); ++i) {
     episodes_[i] = static_cast<std::uint64_t>(state[3 * i]);
     steps_[i] = static_cast<std::uint64_t>(state[3 * i + 1]);
-    starts_[static_cast<std::int64_t>(i)] = state[3 * i + 2];
+    starts_[Wide(i)] = state[3 * i + 2];
+    LookAtGoal(i);
   }
   hidden_ = hidden.clone();
 }

@@ -3,23 +3,41 @@
 #include <cstdint>
 #include <vector>
 
+#include "benchmark/training/rl/actor_critic.h"
 #include "benchmark/training/rl/gae.h"
-#include "benchmark/training/rl/policy_net.h"
 #include "benchmark/training/rl/policy_task.h"
 #include "benchmark/training/rl/running_moments.h"
+#include "sim/threads/worker_pool.h"
 
 namespace bulletnav::bench {
 
+/// An episode that ended.
+struct EndedEpisode {
+  int lane = 0;
+  std::uint64_t episode = 0;
+  double score = 0.0;
+  bool success = false;
+  std::uint64_t steps = 0;
+};
+
 /// What was seen and done in all lanes; tensors [steps, lanes, ...].
 struct Rollout {
-  torch::Tensor observations;
+  torch::Tensor numbers;
+  torch::Tensor pictures;    // u8; undefined unless the net learns to see
+  torch::Tensor codes;       // else what it made of them; undefined where there are no pictures
+  torch::Tensor goals;       // u8 [goals, bytes] or, as above, codes [goals, code]
+  torch::Tensor goal_index;  // [steps, lanes], of goals
   torch::Tensor starts;
   torch::Tensor actions;
+  torch::Tensor lessons;                     // the teacher's actions; undefined without one
   torch::Tensor log_probabilities;           // of the actions, when they were chosen
   torch::Tensor hidden;                      // [lanes, width], before the first step
   std::vector<std::vector<LaneStep>> steps;  // [lanes][steps]
   std::vector<double> last_values;           // [lanes], after the last step
-  std::vector<double> first_scores;  // of the lanes' first episodes, as far as they ended here
+  std::vector<EndedEpisode> ended;
+
+  /// What a net is shown of some lanes, encoded by it; `lanes`: i64.
+  ActorCritic::Seen SeenBy(ActorCritic* net, const torch::Tensor& lanes) const;
 };
 
 /// The action of a step: a function of its key and the policy's probabilities.
@@ -32,14 +50,28 @@ struct ActionKey {
 /// `log_probabilities`: of all actions.
 int SampleAction(const ActionKey& key, std::span<const float> log_probabilities);
 
-/// Plays lanes by a policy, from one rollout to the next.
+/// How lanes are played.
+struct PlaySpec {
+  int steps = 64;
+  bool lessons = false;          // asks the teacher in each step
+  double taught_episodes = 0.0;  // share of the episodes in which the teacher acts
+  bool values = true;            // of the states, which only reinforcement needs
+};
+
+/// Plays lanes by a policy, from one rollout to the next. Lanes fall into groups that are asked
+/// together, so that what a net says does not depend on the number of threads.
 class Actor {
  public:
-  /// `task` and `net` must outlive it. Begins the first episodes.
-  Actor(PolicyTask* task, PolicyNet* net, std::uint64_t seed);
+  /// `task`, `net` and `pool` must outlive it; `group` lanes are asked together. Begins the first
+  /// episodes.
+  Actor(PolicyTask* task, ActorCritic* net, sim::WorkerPool* pool, int group, std::uint64_t seed);
 
   /// `moments`: of returns, that the net's values are normalised by.
-  Rollout Play(int steps, const RunningMoments& moments);
+  Rollout Play(const PlaySpec& spec, const RunningMoments& moments);
+
+  /// Of lanes in which the teacher always acts nothing is asked while they play; their memory is
+  /// what the update finds.
+  void SetHidden(const torch::Tensor& hidden) { hidden_ = hidden.clone(); }
 
   /// Episodes, steps, starts and memory of the lanes; the task has its own state.
   torch::Tensor hidden() const { return hidden_; }
@@ -47,16 +79,35 @@ class Actor {
   void SetState(const std::vector<float>& state, const torch::Tensor& hidden);
 
  private:
-  torch::Tensor Observed() const;
-  void Act(const PolicyNet::Output& output, std::vector<int>* actions) const;
-  std::vector<double> ValuesHere(const torch::Tensor& starts, const RunningMoments& moments);
-  void BeginOver(const std::vector<LaneOutcome>& outcomes);
+  struct Now;     // what is seen in a step
+  struct Record;  // what was seen and done so far
+  Now Observe();
+  void EncodeGoals(const std::vector<std::int64_t>& lanes);
+  /// Sets the codes of what was seen.
+  ActorCritic::Output Ask(const torch::Tensor& starts, Now* now);
+  Record BeginRecord(const PlaySpec& spec);
+  /// Of lanes whose goal is new.
+  void AddGoals(const std::vector<std::int64_t>& lanes, Record* record);
+  std::vector<int> Choose(const PlaySpec& spec, Record* record, ActorCritic::Output* output);
+  void Stack(const Record& record, Rollout* rollout) const;
+  void Act(const ActorCritic::Output& output, std::vector<int>* actions) const;
+  bool IsTaught(std::size_t lane, double share) const;
+  std::vector<double> ValuesOf(const torch::Tensor& values, const RunningMoments& moments) const;
+  std::vector<double> ValuesHere(const RunningMoments& moments);
+  void Begin(std::size_t lane, std::uint64_t episode);
+  void LookAtGoal(std::size_t lane);
+  std::vector<std::int64_t> BeginOver(const std::vector<LaneOutcome>& outcomes);
+  std::size_t lanes() const { return episodes_.size(); }
 
   PolicyTask* task_;
-  PolicyNet* net_;
+  ActorCritic* net_;
+  sim::WorkerPool* pool_;
+  std::int64_t group_;
   std::uint64_t seed_;
   torch::Tensor hidden_;
   torch::Tensor starts_;  // [lanes]
+  torch::Tensor goals_;   // u8 [lanes, bytes]
+  torch::Tensor goal_codes_;
   std::vector<std::uint64_t> episodes_;
   std::vector<std::uint64_t> steps_;
 };

@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include <array>
 #include <cstdlib>
+#include <map>
 #include <memory>
 #include <queue>
 #include <string_view>
+#include <utility>
 
+#include <fmt/core.h>
+
+#include "agent/perception/weights.h"
 #include "benchmark/training/core/registry.h"
+#include "benchmark/training/rl/number_net.h"
 #include "benchmark/training/rl/ppo_training.h"
 #include "sim/math/rng.h"
 
@@ -75,7 +81,7 @@ class FourRooms final : public PolicyTask {
     while (cell == kGoal || !IsFree(cell)) cell = rng.Below(kCells);
     lanes_[static_cast<std::size_t>(lane)] = {cell, cell, 0};
   }
-  void Observe(std::span<float> out) const override {
+  void Observe(std::span<float> out, std::span<std::uint8_t> /*pictures*/) override {
     std::fill(out.begin(), out.end(), 0.0F);
     for (std::size_t i = 0; i < lanes_.size(); ++i) {
       out[i * kCells + static_cast<std::size_t>(lanes_[i].cell)] = 1.0F;
@@ -117,6 +123,7 @@ class FourRooms final : public PolicyTask {
     outcome.reward = (outcome.terminated ? 1.0 : 0.0) - kStepCost;
     const double best = 1.0 - kStepCost * distances_[static_cast<std::size_t>(lane->start)];
     const double reached = outcome.terminated ? 1.0 : 0.0;
+    outcome.success = outcome.terminated;
     outcome.score = (reached - kStepCost * lane->steps) / best;
     return outcome;
   }
@@ -126,14 +133,75 @@ class FourRooms final : public PolicyTask {
   std::array<int, kCells> distances_ = Distances();
 };
 
+struct FourRoomsConfig : PpoPlan {
+  NumberNetSpec model;
+  int validation_steps = 200;  // that an episode of a validation may take
+
+  template <class V>
+  void Visit(V& v) {
+    PpoPlan::Visit(v);
+    v("model", model);
+    v("validation_steps", validation_steps);
+  }
+  void Validate() const {
+    PpoPlan::Validate();
+    internal::RequireAtLeast(1, validation_steps, "validation_steps");
+  }
+};
+
 class FourRoomsTraining final : public PpoTraining {
  public:
   static constexpr std::string_view kName = "four_rooms";
-  using Config = PpoPlan;
+  using Config = FourRoomsConfig;
   FourRoomsTraining(const Config& config, const TrainContext& /*context*/)
-      : PpoTraining(config, std::make_unique<FourRooms>(config.ppo.lanes, config.seed),
-                    std::make_unique<FourRooms>(kValidationLanes, config.seed + 1)) {}
+      : PpoTraining(
+            config,
+            [config] {
+              return std::make_unique<NumberNet>(config.model, kCells, 4, config.seed);
+            },
+            [config](sim::WorkerPool*) {
+              return std::make_unique<FourRooms>(config.ppo.lanes, config.seed);
+            }),
+        config_(config) {}
+
   std::string title() const override { return "Four rooms"; }
+
+  /// "score" is the mean of the lanes' first episodes, acted as in training; one that does not end
+  /// in time scores nothing. "loss" is what the score lacks of 1.
+  Measures Validate() override {
+    FourRooms task(kValidationLanes, config_.seed + 1);
+    Actor actor(&task, &policy(), pool(), config_.ppo.group, config_.seed + 1);
+    PlaySpec play;
+    play.steps = config_.validation_steps;
+    double sum = 0.0;
+    double episodes = 0.0;
+    for (const EndedEpisode& ended : actor.Play(play, moments()).ended) {
+      if (ended.episode > 0) continue;
+      sum += ended.score;
+      episodes += 1.0;
+    }
+    const double score = sum / kValidationLanes;
+    Measures measures;
+    measures("loss", 1.0 - score);
+    measures("score", score);
+    measures("episodes", episodes);
+    AppendReport(&measures);
+    return measures;
+  }
+  void Save(std::map<std::string, std::string> notes,
+            const std::filesystem::path& file) const override {
+    agent::SaveWeights(policy(), std::move(notes), agent::StoredType::kFloat32, file);
+  }
+  std::string Describe(const Measures& measures) const override {
+    return fmt::format("score {:.3f} of {:.0f} episodes, entropy {:.2f}, KL {:.4f}",
+                       measures.at("score"), measures.at("episodes"), measures.at("entropy"),
+                       measures.at("kl"));
+  }
+  std::vector<CurveLine> curves() const override { return {{"score", "score"}}; }
+  std::string validated_on() const override { return "episodes that no training has played"; }
+
+ private:
+  Config config_;
 };
 
 const TrainerRegistration<FourRoomsTraining> registration;

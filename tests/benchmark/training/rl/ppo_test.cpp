@@ -8,6 +8,7 @@
 
 #include "agent/models/safetensors.h"
 #include "benchmark/training/core/registry.h"
+#include "benchmark/training/rl/number_net.h"
 #include "sim/base/error.h"
 #include "tests/support/temporary_folder.h"
 
@@ -40,14 +41,14 @@ class Counting final : public PolicyTask {
   void Begin(int lane, std::uint64_t episode) override {
     at_[static_cast<std::size_t>(lane)] = {0, episode};
   }
-  void Observe(std::span<float> out) const override {
+  void Observe(std::span<float> out, std::span<std::uint8_t> /*pictures*/) override {
     for (std::size_t i = 0; i < 4; ++i) out[i] = static_cast<float>(at_[i].first);
   }
   void Step(std::span<const int> actions, std::span<LaneOutcome> outcomes) override {
     for (std::size_t i = 0; i < 4; ++i) {
       const bool over = ++at_[i].first >= static_cast<int>(i) + 2;
       const bool cut = at_[i].second % 2 == 1;
-      outcomes[i] = {static_cast<double>(actions[i]), over && !cut, over && cut, 0.0};
+      outcomes[i] = {static_cast<double>(actions[i]), over && !cut, over && cut, 0.0, over};
     }
   }
   std::vector<float> State() const override { return {}; }
@@ -65,38 +66,81 @@ class NoOptimiser final : public Optimiser {
   void Set(const agent::TensorFile& /*content*/, const std::filesystem::path& /*file*/) override {}
 };
 
-TEST(Ppo, ASequenceIsWhatItsStepsWereAcrossEpisodes) {
+/// A net on Counting, and who plays it.
+struct Played {
+  explicit Played(int threads = 1, int group = 2)
+      : pool(threads),
+        groups(
+            4, group,
+            [] {
+              return std::make_unique<NumberNet>(NumberNetSpec{16, true}, 1, 3, 7);
+            },
+            &net, &pool),
+        actor(&task, &net, &pool, group, 7) {}
+
+  Rollout Play(int steps) {
+    PlaySpec play;
+    play.steps = steps;
+    return actor.Play(play, {});
+  }
+
   Counting task;
-  PolicyNet net({16, true}, 1, 3, 7);
-  Actor actor(&task, &net, 7);
-  actor.Play(5, {});  // the hidden state that the next one begins with is not zero
-  const Rollout rollout = actor.Play(12, {});
+  NumberNet net{{16, true}, 1, 3, 7};
+  sim::WorkerPool pool;
+  LaneGroups groups;
+  Actor actor;
+};
+
+torch::Tensor AllLanes() {
+  return torch::arange(0, 4, torch::kInt64);
+}
+
+TEST(Ppo, ASequenceIsWhatItsStepsWereAcrossEpisodes) {
+  Played played;
+  played.Play(5);  // the hidden state that the next one begins with is not zero
+  const Rollout rollout = played.Play(12);
   EXPECT_GT(rollout.hidden.abs().sum().item<double>(), 0.0);
   EXPECT_GT(rollout.starts.sum().item<double>(), 8.0);
-  const PolicyNet::Output again = net.Run(rollout.observations, rollout.starts, rollout.hidden);
+  const ActorCritic::Seen seen = rollout.SeenBy(&played.net, AllLanes());
+  const ActorCritic::Output again = played.net.Run(seen, rollout.starts, rollout.hidden);
   const torch::Tensor chosen =
       again.log_probabilities.gather(-1, rollout.actions.unsqueeze(-1)).squeeze(-1);
   EXPECT_LT((chosen - rollout.log_probabilities).abs().max().item<double>(), 1e-5);
   // It would not be if memory went on from one episode to the next.
-  const PolicyNet::Output leaking =
-      net.Run(rollout.observations, torch::zeros_like(rollout.starts), rollout.hidden);
+  const ActorCritic::Output leaking =
+      played.net.Run(seen, torch::zeros_like(rollout.starts), rollout.hidden);
   EXPECT_GT((leaking.values - again.values).abs().max().item<double>(), 1e-3);
 }
 
-TEST(Ppo, BeginsWithTheRatioOne) {
-  Counting task;
-  PolicyNet net({16, true}, 1, 3, 7);
-  Actor actor(&task, &net, 7);
-  actor.Play(5, {});
-  RunningMoments moments;
+PpoReport Learn(Played* played, RunningMoments* moments) {
   NoOptimiser optimiser;
   PpoSpec spec;
   spec.lanes = 4;
-  const PpoReport report =
-      LearnFrom(actor.Play(12, moments), spec, {&optimiser, 0.0, 1}, &net, &moments);
+  spec.group = 2;
+  const Rollout rollout = played->Play(12);
+  return LearnFrom(rollout, spec, {&optimiser, 0.0, 1}, &played->groups, &played->net, moments);
+}
+
+TEST(Ppo, BeginsWithTheRatioOne) {
+  Played played;
+  played.Play(5);
+  RunningMoments moments;
+  const PpoReport report = Learn(&played, &moments);
   EXPECT_LT(report.first_ratio_error, 1e-3);
   EXPECT_EQ(report.first_clip_fraction, 0.0);
   EXPECT_EQ(moments.count, 48.0);
+}
+
+TEST(Ppo, GradientsAreTheSameForAnyNumberOfThreads) {
+  std::vector<torch::Tensor> gradients;
+  for (const int threads : {1, 3}) {
+    Played played(threads);
+    RunningMoments moments;
+    Learn(&played, &moments);
+    gradients.push_back(played.net.parameters().front().grad().clone());
+  }
+  EXPECT_GT(gradients[0].abs().sum().item<double>(), 0.0);
+  EXPECT_TRUE(at::equal(gradients[0], gradients[1]));
 }
 
 TEST(Ppo, ActionsAreAFunctionOfTheirKeyWithTheProbabilitiesAsked) {
@@ -114,19 +158,24 @@ TEST(Ppo, LanesThatCannotBeSharedOutAreRefused) {
   PpoSpec spec;
   spec.minibatches = 3;
   EXPECT_THROW(spec.Validate(), sim::Error);
+  PpoSpec groups;
+  groups.group = 5;
+  EXPECT_THROW(groups.Validate(), sim::Error);
 }
 
-TEST(Ppo, OnlyFirstEpisodesAreScored) {
-  Counting task;
-  PolicyNet net({16, true}, 1, 3, 7);
-  Actor actor(&task, &net, 7);
-  EXPECT_EQ(actor.Play(4, {}).first_scores.size(), 3U);
-  EXPECT_EQ(actor.Play(12, {}).first_scores.size(), 1U);
+TEST(Ppo, EpisodesThatEndAreTold) {
+  Played played;
+  const std::vector<EndedEpisode> ended = played.Play(4).ended;
+  ASSERT_EQ(ended.size(), 4U);  // of 2, 3, 4 steps, and the first lane's second
+  EXPECT_EQ(ended[0].lane, 0);
+  EXPECT_EQ(ended[0].steps, 2U);
+  EXPECT_TRUE(ended[0].success);
+  EXPECT_EQ(played.Play(1).ended.size(), 1U);
 }
 
 TrainJob FourRooms(const std::filesystem::path& out) {
   const std::string text = "task: four_rooms\nout: " + out.string() +
-                           "\nppo: {lanes: 8, rollout: 16, epochs: 2, minibatches: 2}\n"
+                           "\nppo: {lanes: 8, group: 2, rollout: 16, epochs: 2, minibatches: 2}\n"
                            "model: {width: 16}\nsteps: 12\nvalidate_every: 4\n"
                            "validation_steps: 20\n";
   return MakeTraining(sim::ParseYaml(text, "rooms.yaml"), "nts", {});

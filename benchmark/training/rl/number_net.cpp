@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "benchmark/training/rl/policy_net.h"
+#include "benchmark/training/rl/number_net.h"
 
 #include <cmath>
 #include <string_view>
@@ -23,11 +23,11 @@ torch::Tensor Drawn(std::uint64_t seed, std::string_view name, int rows, int col
 
 }  // namespace
 
-void PolicyNetSpec::Validate() const {
+void NumberNetSpec::Validate() const {
   if (width < 1) throw sim::KeyError("width", "width must be at least 1");
 }
 
-PolicyNet::PolicyNet(const PolicyNetSpec& spec, int observation_size, int actions,
+NumberNet::NumberNet(const NumberNetSpec& spec, int observation_size, int actions,
                      std::uint64_t seed)
     : spec_(spec) {
   const int width = spec.width;
@@ -51,22 +51,22 @@ PolicyNet::PolicyNet(const PolicyNetSpec& spec, int observation_size, int action
   value_bias_ = zeros("value_bias", 1);
 }
 
-torch::Tensor PolicyNet::NoMemory(int lanes) const {
+torch::Tensor NumberNet::NoMemory(int lanes) const {
   return torch::zeros({lanes, spec_.width});
 }
 
-PolicyNet::Output PolicyNet::Run(const torch::Tensor& observations, const torch::Tensor& starts,
+NumberNet::Output NumberNet::Run(const Seen& seen, const torch::Tensor& starts,
                                  const torch::Tensor& hidden) {
   Output out;
   out.hidden = hidden;
-  torch::Tensor features = at::tanh(at::linear(observations, in_weight_, in_bias_));
+  torch::Tensor features = at::tanh(at::linear(seen.numbers, in_weight_, in_bias_));
   if (spec_.memory) features = Remember(features, starts, &out.hidden);
   out.log_probabilities = at::log_softmax(at::linear(features, policy_weight_, policy_bias_), -1);
   out.values = at::linear(features, value_weight_, value_bias_).squeeze(-1);
   return out;
 }
 
-torch::Tensor PolicyNet::Remember(const torch::Tensor& features, const torch::Tensor& starts,
+torch::Tensor NumberNet::Remember(const torch::Tensor& features, const torch::Tensor& starts,
                                   torch::Tensor* hidden) {
   std::vector<torch::Tensor> steps;
   steps.reserve(static_cast<std::size_t>(features.size(0)));

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "agent/policy/learned_policy.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "agent/models/model_registry.h"
+#include "agent/perception/model_file.h"
+#include "agent/perception/one_thread.h"
+#include "agent/policy/policy_file.h"
+#include "agent/policy/policy_net.h"
+#include "sim/base/check.h"
+
+namespace bulletnav::agent {
+namespace {
+
+torch::Tensor TensorOf(std::span<const float> numbers) {
+  torch::Tensor tensor = torch::empty({1, 1, static_cast<std::int64_t>(numbers.size())});
+  std::copy(numbers.begin(), numbers.end(), tensor.data_ptr<float>());
+  return tensor;
+}
+
+std::vector<float> VectorOf(const torch::Tensor& tensor) {
+  const torch::Tensor flat = tensor.contiguous();
+  return {flat.data_ptr<float>(), flat.data_ptr<float>() + flat.numel()};
+}
+
+torch::Tensor Encoded(PolicyNet* net, PolicyPictures* pictures, const Panorama& panorama) {
+  torch::Tensor bytes =
+      torch::empty({1, static_cast<std::int64_t>(pictures->bytes())}, torch::kUInt8);
+  pictures->Write(panorama, {bytes.data_ptr<std::uint8_t>(), pictures->bytes()});
+  return net->Encode(bytes);
+}
+
+}  // namespace
+
+LearnedPolicy::LearnedPolicy(std::shared_ptr<PolicyNet> net)
+    : net_(std::move(net)), pictures_(net_->config().rows) {}
+
+LearnedPolicy::~LearnedPolicy() = default;
+
+int LearnedPolicy::step_limit() const {
+  return net_->config().step_limit;
+}
+
+std::vector<float> LearnedPolicy::NoMemory() const {
+  return std::vector<float>(static_cast<std::size_t>(net_->config().memory));
+}
+
+std::vector<float> LearnedPolicy::CodeOf(const Panorama& goal) {
+  const torch::NoGradGuard no_grad;
+  StayInThisThread();
+  return VectorOf(Encoded(net_.get(), &pictures_, goal));
+}
+
+std::array<float, 4> LearnedPolicy::Act(const PolicyQuestion& question,
+                                        std::vector<float>* memory) {
+  const torch::NoGradGuard no_grad;
+  StayInThisThread();
+  PolicyNet::Seen seen;
+  seen.codes = Encoded(net_.get(), &pictures_, question.panorama).unsqueeze(0);
+  seen.goals = TensorOf(question.goal);
+  seen.numbers = TensorOf(question.numbers);
+  const PolicyNet::Output output =
+      net_->Run(seen, torch::zeros({1, 1}), TensorOf(*memory).squeeze(0));
+  *memory = VectorOf(output.memory);
+  const std::vector<float> probabilities = VectorOf(output.logits.softmax(-1));
+  BULLETNAV_CHECK_EQ(probabilities.size(), std::size_t{4});
+  return {probabilities[0], probabilities[1], probabilities[2], probabilities[3]};
+}
+
+namespace {
+
+const ModelRegistration registration(kPolicyKey, [](const std::filesystem::path& weights,
+                                                    const Rig& rig) {
+  const std::shared_ptr<PolicyNet> net = LoadPolicy(weights);
+  RequireRig(rig, ModelConfig{.depth = DepthFusion::kNone}, weights);
+  net->eval();
+  net->Fold();
+  return std::make_shared<LearnedPolicy>(net);
+});
+
+}  // namespace
+
+}  // namespace bulletnav::agent

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "agent/policy/policy_agent.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace bulletnav::agent {
+
+PolicyAgent::PolicyAgent(const Config& config, std::shared_ptr<PolicyModel> policy)
+    : config_(config), policy_(std::move(policy)) {}
+
+void PolicyAgent::Reset(const Panorama& goal, std::uint64_t seed) {
+  goal_ = policy_->CodeOf(goal);
+  memory_ = policy_->NoMemory();
+  last_.reset();
+  first_step_.reset();
+  seed_ = seed;
+}
+
+sim::Action PolicyAgent::Act(const Observation& observation) {
+  Observation seen = observation;
+  if (!first_step_) {
+    first_step_ = observation.step;
+    seen.odometry = {};
+  }
+  seen.step -= *first_step_;
+  std::array<float, kPolicyNumbers> numbers{};
+  WritePolicyNumbers(seen, last_, policy_->step_limit(), numbers);
+  const std::array<float, 4> probabilities =
+      policy_->Act({seen.panorama, goal_, numbers}, &memory_);
+  last_ = sim::kAllActions.at(Choose(probabilities, seen.step));
+  return *last_;
+}
+
+std::size_t PolicyAgent::Choose(const std::array<float, 4>& probabilities, int step) const {
+  if (!config_.sample) {
+    return static_cast<std::size_t>(std::max_element(probabilities.begin(), probabilities.end()) -
+                                    probabilities.begin());
+  }
+  const std::vector<double> weights(probabilities.begin(), probabilities.end());
+  sim::Rng rng = sim::Rng(seed_, "policy").Fork("step", static_cast<std::uint64_t>(step));
+  return rng.Weighted(weights);
+}
+
+}  // namespace bulletnav::agent

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <filesystem>
+
+#include "agent/models/safetensors.h"
+#include "agent/policy/policy_config.h"
+
+namespace bulletnav::agent {
+
+/// The configuration of the policy that weights belong to. Throws FileError if it is missing or
+/// bad.
+PolicyConfig PolicyConfigOf(const TensorFile& weights, const std::filesystem::path& file);
+
+}  // namespace bulletnav::agent

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+#include "agent/policy/policy_net.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "agent/integer/quantised_file.h"
+#include "agent/models/model_registry.h"
+#include "agent/models/semantic_model.h"
+#include "agent/perception/model_file.h"
+#include "agent/perception/weights.h"
+#include "agent/policy/integer_policy.h"
+#include "agent/policy/policy_file.h"
+#include "agent/policy/policy_input.h"
+#include "sim/base/check.h"
+#include "sim/base/elementary.h"
+#include "sim/base/error.h"
+#include "sim/config/yaml_reader.h"
+#include "sim/config/yaml_writer.h"
+
+namespace bulletnav::agent {
+namespace {
+
+constexpr int kMatches = kPolicyMatches;
+constexpr int kMatchSize = kPolicyMatchSize;
+constexpr int kTurns = kMatches * kDirections * kDirections;
+constexpr int kActions = 4;
+constexpr double kPolicyGain = 0.01;
+constexpr double kMemoryGain = 0.7;  // variance 1 / inputs
+constexpr double kStopAtFirst = 0.02;
+
+constexpr float kMiddle = 127.0f;  // see IntegerInput and PrepareInput
+constexpr float kColorStep = 2.0f / 127.0f;
+constexpr float kDepthStep = 1.0f / 127.0f;
+
+/// Entry i * 12 + r is i * 12 + (i + r) mod 12: the goal's codes turned by r.
+torch::Tensor Turns() {
+  std::vector<std::int64_t> indices;
+  for (int i = 0; i < kDirections; ++i) {
+    for (int r = 0; r < kDirections; ++r)
+      indices.push_back(i * kDirections + (i + r) % kDirections);
+  }
+  return torch::tensor(indices, torch::kInt64);
+}
+
+}  // namespace
+
+torch::Tensor PolicyInput(const PolicyConfig& config, const torch::Tensor& pictures) {
+  const std::int64_t rows = config.rows;
+  const torch::Tensor steps = torch::tensor({kColorStep, kColorStep, kColorStep, kDepthStep});
+  return pictures.view({-1, rows, 4 * rows, 4})
+      .to(torch::kFloat32)
+      .sub_(kMiddle)
+      .mul_(steps)
+      .permute({0, 3, 1, 2});
+}
+
+PolicyNet::PolicyNet(const PolicyConfig& config, std::uint64_t seed) : config_(config) {
+  sim::Rng rng(seed, "policy_net");
+  const auto add = [&](const char* name, int in, int out, double gain = 1.0) {
+    return register_module(name, std::make_shared<Dense>(in, out, &rng, gain));
+  };
+  const int features = config.features;
+  if (config.own_encoder) {
+    encoder_ = register_module("encoder", std::make_shared<Encoder>(config.seeing(), &rng));
+  }
+  whole_ = add("whole", kCodes, features);
+  int parts = 3 * features + kPolicyNumbers;
+  if (config.fusion == Fusion::kCorrelation) {
+    source_match_ = add("source_match", kCodeSize, kMatches * kMatchSize);
+    goal_match_ = add("goal_match", kCodeSize, kMatches * kMatchSize);
+    matches_ = add("matches", kTurns, features);
+    parts += features;
+  }
+  joined_ = add("joined", parts, features);
+  gru_in_ = add("gru_in", features, 3 * config.memory, kMemoryGain);
+  gru_memory_ = add("gru_memory", config.memory, 3 * config.memory, kMemoryGain);
+  policy_ = add("policy_head", config.memory, kActions, kPolicyGain);
+  value_ = add("value_head", config.memory, 1, kMemoryGain);
+  const torch::NoGradGuard no_grad;
+  const double stop = sim::Log(kStopAtFirst / ((1.0 - kStopAtFirst) / (kActions - 1)));
+  policy_->named_parameters()["bias"][0] = stop;
+}
+
+void PolicyNet::SeeWith(std::shared_ptr<IntegerSight> sight) {
+  BULLETNAV_CHECK_EQ(sight->code_size(), kCodes);
+  sight_ = std::move(sight);
+}
+
+torch::Tensor PolicyNet::EncodeInIntegers(const torch::Tensor& pictures) const {
+  const torch::Tensor bytes = pictures.contiguous();
+  const IntegerEncoder::Codes codes =
+      sight_->Codes({bytes.data_ptr<std::uint8_t>(), static_cast<std::size_t>(bytes.numel())});
+  torch::Tensor numbers = torch::empty({pictures.size(0), kCodes});
+  const auto step = static_cast<float>(sight_->code_step());
+  std::transform(codes.begin(), codes.end(), numbers.data_ptr<float>(), [step](std::int16_t code) {
+    return step * static_cast<float>(code);
+  });
+  return numbers;
+}
+
+torch::Tensor PolicyNet::Encode(const torch::Tensor& pictures) {
+  if (sight_) return EncodeInIntegers(pictures);
+  return encoder_->forward(PolicyInput(config_, pictures)).view({-1, kCodes});
+}
+
+torch::Tensor PolicyNet::Correlation(const torch::Tensor& codes, const torch::Tensor& goals) {
+  const auto split = [](const torch::Tensor& x) {
+    return x.view({-1, kDirections, kMatches, kMatchSize}).transpose(1, 2);
+  };
+  const torch::Tensor sources =
+      split(source_match_->forward(codes.view({-1, kDirections, kCodeSize})));
+  const torch::Tensor others =
+      split(goal_match_->forward(goals.view({-1, kDirections, kCodeSize})));
+  static const torch::Tensor turns = Turns();
+  return (at::matmul(sources, others.transpose(2, 3)) / std::sqrt(double{kMatchSize}))
+      .reshape({-1, kMatches, kDirections * kDirections})
+      .index_select(2, turns)
+      .reshape({-1, kTurns});
+}
+
+torch::Tensor PolicyNet::Joined(const Seen& seen) {
+  const std::int64_t count = seen.codes.size(0) * seen.codes.size(1);
+  const torch::Tensor codes = seen.codes.reshape({count, kCodes});
+  const torch::Tensor goals = seen.goals.reshape({count, kCodes});
+  const torch::Tensor here = whole_->forward(codes).relu();
+  const torch::Tensor there = whole_->forward(goals).relu();
+  std::vector<torch::Tensor> parts = {here, there, here * there,
+                                      seen.numbers.reshape({count, kPolicyNumbers})};
+  if (matches_) parts.push_back(matches_->forward(Correlation(codes, goals)).relu());
+  return joined_->forward(at::cat(parts, 1))
+      .relu()
+      .view({seen.codes.size(0), seen.codes.size(1), config_.features});
+}
+
+PolicyNet::Output PolicyNet::Run(const Seen& seen, const torch::Tensor& starts,
+                                 torch::Tensor memory) {
+  const torch::Tensor inputs = gru_in_->forward(Joined(seen));
+  std::vector<torch::Tensor> states;
+  states.reserve(static_cast<std::size_t>(inputs.size(0)));
+  for (std::int64_t t = 0; t < inputs.size(0); ++t) {
+    memory = memory * (1.0 - starts[t]).unsqueeze(1);
+    const std::vector<torch::Tensor> in = inputs[t].chunk(3, 1);
+    const std::vector<torch::Tensor> kept = gru_memory_->forward(memory).chunk(3, 1);
+    const torch::Tensor reset = (in[0] + kept[0]).sigmoid();
+    const torch::Tensor update = (in[1] + kept[1]).sigmoid();
+    const torch::Tensor fresh = (in[2] + reset * kept[2]).tanh();
+    memory = fresh + update * (memory - fresh);
+    states.push_back(memory);
+  }
+  const torch::Tensor all = at::stack(states);
+  return {policy_->forward(all), value_->forward(all).squeeze(-1), memory};
+}
+
+void PolicyNet::Fold() {
+  if (encoder_) encoder_->Fold(ComputeType(config_.seeing()));
+}
+
+void SavePolicy(const PolicyNet& net, std::map<std::string, std::string> notes, StoredType type,
+                const std::filesystem::path& file) {
+  TensorFile content;
+  content.metadata = std::move(notes);
+  content.metadata[kPolicyKey] = sim::ToYaml(net.config());
+  AppendWeights(net, "", &content);
+  if (net.sight()) {
+    SetQuantised(net.sight()->net(), &content);
+    content.metadata[kIntegerPart] = "encoder";
+  }
+  WriteTensorFile(file, content, type);
+}
+
+std::shared_ptr<PolicyNet> LoadPolicy(const std::filesystem::path& file) {
+  const TensorFile content = ReadTensorFile(file);
+  auto net = std::make_shared<PolicyNet>(PolicyConfigOf(content, file), 0);
+  SetWeights(content, "", file, net.get());
+  if (!net->config().own_encoder) TakeIntegerEncoder(file, net.get());
+  return net;
+}
+
+void TakeIntegerEncoder(const std::filesystem::path& weights, PolicyNet* net) {
+  const TensorFile content = ReadTensorFile(weights);
+  if (!HoldsIntegers(content) && !content.metadata.contains(kIntegerPart)) {
+    throw sim::FileError(weights, kIntegerPrefix,
+                         "is missing: there is no encoder in integers; quantise the weights");
+  }
+  try {
+    net->SeeWith(
+        std::make_shared<IntegerSight>(ReadQuantised(content, weights), net->config().rows));
+  } catch (const sim::FileError&) {
+    throw;
+  } catch (const sim::Error& error) {
+    throw sim::FileError(weights, kIntegerPrefix,
+                         std::string("has no encoder for this policy: ") + error.what());
+  }
+}
+
+void TakeEncoder(const std::filesystem::path& weights, PolicyNet* net) {
+  const TensorFile content = ReadTensorFile(weights);
+  const ModelConfig theirs = ModelConfigOf(content, weights);
+  const ModelConfig own = net->config().seeing();
+  if (theirs.encoder != own.encoder || theirs.depth != own.depth || theirs.width != own.width ||
+      theirs.rows != own.rows) {
+    throw sim::FileError(weights, "",
+                         "has an encoder of another shape than the policy: it needs form panorama, "
+                         "depth as a channel, and the policy's width and rows");
+  }
+  const std::string prefix = "encoder.";
+  TensorFile encoder;
+  for (const auto& [name, tensor] : content.tensors) {
+    if (name.starts_with(prefix)) encoder.tensors[name] = tensor;
+  }
+  SetWeights(encoder, prefix, weights, net->named_children()["encoder"].get());
+}
+
+}  // namespace bulletnav::agent

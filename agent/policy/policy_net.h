@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "agent/models/safetensors.h"
+#include "agent/perception/encoder.h"
+#include "agent/policy/integer_sight.h"
+#include "agent/policy/policy_config.h"
+
+namespace bulletnav::agent {
+
+/// A recurrent policy on panoramas. Seen panorama and goal go through one encoder, the semantic
+/// models' own (twelve codes of 90 degrees each), without normalisation by batches: a rollout and
+/// its update must agree. Two fully connected layers join them with numbers (see
+/// WritePolicyNumbers), a GRU remembers, and heads answer with actions and their value. At first
+/// the policy stops in a fiftieth of the steps: one that chose evenly would end after four.
+/// The same configuration and seed give the same weights on every machine.
+class PolicyNet : public torch::nn::Module {
+ public:
+  struct Seen {
+    torch::Tensor codes;    // [steps, lanes, kCodes], from Encode
+    torch::Tensor goals;    // likewise
+    torch::Tensor numbers;  // [steps, lanes, kPolicyNumbers]
+  };
+  struct Output {
+    torch::Tensor logits;  // [steps, lanes, 4]
+    torch::Tensor values;  // [steps, lanes]
+    torch::Tensor memory;  // [lanes, memory], after the last step
+  };
+  static constexpr int kCodes = 12 * kCodeSize;
+
+  PolicyNet(const PolicyConfig& config, std::uint64_t seed);
+
+  const PolicyConfig& config() const { return config_; }
+  /// u8 [n, rows * cols * 4] of PolicyPictures to [n, kCodes].
+  torch::Tensor Encode(const torch::Tensor& pictures);
+  /// `starts` [steps, lanes], 1 where an episode begins: the memory [lanes, memory] that comes in
+  /// is then zero.
+  Output Run(const Seen& seen, const torch::Tensor& starts, torch::Tensor memory);
+
+  /// Products of codes [n, kCodes] with those of goals, each twelfth with each at all turns: [n, 4
+  /// * 12 (i) * 12 (turn)]. Expects: kCorrelation.
+  torch::Tensor Correlation(const torch::Tensor& codes, const torch::Tensor& goals);
+
+  /// For inference only: see ConvNorm::Fold.
+  void Fold();
+
+  /// Sees with an encoder in integers from now on, which is not trained. Expects: codes of kCodes
+  /// numbers (checked).
+  void SeeWith(std::shared_ptr<IntegerSight> sight);
+  const std::shared_ptr<IntegerSight>& sight() const { return sight_; }  // or null
+
+ private:
+  torch::Tensor EncodeInIntegers(const torch::Tensor& pictures) const;
+  torch::Tensor Joined(const Seen& seen);
+
+  PolicyConfig config_;
+  std::shared_ptr<Encoder> encoder_;
+  std::shared_ptr<IntegerSight> sight_;
+  std::shared_ptr<Dense> whole_;         // of twelve codes together
+  std::shared_ptr<Dense> source_match_;  // these two and the next: kCorrelation
+  std::shared_ptr<Dense> goal_match_;
+  std::shared_ptr<Dense> matches_;
+  std::shared_ptr<Dense> joined_;
+  std::shared_ptr<Dense> gru_in_;
+  std::shared_ptr<Dense> gru_memory_;
+  std::shared_ptr<Dense> policy_;
+  std::shared_ptr<Dense> value_;
+};
+
+/// The encoder's input from bytes of PolicyPictures: [n, 4, rows, cols] as of PrepareInput.
+torch::Tensor PolicyInput(const PolicyConfig& config, const torch::Tensor& pictures);
+
+/// A file of weights holds the configuration as YAML in its metadata under "policy".
+void SavePolicy(const PolicyNet& net, std::map<std::string, std::string> notes, StoredType type,
+                const std::filesystem::path& file);
+/// Throws FileError, also if the configuration is missing or bad.
+std::shared_ptr<PolicyNet> LoadPolicy(const std::filesystem::path& file);
+/// Takes the encoder of a semantic model of the same width and rows. Throws FileError if it is of
+/// another shape.
+void TakeEncoder(const std::filesystem::path& weights, PolicyNet* net);
+/// Lets a policy see with a semantic model's encoder in integers, of the same rows. Throws
+/// FileError if the file has none.
+void TakeIntegerEncoder(const std::filesystem::path& weights, PolicyNet* net);
+
+}  // namespace bulletnav::agent

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "benchmark/training/core/registry.h"
+#include "benchmark/training/rl/lane_groups.h"
+#include "benchmark/training/rl/lanes_state.h"
+#include "benchmark/training/rl/navigation/navigation_plan.h"
+#include "benchmark/training/rl/rollout.h"
+#include "sim/base/error.h"
+
+namespace bulletnav::bench {
+namespace {
+
+/// The share of episodes in which the teacher acts, along the training: 1 until `from`, then down
+/// in a line to `least` at `to`. In the others the policy acts, and the teacher says what it would
+/// have done there. Source: Ross, Gordon and Bagnell, "A reduction of imitation learning and
+/// structured prediction to no-regret online learning", 2011 (DAgger).
+struct DaggerSpec {
+  int from = 0;  // steps of the training
+  int to = 0;
+  double least = 0.0;
+
+  template <class V>
+  void Visit(V& v) {
+    v.Required("from", from);
+    v.Required("to", to);
+    v("least", least);
+  }
+  void Validate() const {
+    if (from < 0 || to < from) throw sim::KeyError("to", "to must not be before from");
+    if (!(least >= 0.0 && least <= 1.0)) throw sim::KeyError("least", "least must be in [0, 1]");
+  }
+  double ShareAt(int step) const {
+    if (step < from) return 1.0;
+    if (step >= to) return least;
+    return 1.0 - (1.0 - least) * (step - from) / (to - from);
+  }
+};
+
+struct ImitationConfig : TrainPlan {
+  NavigationPlan navigation;
+  int lanes = 32;
+  int group = 4;             // lanes that are learned from together
+  int rollout = 32;          // steps of each lane in a step of the training
+  double stop_weight = 1.0;  // of steps in which the teacher stops; they are rare
+  int epochs = 1;            // updates from the same steps
+  double gradient_norm = 1.0;
+  std::optional<DaggerSpec> dagger;  // absent: behavioural cloning, the teacher always acts
+
+  template <class V>
+  void Visit(V& v) {
+    TrainPlan::Visit(v);
+    navigation.Visit(v);
+    v("lanes", lanes);
+    v("group", group);
+    v("rollout", rollout);
+    v("stop_weight", stop_weight);
+    v("epochs", epochs);
+    v("gradient_norm", gradient_norm);
+    v("dagger", dagger);
+  }
+  void Validate() const {
+    TrainPlan::Validate();
+    navigation.Validate();
+    internal::RequireAtLeast(1, rollout, "rollout");
+    internal::RequireAtLeast(1, lanes, "lanes");
+    internal::RequireAtLeast(1, epochs, "epochs");
+    if (group < 1 || lanes % group != 0) throw sim::KeyError("group", "group must divide lanes");
+    if (!(stop_weight > 0.0)) throw sim::KeyError("stop_weight", "stop_weight must be positive");
+    if (!(gradient_norm > 0.0)) {
+      throw sim::KeyError("gradient_norm", "gradient_norm must be positive");
+    }
+  }
+};
+
+/// Behavioural cloning of the shortest path, and DAgger: a policy learns to do what a teacher who
+/// sees the truth does. Source: Neural Topological SLAM, section 5.1.
+class ImitationTraining final : public Training {
+ public:
+  static constexpr std::string_view kName = "imitation";
+  using Config = ImitationConfig;
+
+  ImitationTraining(const Config& config, const TrainContext& context)
+      : config_(config),
+        world_(config.navigation, context),
+        pool_(0),
+        net_(Make()),
+        lanes_({config.lanes, config.navigation.model.rows, config.navigation.setting, true,
+                config.navigation.task()},
+               world_.scenes(), &pool_),
+        groups_(
+            config.lanes, config.group,
+            [this] {
+              return Make();
+            },
+            net_.get(), &pool_),
+        actor_(&lanes_, net_.get(), &pool_, config.group, config.seed) {}
+
+  torch::nn::Module& net() override { return *net_; }
+
+  double Learn(const TrainStep& step) override {
+    PlaySpec play;
+    play.steps = config_.rollout;
+    play.lessons = true;
+    play.taught_episodes = config_.dagger ? config_.dagger->ShareAt(step.step) : 1.0;
+    play.values = false;
+    const Rollout rollout = actor_.Play(play, {});
+    double loss = 0.0;
+    for (int epoch = 0; epoch < config_.epochs; ++epoch) {
+      loss = Update(rollout, play.taught_episodes >= 1.0 && epoch == 0);
+      LimitGradients(*net_, config_.gradient_norm);
+      step.optimiser->Step(step.rate);
+    }
+    return loss;
+  }
+
+  Measures Validate() override {
+    Measures measures = world_.Validate(net_->policy(), &pool_);
+    measures("agreement", agreement_);
+    return measures;
+  }
+
+  std::int64_t FramesAfter(int steps) const override {
+    return std::int64_t{steps} * config_.lanes * config_.rollout;
+  }
+  void Save(std::map<std::string, std::string> notes,
+            const std::filesystem::path& file) const override {
+    agent::SavePolicy(*net_->policy(), std::move(notes), agent::StoredType::kBfloat16, file);
+  }
+  void AppendState(agent::TensorFile* content) const override {
+    AppendLanes(lanes_, actor_, content);
+  }
+  void SetState(const agent::TensorFile& content, const std::filesystem::path& file) override {
+    SetLanes(content, file, &lanes_, &actor_);
+  }
+  std::optional<Measures> Quantise(const std::filesystem::path& file) override {
+    std::optional<Measures> measures = world_.Quantise(net_->policy().get(), file, &pool_);
+    if (measures) (*measures)("agreement", agreement_);
+    return measures;
+  }
+  std::string title() const override { return "A policy that imitates the shortest path"; }
+  std::string Describe(const Measures& measures) const override {
+    return DescribeNavigation(measures);
+  }
+  std::string curves_label() const override { return "success, validation"; }
+  std::vector<CurveLine> curves() const override {
+    return NavigationCurves(config_.navigation.setting);
+  }
+  std::vector<std::pair<std::string, std::string>> CardRows() const override {
+    return {{"scenes", std::to_string(world_.scene_count())},
+            {"a step", fmt::format("{} steps of {} lanes", config_.rollout, config_.lanes)}};
+  }
+  std::string validated_on() const override {
+    return fmt::format("{} episodes in validation scenes, in each setting",
+                       config_.navigation.validation_episodes);
+  }
+
+ private:
+  static double Mean(const std::vector<double>& values) {
+    double sum = 0.0;
+    for (const double value : values) sum += value;
+    return sum / static_cast<double>(values.size());
+  }
+
+  std::unique_ptr<PictureNet> Make() const { return config_.navigation.MakeNet(config_.seed); }
+
+  /// Gradients of a rollout. Returns the loss.
+  double Update(const Rollout& rollout, bool takes_memory) {
+    std::vector<int> all(static_cast<std::size_t>(groups_.groups()));
+    std::iota(all.begin(), all.end(), 0);
+    std::vector<torch::Tensor> hidden(all.size());
+    std::vector<double> agreed(all.size());
+    const std::vector<double> losses = groups_.Differentiate(all, [&](int group, ActorCritic* net) {
+      const auto at = static_cast<std::size_t>(group);
+      return Loss(rollout, groups_.LanesOf(group), net, &hidden[at], &agreed[at]);
+    });
+    if (takes_memory && net_->learns_to_see()) actor_.SetHidden(at::cat(hidden));
+    agreement_ = Mean(agreed);
+    return Mean(losses);
+  }
+
+  torch::Tensor Loss(const Rollout& rollout, const torch::Tensor& lanes, ActorCritic* net,
+                     torch::Tensor* hidden, double* agreed) const {
+    const auto of = [&](const torch::Tensor& all) {
+      return all.index_select(1, lanes);
+    };
+    const ActorCritic::Output output = net->Run(rollout.SeenBy(net, lanes), of(rollout.starts),
+                                                rollout.hidden.index_select(0, lanes));
+    *hidden = output.hidden.detach();
+    const torch::Tensor lessons = of(rollout.lessons);
+    *agreed =
+        (output.log_probabilities.argmax(-1) == lessons).to(torch::kFloat32).mean().item<double>();
+    const torch::Tensor stops =
+        (lessons == static_cast<int>(sim::Action::kStop)).to(torch::kFloat32);
+    const torch::Tensor weights = 1.0 + (config_.stop_weight - 1.0) * stops;
+    const torch::Tensor right =
+        output.log_probabilities.gather(-1, lessons.unsqueeze(-1)).squeeze(-1);
+    return -(right * weights).sum() / weights.sum();
+  }
+
+  Config config_;
+  NavigationWorld world_;
+  sim::WorkerPool pool_;
+  std::unique_ptr<PictureNet> net_;
+  NavigationLanes lanes_;
+  LaneGroups groups_;
+  Actor actor_;
+  double agreement_ = 0.0;
+};
+
+const TrainerRegistration<ImitationTraining> registration;
+
+}  // namespace
+}  // namespace bulletnav::bench

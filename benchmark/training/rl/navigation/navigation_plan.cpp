@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/training/rl/navigation/navigation_plan.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "agent/integer/quantised_file.h"
+#include "agent/perception/quantise.h"
+#include "agent/perception/weights.h"
+#include "agent/policy/integer_policy.h"
+#include "agent/policy/learned_policy.h"
+#include "benchmark/base/program_version.h"
+#include "sim/base/error.h"
+
+namespace bulletnav::bench {
+namespace {
+
+std::vector<std::pair<std::string, std::string>> SettingsOf(LaneSetting setting) {
+  if (setting == LaneSetting::kRgb) return {{"rgb", ""}};
+  if (setting == LaneSetting::kRgbd) return {{"rgbd", ""}};
+  return {{"rgb", "rgb_"}, {"rgbd", "rgbd_"}};
+}
+
+NavigationData ValidationOf(const NavigationPlan& plan) {
+  if (plan.validation) return *plan.validation;
+  NavigationData data;
+  data.houses = plan.data.houses;
+  if (!data.houses) {
+    throw sim::KeyError("validation",
+                        "validation is missing; without houses there is no split to take it from");
+  }
+  data.houses->split = "val";
+  data.seed = plan.data.seed + 1;
+  return data;
+}
+
+NavigationScenes LoadScenes(const NavigationData& data, const TrainContext& context,
+                            const char* what) {
+  MakeHousesOf(data.as_data(), CommittedVersion(), 0, context.start);
+  std::function<void()> loaded;
+  if (context.start) {
+    loaded = context.start(what, static_cast<int>(ScenesOf(data.as_data()).size()));
+  }
+  return NavigationScenes(data, sim::BodySpec{}, 0, loaded);
+}
+
+}  // namespace
+
+void NavigationPlan::Validate() const {
+  internal::RequireAtLeast(1, validation_episodes, "validation_episodes");
+  if (!model.own_encoder && !encoder) {
+    throw sim::KeyError("encoder",
+                        "encoder is missing: with own_encoder: false it names the weights of a "
+                        "semantic model to see with");
+  }
+}
+
+Task NavigationPlan::task() const {
+  Task task;
+  task.depth = setting != LaneSetting::kRgb;
+  task.noise = noise;
+  task.max_steps = model.step_limit;
+  task.reward = RewardSpec{};
+  return task;
+}
+
+std::unique_ptr<PictureNet> NavigationPlan::MakeNet(std::uint64_t seed) const {
+  auto net = std::make_unique<PictureNet>(model, encoder, seed);
+  if (!policy_start) return net;
+  const agent::TensorFile content = agent::ReadTensorFile(*policy_start);
+  agent::SetWeights(content, "", *policy_start, net->policy().get());
+  return net;
+}
+
+NavigationWorld::NavigationWorld(const NavigationPlan& plan, const TrainContext& context)
+    : setting_(plan.setting),
+      scenes_(LoadScenes(plan.data, context, "loading scenes")),
+      validation_scenes_(LoadScenes(ValidationOf(plan), context, "loading validation scenes")),
+      validation_(&validation_scenes_, plan.task(), plan.validation_episodes) {}
+
+Measures NavigationWorld::Validate(const std::shared_ptr<agent::PolicyNet>& net,
+                                   sim::WorkerPool* pool) const {
+  return Validate(
+      [&net] {
+        return std::make_shared<agent::LearnedPolicy>(net);
+      },
+      pool);
+}
+
+std::optional<Measures> NavigationWorld::Quantise(agent::PolicyNet* net,
+                                                  const std::filesystem::path& file,
+                                                  sim::WorkerPool* pool) const {
+  if (!net->sight() && !agent::HasIntegerForm(net->config().seeing())) return std::nullopt;
+  const agent::QuantisedNet quantised = agent::Quantise(
+      net, validation_.Calibration(net->config().rows, setting_ != LaneSetting::kRgb));
+  agent::AddQuantised(quantised, file, file);
+  const agent::PolicyConfig config = net->config();
+  return Validate(
+      [&quantised, &config] {
+        return std::make_shared<agent::IntegerPolicy>(config, quantised);
+      },
+      pool);
+}
+
+Measures NavigationWorld::Validate(const PolicyValidation::PolicyMaker& make,
+                                   sim::WorkerPool* pool) const {
+  Measures all;
+  double success = 0.0;
+  const auto settings = SettingsOf(setting_);
+  for (const auto& [setting, prefix] : settings) {
+    validation_.Measure(make, setting == "rgbd", prefix, pool, &all);
+    success += all.at(prefix + "success") / static_cast<double>(settings.size());
+  }
+  Measures measures;
+  measures("loss", 1.0 - success);
+  for (const Measures::Item& item : all.items()) measures(item.name, item.value);
+  return measures;
+}
+
+std::string DescribeNavigation(const Measures& measures) {
+  std::string text;
+  for (const Measures::Item& item : measures.items()) {
+    const bool is_told = item.name.ends_with("success") || item.name.ends_with("spl") ||
+                         item.name.ends_with("stopped") || item.name == "agreement" ||
+                         item.name == "entropy" || item.name == "kl" ||
+                         item.name == "explained_variance";
+    if (is_told)
+      text += fmt::format("{}{} {:.3f}", text.empty() ? "" : ", ", item.name, item.value);
+  }
+  return text;
+}
+
+std::vector<CurveLine> NavigationCurves(LaneSetting setting) {
+  std::vector<CurveLine> lines;
+  for (const auto& [name, prefix] : SettingsOf(setting)) {
+    for (const char* kind : {"easy", "medium", "hard"}) {
+      lines.push_back(
+          {fmt::format("{}, {}", name, kind), fmt::format("{}success_{}", prefix, kind)});
+    }
+  }
+  return lines;
+}
+
+}  // namespace bulletnav::bench

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "agent/policy/policy_config.h"
+#include "benchmark/training/core/registry.h"
+#include "benchmark/training/rl/navigation/navigation_lanes.h"
+#include "benchmark/training/rl/navigation/picture_net.h"
+#include "benchmark/training/rl/navigation/policy_validation.h"
+
+namespace bulletnav::bench {
+
+/// What trainings of policies are told about the world and the net, beside how they learn.
+struct NavigationPlan {
+  NavigationData data;
+  std::optional<NavigationData> validation;  // default: the houses' split "val"
+  int validation_episodes = 60;              // in each setting
+  LaneSetting setting = LaneSetting::kBoth;
+  sim::NoiseMode noise = sim::NoiseMode::kAnsReleased;
+  agent::PolicyConfig model;
+  std::optional<std::string> encoder;       // see PictureNet
+  std::optional<std::string> policy_start;  // weights of a policy to go on from; default: none
+
+  template <class V>
+  void Visit(V& v) {
+    v("data", data);
+    v("validation", validation);
+    v("validation_episodes", validation_episodes);
+    v("setting", setting);
+    v("noise", noise);
+    v("model", model);
+    v("encoder", encoder);
+    v("policy_start", policy_start);
+  }
+  /// Throws Error.
+  void Validate() const;
+
+  Task task() const;  // as runs play it
+  std::unique_ptr<PictureNet> MakeNet(std::uint64_t seed) const;
+};
+
+/// The scenes and episodes that a policy is trained and tried in.
+class NavigationWorld {
+ public:
+  /// Makes houses that are not there, and loads all scenes. Throws Error.
+  NavigationWorld(const NavigationPlan& plan, const TrainContext& context);
+
+  NavigationScenes* scenes() { return &scenes_; }
+  /// "success" and all others of PolicyValidation; after "rgb_" and "rgbd_" if both are trained.
+  /// "loss": what success lacks of 1, the mean of the settings.
+  Measures Validate(const std::shared_ptr<agent::PolicyNet>& net, sim::WorkerPool* pool) const;
+  /// Puts the policy in integers into a file of its weights, and tells how it fares. Scales are
+  /// from the validation's first steps. Absent for a width that has no integers.
+  std::optional<Measures> Quantise(agent::PolicyNet* net, const std::filesystem::path& file,
+                                   sim::WorkerPool* pool) const;
+  std::size_t scene_count() const { return scenes_.count(); }
+
+ private:
+  Measures Validate(const PolicyValidation::PolicyMaker& make, sim::WorkerPool* pool) const;
+
+  LaneSetting setting_;
+  NavigationScenes scenes_;
+  NavigationScenes validation_scenes_;
+  PolicyValidation validation_;
+};
+
+/// A validation in a line.
+std::string DescribeNavigation(const Measures& measures);
+std::vector<CurveLine> NavigationCurves(LaneSetting setting);
+
+}  // namespace bulletnav::bench

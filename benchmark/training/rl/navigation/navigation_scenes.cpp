@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/training/rl/navigation/navigation_scenes.h"
+
+#include "benchmark/episodes/scene_cache.h"
+#include "sim/base/error.h"
+#include "sim/math/rng.h"
+#include "sim/threads/worker_pool.h"
+
+namespace bulletnav::bench {
+namespace {
+
+constexpr std::array kKinds = {Difficulty::kEasy, Difficulty::kMedium, Difficulty::kHard};
+
+bool CanDraw(EpisodeDrawer* drawer, Difficulty kind) {
+  try {
+    drawer->Draw(kind, 0);
+    return true;
+  } catch (const sim::Error&) {
+    return false;
+  }
+}
+
+}  // namespace
+
+DataConfig NavigationData::as_data() const {
+  DataConfig data;
+  data.scenes = scenes;
+  data.houses = houses;
+  data.more_houses = more_houses;
+  data.import = import;
+  return data;
+}
+
+NavigationScenes::NavigationScenes(const NavigationData& data, const sim::BodySpec& body,
+                                   int threads, const std::function<void()>& loaded)
+    : seed_(data.seed) {
+  const std::vector<std::filesystem::path> files = ScenesOf(data.as_data());
+  if (files.empty()) throw sim::KeyError("data", "data names no scenes; see configs/train");
+  scenes_.resize(files.size());
+  sim::WorldOptions options;
+  options.import = data.import.options();
+  options.backend = sim::Backend::kEmbree;  // the same pictures with and without a GPU
+  SceneCache cache(options);
+  sim::WorkerPool pool(threads);
+  pool.ForEach(static_cast<int>(files.size()), [&](int i, int) {
+    Scene& scene = scenes_[static_cast<std::size_t>(i)];
+    scene.file = files[static_cast<std::size_t>(i)];
+    cache.Expect(scene.file);
+    scene.ground = cache.LoadGround(scene.file);
+    scene.world = cache.Get(scene.file);
+    scene.drawer = std::make_unique<EpisodeDrawer>(*scene.ground, scene.file.string(),
+                                                   scene.ground->name, body, seed_);
+    for (const Difficulty kind : kKinds) {
+      if (CanDraw(scene.drawer.get(), kind)) scene.kinds.push_back(kind);
+    }
+    if (scene.kinds.empty()) {
+      throw sim::FileError(scene.file, "", "has no place for an episode of 1.5 m or more");
+    }
+    cache.Done(scene.file);
+    if (loaded) loaded();
+  });
+}
+
+NavigationScenes::Drawn NavigationScenes::DrawIn(Scene* scene, Difficulty kind, int index) {
+  Drawn drawn;
+  drawn.episode.episode = scene->drawer->Draw(kind, index);
+  drawn.episode.key = {"", "", "", seed_, scene->file.string(), drawn.episode.episode.id};
+  drawn.episode.scene_file = scene->file;
+  drawn.world = scene->world;
+  return drawn;
+}
+
+NavigationScenes::Drawn NavigationScenes::Draw(int lane, std::uint64_t number) {
+  sim::Rng rng = sim::Rng(seed_, "navigation")
+                     .Fork("lane", static_cast<std::uint64_t>(lane))
+                     .Fork("episode", number);
+  Scene& scene = scenes_[static_cast<std::size_t>(rng.Below(static_cast<int>(scenes_.size())))];
+  const Difficulty kind =
+      scene.kinds[static_cast<std::size_t>(rng.Below(static_cast<int>(scene.kinds.size())))];
+  constexpr int kIndices = 1 << 30;
+  return DrawIn(&scene, kind, rng.Below(kIndices));
+}
+
+NavigationScenes::Drawn NavigationScenes::DrawInTurn(std::uint64_t number) {
+  Scene& scene = scenes_[number % scenes_.size()];
+  const std::uint64_t turn = number / scenes_.size();
+  return DrawIn(&scene, scene.kinds[turn % scene.kinds.size()],
+                static_cast<int>(turn / scene.kinds.size()));
+}
+
+}  // namespace bulletnav::bench

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "benchmark/episodes/episode_drawer.h"
+#include "benchmark/episodes/made_houses.h"
+#include "benchmark/play/task_episode.h"
+#include "benchmark/training/supervised/data_config.h"
+#include "sim/world.h"
+
+namespace bulletnav::bench {
+
+/// The scenes that a policy is trained in, or tried in: the block `data` of a training's config.
+struct NavigationData {
+  std::vector<std::string> scenes;        // mesh files
+  std::optional<DataHouses> houses;       // in addition
+  std::optional<HousesSpec> more_houses;  // in addition, all of them; made if they are not there
+  ImportSpec import;                      // of all scenes
+  std::uint64_t seed = 0;                 // of the episodes
+
+  template <class V>
+  void Visit(V& v) {
+    v("scenes", scenes);
+    v("houses", houses);
+    v("more_houses", more_houses);
+    v("import", import);
+    v("seed", seed);
+  }
+  void Validate() const {}
+
+  /// The same scenes as data of a supervised training.
+  DataConfig as_data() const;
+};
+
+/// Scenes in memory with all episodes that can be drawn in them: easy, medium and hard ones in
+/// equal shares, as far as a scene has them.
+class NavigationScenes {
+ public:
+  /// Loads all of them. `loaded` is called after each, from any thread. Throws sim::Error for a
+  /// scene that cannot be loaded, or that has no episodes.
+  NavigationScenes(const NavigationData& data, const sim::BodySpec& body, int threads,
+                   const std::function<void()>& loaded = {});
+
+  struct Drawn {
+    EpisodeTask episode;
+    std::shared_ptr<const sim::World> world;
+  };
+  /// Episode `number` of a lane; another for each pair. Not from several threads at once.
+  Drawn Draw(int lane, std::uint64_t number);
+  /// Episode `number` of a kind, each scene in turn, its kinds in turn.
+  Drawn DrawInTurn(std::uint64_t number);
+
+  std::size_t count() const { return scenes_.size(); }
+
+ private:
+  struct Scene {
+    std::filesystem::path file;
+    std::unique_ptr<const Ground> ground;
+    std::shared_ptr<const sim::World> world;
+    std::unique_ptr<EpisodeDrawer> drawer;
+    std::vector<Difficulty> kinds;
+  };
+  Drawn DrawIn(Scene* scene, Difficulty kind, int index);
+
+  std::uint64_t seed_;
+  std::vector<Scene> scenes_;
+};
+
+}  // namespace bulletnav::bench

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/training/rl/navigation/picture_net.h"
+
+namespace bulletnav::bench {
+
+PictureNet::PictureNet(const agent::PolicyConfig& config, const std::optional<std::string>& encoder,
+                       std::uint64_t seed)
+    : policy_(register_module("policy", std::make_shared<agent::PolicyNet>(config, seed))) {
+  if (encoder && config.own_encoder) agent::TakeEncoder(*encoder, policy_.get());
+  if (encoder && !config.own_encoder) agent::TakeIntegerEncoder(*encoder, policy_.get());
+}
+
+torch::Tensor PictureNet::Encode(const torch::Tensor& pictures) {
+  return policy_->Encode(pictures);
+}
+
+ActorCritic::Output PictureNet::Run(const Seen& seen, const torch::Tensor& starts,
+                                    const torch::Tensor& hidden) {
+  const agent::PolicyNet::Output output =
+      policy_->Run({seen.codes, seen.goal_codes, seen.numbers}, starts, hidden);
+  return {at::log_softmax(output.logits, -1), output.values, output.memory};
+}
+
+torch::Tensor PictureNet::NoMemory(int lanes) const {
+  return torch::zeros({lanes, policy_->config().memory});
+}
+
+}  // namespace bulletnav::bench

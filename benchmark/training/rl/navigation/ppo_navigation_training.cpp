@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include <map>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "benchmark/training/core/registry.h"
+#include "benchmark/training/rl/navigation/navigation_plan.h"
+#include "benchmark/training/rl/ppo_training.h"
+
+namespace bulletnav::bench {
+namespace {
+
+struct PpoNavigationConfig : PpoPlan {
+  NavigationPlan navigation;
+
+  template <class V>
+  void Visit(V& v) {
+    PpoPlan::Visit(v);
+    navigation.Visit(v);
+  }
+  void Validate() const {
+    PpoPlan::Validate();
+    navigation.Validate();
+  }
+};
+
+/// A policy that learns to reach image goals by reward: 10 SPL at success, the decrease of geodesic
+/// distance, and -0.001 a step. Source: Neural Topological SLAM, section 5.1, "Target-driven RL".
+class PpoNavigationTraining final : public PpoTraining {
+ public:
+  static constexpr std::string_view kName = "ppo";
+  using Config = PpoNavigationConfig;
+
+  PpoNavigationTraining(const Config& config, const TrainContext& context)
+      : PpoNavigationTraining(config,
+                              std::make_shared<NavigationWorld>(config.navigation, context)) {}
+
+  Measures Validate() override {
+    Measures measures = world_->Validate(net_of_policy().policy(), pool());
+    AppendReport(&measures);
+    return measures;
+  }
+  std::string frames_are() const override { return "frames"; }
+  void Save(std::map<std::string, std::string> notes,
+            const std::filesystem::path& file) const override {
+    agent::SavePolicy(*net_of_policy().policy(), std::move(notes), agent::StoredType::kBfloat16,
+                      file);
+  }
+  std::optional<Measures> Quantise(const std::filesystem::path& file) override {
+    std::optional<Measures> measures =
+        world_->Quantise(net_of_policy().policy().get(), file, pool());
+    if (measures) AppendReport(&*measures);
+    return measures;
+  }
+  std::string title() const override { return "A policy that learns image goals by reward"; }
+  std::string Describe(const Measures& measures) const override {
+    return DescribeNavigation(measures);
+  }
+  std::string curves_label() const override { return "success, validation"; }
+  std::vector<CurveLine> curves() const override {
+    return NavigationCurves(config_.navigation.setting);
+  }
+  std::vector<std::pair<std::string, std::string>> CardRows() const override {
+    return {
+        {"scenes", std::to_string(world_->scene_count())},
+        {"a step", fmt::format("{} steps of {} lanes", config_.ppo.rollout, config_.ppo.lanes)}};
+  }
+  std::string validated_on() const override {
+    return fmt::format("{} episodes in validation scenes, in each setting",
+                       config_.navigation.validation_episodes);
+  }
+
+ private:
+  PpoNavigationTraining(const Config& config, const std::shared_ptr<NavigationWorld>& world)
+      : PpoTraining(
+            config,
+            [config] {
+              return config.navigation.MakeNet(config.seed);
+            },
+            [config, world](sim::WorkerPool* pool) {
+              return std::make_unique<NavigationLanes>(
+                  NavigationSpec{config.ppo.lanes, config.navigation.model.rows,
+                                 config.navigation.setting, false, config.navigation.task()},
+                  world->scenes(), pool);
+            }),
+        config_(config),
+        world_(world) {}
+
+  const PictureNet& net_of_policy() const { return dynamic_cast<const PictureNet&>(policy()); }
+
+  Config config_;
+  std::shared_ptr<NavigationWorld> world_;
+};
+
+const TrainerRegistration<PpoNavigationTraining> registration;
+
+}  // namespace
+}  // namespace bulletnav::bench

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "agent/policy/integer_policy.h"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+#include "agent/integer/quantised_file.h"
+#include "agent/models/model_registry.h"
+#include "agent/policy/learned_policy.h"
+#include "agent/policy/quantise_policy.h"
+#include "sim/base/error.h"
+#include "tests/agent/policy/small_policies.h"
+#include "tests/support/temporary_folder.h"
+
+namespace bulletnav::agent {
+namespace {
+
+using tests::BytesOf;
+using tests::RandomPanorama;
+using tests::SmallPolicy;
+using tests::SomePanoramas;
+
+/// A net whose answers differ: heads as they begin hardly look.
+std::shared_ptr<PolicyNet> Decided(Fusion fusion) {
+  auto net = std::make_shared<PolicyNet>(SmallPolicy(fusion), 4);
+  const torch::NoGradGuard no_grad;
+  net->named_parameters()["policy_head.weight"].mul_(100.0);
+  net->eval();
+  return net;
+}
+
+QuantisedNet QuantisedOf(PolicyNet* net) {
+  const torch::Tensor pictures = BytesOf(SomePanoramas(1, 24), 32);
+  sim::Rng rng(1, "numbers");
+  return Quantise(net,
+                  {pictures, pictures.roll(5, 0), NormalTensor({24, kPolicyNumbers}, 0.5, &rng)});
+}
+
+/// What a policy says along a walk.
+std::vector<std::array<float, 4>> Walk(PolicyModel* policy) {
+  std::vector<float> memory = policy->NoMemory();
+  const std::vector<float> goal = policy->CodeOf(RandomPanorama(900).view());
+  std::vector<std::array<float, 4>> all;
+  for (std::uint64_t step = 0; step < 24; ++step) {
+    std::vector<float> numbers(kPolicyNumbers);
+    numbers[1 + step % 3] = 1.0f;
+    numbers[4] = 0.9f;
+    numbers[7] = static_cast<float>(step) / 500.0f;
+    all.push_back(policy->Act({RandomPanorama(700 + step).view(), goal, numbers}, &memory));
+  }
+  return all;
+}
+
+class IntegerPolicyTest : public testing::TestWithParam<Fusion> {};
+
+TEST_P(IntegerPolicyTest, SaysWhatTheTrainedOneSays) {
+  const std::shared_ptr<PolicyNet> net = Decided(GetParam());
+  IntegerPolicy integers(net->config(), QuantisedOf(net.get()));
+  LearnedPolicy floats(net);
+  const auto exact = Walk(&floats);
+  const auto close = Walk(&integers);
+  float apart = 0.0f;
+  float spread = 0.0f;
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      apart = std::max(apart, std::fabs(exact[i][k] - close[i][k]));
+      spread = std::max(spread, std::fabs(exact[i][k] - exact[0][k]));
+    }
+  }
+  EXPECT_GT(spread, 0.1f);  // or there was nothing to say
+  EXPECT_LT(apart, 0.04f);
+}
+
+TEST_P(IntegerPolicyTest, HasTheSameBitsWithAllKernels) {
+  const std::shared_ptr<PolicyNet> net = Decided(GetParam());
+  const QuantisedNet quantised = QuantisedOf(net.get());
+  IntegerPolicy fastest(net->config(), quantised);
+  const auto expected = Walk(&fastest);
+  for (const IntegerKernels* kernels : SupportedIntegerKernels()) {
+    IntegerPolicy policy(net->config(), quantised);
+    policy.Use(*kernels);
+    EXPECT_EQ(Walk(&policy), expected) << kernels->name;
+  }
+}
+
+TEST_P(IntegerPolicyTest, IsWhatAFileOfBothIsLoadedAs) {
+  const std::shared_ptr<PolicyNet> net = Decided(GetParam());
+  const tests::TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "policy.safetensors";
+  SavePolicy(*net, {}, StoredType::kFloat32, file);
+  const QuantisedNet quantised = QuantisedOf(net.get());
+  AddQuantised(quantised, file, file);
+  Rig rig;
+  rig.panorama.rows = 128;
+  rig.panorama.cols = 512;
+  rig.has_depth = false;
+  const std::shared_ptr<Model> model = LoadModel(file, rig);
+  EXPECT_NE(std::dynamic_pointer_cast<IntegerPolicy>(model), nullptr);
+  EXPECT_TRUE(HoldsIntegers(ReadTensorFile(file)));
+  EXPECT_NO_THROW(LoadPolicy(file));
+
+  TensorFile broken = ReadTensorFile(file);
+  broken.tensors.erase("integer.joined.step");
+  WriteTensorFile(file, broken, StoredType::kFloat32);
+  EXPECT_THROW(LoadModel(file, rig), sim::FileError);
+}
+
+TEST_P(IntegerPolicyTest, SeesWithAnEncoderThatWasNotTrained) {
+  const std::shared_ptr<PolicyNet> own = Decided(GetParam());
+  PolicyConfig config = own->config();
+  config.own_encoder = false;
+  PolicyNet net(config, 4);
+  net.SeeWith(std::make_shared<IntegerSight>(QuantisedOf(own.get()), config.rows));
+  const tests::TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "policy.safetensors";
+  SavePolicy(net, {}, StoredType::kFloat32, file);
+  // The encoder alone is in integers, so that the trained numbers act.
+  EXPECT_FALSE(HoldsIntegers(ReadTensorFile(file)));
+  const std::shared_ptr<PolicyNet> again = LoadPolicy(file);
+  const torch::Tensor pictures = BytesOf(SomePanoramas(3, 2), 32);
+  EXPECT_TRUE(at::equal(again->Encode(pictures), net.Encode(pictures)));
+  AddQuantised(QuantisedOf(again.get()), file, file);
+  EXPECT_TRUE(HoldsIntegers(ReadTensorFile(file)));
+}
+
+TEST(IntegerPolicy, RefusesLayersOfAnotherShape) {
+  const std::shared_ptr<PolicyNet> net = Decided(Fusion::kCorrelation);
+  const QuantisedNet quantised = QuantisedOf(net.get());
+  PolicyConfig config = net->config();
+  config.memory = 64;
+  EXPECT_THROW(IntegerPolicy(config, quantised), sim::Error);
+  QuantisedNet missing = quantised;
+  missing.layers.erase("gru_in");
+  EXPECT_THROW(IntegerPolicy(net->config(), missing), sim::Error);
+}
+
+INSTANTIATE_TEST_SUITE_P(Fusions, IntegerPolicyTest,
+                         testing::Values(Fusion::kLate, Fusion::kCorrelation), [](const auto& one) {
+                           return std::string(sim::NameOf(one.param));
+                         });
+
+}  // namespace
+}  // namespace bulletnav::agent

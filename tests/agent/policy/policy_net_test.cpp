@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "agent/policy/policy_net.h"
+
+#include <gmock/gmock.h>
+
+#include "agent/models/model_registry.h"
+#include "agent/perception/semantic_net.h"
+#include "agent/policy/learned_policy.h"
+#include "sim/base/error.h"
+#include "tests/agent/policy/small_policies.h"
+#include "tests/support/temporary_folder.h"
+
+namespace bulletnav::agent {
+namespace {
+
+using tests::BytesOf;
+using tests::SmallPolicy;
+using tests::SomePanoramas;
+
+Rig WholeRig() {
+  Rig rig;
+  rig.panorama.rows = 128;
+  rig.panorama.cols = 512;
+  return rig;
+}
+
+class PolicyNetTest : public testing::TestWithParam<Fusion> {
+ protected:
+  PolicyNetTest() {
+    const torch::NoGradGuard no_grad;
+    const torch::Tensor codes = net_.Encode(BytesOf(panoramas_, 32));
+    seen_.codes = codes.view({3, 2, -1});
+    seen_.goals = codes.flip(0).view({3, 2, -1});
+    seen_.numbers = torch::linspace(-1, 1, 48).view({3, 2, 8});
+  }
+  const std::vector<tests::RandomPanorama> panoramas_ = SomePanoramas(1, 6);
+  PolicyNet net_{SmallPolicy(GetParam()), 3};
+  PolicyNet::Seen seen_;
+  const torch::Tensor start_ = torch::tensor({1.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f}).view({3, 2});
+  const torch::Tensor memory_ = torch::full({2, 32}, 0.5f);
+};
+
+TEST_P(PolicyNetTest, ASequenceIsItsStepsOneByOne) {
+  const torch::NoGradGuard no_grad;
+  const PolicyNet::Output whole = net_.Run(seen_, start_, memory_);
+  torch::Tensor memory = memory_;
+  for (int t = 0; t < 3; ++t) {
+    const auto at = [&](const torch::Tensor& all) {
+      return all.narrow(0, t, 1);
+    };
+    const PolicyNet::Output one =
+        net_.Run({at(seen_.codes), at(seen_.goals), at(seen_.numbers)}, at(start_), memory);
+    memory = one.memory;
+    EXPECT_LT((one.logits[0] - whole.logits[t]).abs().max().item<float>(), 1e-5f);
+    EXPECT_LT((one.values[0] - whole.values[t]).abs().max().item<float>(), 1e-5f);
+  }
+  EXPECT_LT((memory - whole.memory).abs().max().item<float>(), 1e-5f);
+}
+
+TEST_P(PolicyNetTest, StopsSeldomAtFirstAndChoosesEvenlyElse) {
+  const torch::NoGradGuard no_grad;
+  const torch::Tensor shares = net_.Run(seen_, start_, memory_).logits.softmax(-1);
+  const torch::Tensor stop = shares.select(-1, 0);
+  EXPECT_LT((stop - 0.02).abs().max().item<float>(), 0.005f);
+  EXPECT_LT((shares.narrow(-1, 1, 3) - 0.98 / 3).abs().max().item<float>(), 0.05f);
+}
+
+TEST_P(PolicyNetTest, AllParametersLearn) {
+  const PolicyNet::Seen seen = {net_.Encode(BytesOf(panoramas_, 32)).view({3, 2, -1}), seen_.goals,
+                                seen_.numbers};
+  const PolicyNet::Output output = net_.Run(seen, start_, memory_);
+  (output.logits.square().sum() + output.values.sum()).backward();
+  for (const auto& item : net_.named_parameters()) {
+    ASSERT_TRUE(item.value().grad().defined()) << item.key();
+    EXPECT_GT(item.value().grad().abs().max().item<float>(), 0.0f) << item.key();
+  }
+}
+
+TEST_P(PolicyNetTest, IsLoadedAsItWasSaved) {
+  const tests::TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "policy.safetensors";
+  SavePolicy(net_, {{"frames", "7"}}, StoredType::kFloat32, file);
+  const std::shared_ptr<PolicyNet> again = LoadPolicy(file);
+  EXPECT_EQ(again->config(), net_.config());
+  const torch::NoGradGuard no_grad;
+  EXPECT_TRUE(at::equal(again->Run(seen_, start_, memory_).logits,
+                        net_.Run(seen_, start_, memory_).logits));
+  const auto model = std::dynamic_pointer_cast<PolicyModel>(LoadModel(file, WholeRig()));
+  ASSERT_NE(model, nullptr);
+  std::vector<float> memory = model->NoMemory();
+  const std::vector<float> numbers(kPolicyNumbers);
+  const std::vector<float> goal = model->CodeOf(panoramas_[1].view());
+  const auto shares = model->Act({panoramas_[0].view(), goal, numbers}, &memory);
+  EXPECT_NEAR(shares[0] + shares[1] + shares[2] + shares[3], 1.0f, 1e-5f);
+  Rig small = WholeRig();
+  small.panorama.rows = 64;
+  EXPECT_THROW(LoadModel(file, small), sim::Error);
+}
+
+INSTANTIATE_TEST_SUITE_P(Fusions, PolicyNetTest,
+                         testing::Values(Fusion::kLate, Fusion::kCorrelation), [](const auto& one) {
+                           return std::string(sim::NameOf(one.param));
+                         });
+
+TEST(PolicyEncoder, BeginsWithThatOfASemanticModel) {
+  const tests::TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "nts.safetensors";
+  ModelConfig config = SmallPolicy().seeing();
+  config.norm = Norm::kBatch;
+  SemanticNet semantic(config, 9);
+  SaveNet(semantic, {}, StoredType::kFloat32, file);
+  PolicyNet net(SmallPolicy(), 1);
+  TakeEncoder(file, &net);
+  semantic.eval();
+  const torch::NoGradGuard no_grad;
+  const torch::Tensor pictures = BytesOf(SomePanoramas(2, 2), 32);
+  const torch::Tensor input = PolicyInput(net.config(), pictures);
+  // The semantic model's own is asked through a part of its answers.
+  auto encoder = std::dynamic_pointer_cast<Encoder>(semantic.named_children()["encoder"]);
+  ASSERT_NE(encoder, nullptr);
+  EXPECT_LT(
+      (encoder->forward(input).view({2, -1}) - net.Encode(pictures)).abs().max().item<float>(),
+      1e-3f);
+
+  PolicyConfig wide = SmallPolicy();
+  wide.width = 32;
+  PolicyNet other(wide, 1);
+  EXPECT_THROW(TakeEncoder(file, &other), sim::FileError);
+  EXPECT_THROW(TakeIntegerEncoder(file, &net), sim::FileError);
+}
+
+}  // namespace
+}  // namespace bulletnav::agent
