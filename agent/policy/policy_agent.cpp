@@ -32,7 +32,12 @@ sim::Action PolicyAgent::Act(const Observation& observation) {
   return *last_;
 }
 
-std::size_t PolicyAgent::Choose(const std::array<float, 4>& probabilities, int step) const {
+std::size_t PolicyAgent::Choose(std::array<float, 4> probabilities, int step) const {
+  constexpr auto kStop = static_cast<std::size_t>(sim::Action::kStop);
+  if (config_.stop_from > 0.0) {
+    if (probabilities[kStop] >= config_.stop_from) return kStop;
+    probabilities[kStop] = 0.0f;
+  }
   if (!config_.sample) {
     return static_cast<std::size_t>(std::max_element(probabilities.begin(), probabilities.end()) -
                                     probabilities.begin());

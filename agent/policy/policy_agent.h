@@ -9,6 +9,7 @@
 #include "agent/agent.h"
 #include "agent/policy/policy_input.h"
 #include "agent/policy/policy_model.h"
+#include "sim/base/error.h"
 #include "sim/math/rng.h"
 
 namespace bulletnav::agent {
@@ -21,12 +22,19 @@ class PolicyAgent : public Agent {
   struct Config {
     /// Actions are drawn by their probabilities, as in training; else the likeliest is taken.
     bool sample = true;
+    /// The body stops if, and only if, the policy's probability of a stop is at least this, and
+    /// other actions are drawn among themselves: a stop ends the episode, so that small
+    /// probabilities of one add up. 0: a stop is an action like others.
+    double stop_from = 0.0;
 
     template <class V>
     void Visit(V& v) {
       v("sample", sample);
+      v("stop_from", stop_from);
     }
-    void Validate() const {}
+    void Validate() const {
+      if (!(stop_from >= 0.0 && stop_from < 1.0)) throw sim::Error("stop_from must be in [0, 1)");
+    }
   };
 
   PolicyAgent(const Config& config, const AgentContext& context)
@@ -38,7 +46,7 @@ class PolicyAgent : public Agent {
   sim::Action Act(const Observation& observation) override;
 
  private:
-  std::size_t Choose(const std::array<float, 4>& probabilities, int step) const;
+  std::size_t Choose(std::array<float, 4> probabilities, int step) const;
 
   Config config_;
   std::shared_ptr<PolicyModel> policy_;

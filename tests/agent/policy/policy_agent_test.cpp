@@ -90,5 +90,17 @@ TEST_F(PolicyAgentTest, DrawsActionsByTheirProbabilities) {
   EXPECT_EQ(counts[3], 0);
 }
 
+TEST_F(PolicyAgentTest, StopsOnlyWhenItIsSureIfItIsToldSo) {
+  PolicyAgent doubting({.stop_from = 0.5},
+                       std::make_shared<Stub>(std::array{0.45f, 0.3f, 0.15f, 0.1f}));
+  PolicyAgent sure({.stop_from = 0.5}, std::make_shared<Stub>(std::array{0.5f, 0.5f, 0.0f, 0.0f}));
+  doubting.Reset({seven_, {}}, 5);
+  sure.Reset({seven_, {}}, 5);
+  for (int step = 0; step < 50; ++step) {
+    EXPECT_NE(Act(&doubting, step), sim::Action::kStop);
+    EXPECT_EQ(Act(&sure, step), sim::Action::kStop);
+  }
+}
+
 }  // namespace
 }  // namespace bulletnav::agent
