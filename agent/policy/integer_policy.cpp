@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "agent/integer/integer_functions.h"
 #include "agent/models/semantic_model.h"
@@ -140,18 +141,16 @@ std::vector<float> IntegerPolicy::CodeOf(const Panorama& goal) {
 void IntegerPolicy::Correlate(const Values& source, std::span<const float> goal,
                               std::int16_t* out) const {
   constexpr std::size_t kRow = std::size_t{kPolicyMatches} * kPolicyMatchSize;
+  constexpr std::size_t kPairs = std::size_t{kDirections} * kDirections;
   const Values other(goal.begin(), goal.end());
-  for (std::size_t match = 0; match < kPolicyMatches; ++match) {
-    for (std::size_t i = 0; i < kDirections; ++i) {
-      for (std::size_t r = 0; r < kDirections; ++r) {
-        const std::int16_t* a = source.data() + i * kRow + match * kPolicyMatchSize;
-        const std::int16_t* b =
-            other.data() + (i + r) % kDirections * kRow + match * kPolicyMatchSize;
-        std::int64_t sum = 0;
-        for (std::size_t k = 0; k < kPolicyMatchSize; ++k) sum += std::int32_t{a[k]} * b[k];
-        *out++ = Cut(Rounded(sum * correlation_factor_, kCorrelationBits));
-      }
-    }
+  for (std::size_t number = 0; number < kPolicyMatches * kPairs; ++number) {
+    const std::size_t match = number / kPairs * kPolicyMatchSize;
+    const std::size_t i = number % kPairs / kDirections;
+    const std::size_t turned = (i + number % kDirections) % kDirections;
+    const std::int16_t* a = source.data() + i * kRow + match;
+    const std::int64_t sum = std::inner_product(
+        a, a + kPolicyMatchSize, other.data() + turned * kRow + match, std::int64_t{0});
+    *out++ = Cut(Rounded(sum * correlation_factor_, kCorrelationBits));
   }
 }
 

@@ -11,8 +11,9 @@
 namespace bulletnav::bench {
 
 /// What a step is worth to whoever learns: `success` times SPL when a goal is reached, `progress`
-/// for each metre of geodesic distance that it brings the body nearer, and `step`.
-/// Source: Neural Topological SLAM, section 5.1.
+/// for each metre of geodesic distance that it brings the body nearer, and `step`. Where no way
+/// leads from the body to the goal, the distance is what it last was. Source: Neural Topological
+/// SLAM, section 5.1.
 struct RewardSpec {
   double success = 10.0;
   double progress = 1.0;

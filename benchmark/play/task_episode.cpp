@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/play/task_episode.h"
 
+#include <cmath>
+
 #include "sim/base/check.h"
 #include "sim/base/files.h"
 
@@ -40,7 +42,12 @@ StepOutcome TaskEpisode::Take(sim::Action action, const sim::BodyPose& now,
   outcome.terminated = stops || IsThere();
   outcome.truncated = !outcome.terminated && goal_steps_ >= task_.max_steps;
   const double left = distance_left_;
-  if (task_.reward) distance_left_ = watch_->Geodesic();
+  if (task_.reward) {
+    // From where no way leads to the goal, as from between two pieces of furniture, none is left:
+    // what was gained or lost there counts when there is one again.
+    const double here = watch_->Geodesic();
+    if (std::isfinite(here)) distance_left_ = here;
+  }
   if (outcome.terminated || outcome.truncated) EndGoal(stops);
   if (task_.reward) {
     outcome.reward = task_.reward->step + task_.reward->progress * (left - distance_left_);

@@ -119,6 +119,19 @@ TEST(Environment, RewardsAddUpToProgressAndSuccess) {
   EXPECT_NEAR(sum, 2.0 * gained - 0.5 * 6 + 10.0 * goal.Value("spl"), 1e-9);
 }
 
+TEST(Environment, RewardsStayNumbersWhereNoWayLeadsToTheGoal) {
+  Task task = SmallTask();
+  task.reward = RewardSpec{10.0, 1.0, 0.0};
+  TaskEpisode episode(Ahead({3.0}), task, Room());
+  episode.StartGoal({{1, 0, -1}, 0.0});
+  const auto reward = [&](double z) {
+    return episode.Take(Action::kMoveForward, {{1, 0, z}, 0.0}, {}).reward;
+  };
+  EXPECT_NEAR(reward(-1.5), 0.5, 0.05);
+  EXPECT_EQ(reward(-50.0), 0.0);  // outside the house
+  EXPECT_NEAR(reward(-2.0), 0.5, 0.05);
+}
+
 TEST(Environment, AFailureIsWorthItsStepsAlone) {
   Task task = SmallTask();
   task.reward = RewardSpec{};
