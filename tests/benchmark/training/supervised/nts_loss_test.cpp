@@ -135,6 +135,8 @@ TEST(Losses, ReachEveryParameter) {
         .backward();
     for (const auto& item : net.named_parameters()) {
       ASSERT_TRUE(item.value().grad().defined()) << item.key();
+      // All directions have it, so that their softmax does not: but for rounding it is zero.
+      if (item.key() == "heads.direction_out.bias") continue;
       EXPECT_GT(item.value().grad().abs().sum().item<double>(), 0.0) << item.key();
     }
   }
