@@ -15,31 +15,18 @@
 #include "benchmark/training/rl/navigation/navigation_plan.h"
 #include "benchmark/training/rl/ppo.h"
 #include "sim/base/error.h"
+#include "tests/benchmark/training/supervised/watchers.h"
 #include "tests/support/houses.h"
 #include "tests/support/temporary_folder.h"
 
 namespace bulletnav::bench {
 namespace {
 
+using tests::Killed;
+using tests::Watcher;
+
 using ::testing::Each;
 using ::testing::HasSubstr;
-
-/// Ends a training after a step, as a kill would.
-struct Killed {};
-class Watcher final : public TrainObserver {
- public:
-  explicit Watcher(int kill_at) : kill_at_(kill_at) {}
-  void Resumed(int step) override { resumed = step; }
-  void Stepped(int step, double /*loss*/) override {
-    if (step == kill_at_) throw Killed();
-  }
-  void Validated(int /*step*/, const Measures& /*measures*/, const std::string& /*text*/) override {
-  }
-  int resumed = 0;
-
- private:
-  int kill_at_;
-};
 
 class NavigationTest : public testing::Test {
  protected:
@@ -93,7 +80,7 @@ class NavigationTest : public testing::Test {
     }
     Watcher rest(0);
     RunTraining(Job(Config(task, out("_parts"), more)), &rest);
-    EXPECT_EQ(rest.resumed, 4);
+    EXPECT_EQ(rest.resumed(), 4);
     const auto weights = [&](const char* name) {
       return agent::ReadTensorFile(out(name) / "weights.safetensors");
     };

@@ -10,27 +10,14 @@
 #include "benchmark/training/core/registry.h"
 #include "benchmark/training/rl/number_net.h"
 #include "sim/base/error.h"
+#include "tests/benchmark/training/supervised/watchers.h"
 #include "tests/support/temporary_folder.h"
 
 namespace bulletnav::bench {
 namespace {
 
-/// Ends a training after a step, as a kill would.
-struct Killed {};
-class Watcher final : public TrainObserver {
- public:
-  explicit Watcher(int kill_at) : kill_at_(kill_at) {}
-  void Resumed(int step) override { resumed = step; }
-  void Stepped(int step, double /*loss*/) override {
-    if (step == kill_at_) throw Killed();
-  }
-  void Validated(int /*step*/, const Measures& /*measures*/, const std::string& /*text*/) override {
-  }
-  int resumed = 0;
-
- private:
-  int kill_at_;
-};
+using tests::Killed;
+using tests::Watcher;
 
 /// Episodes of lane + 2 steps, ended and cut in turn; seen is the step's number.
 class Counting final : public PolicyTask {
@@ -191,7 +178,7 @@ TEST(PpoTraining, ResumedIsTheSameAsUninterruptedBitForBit) {
   }
   Watcher rest(0);
   RunTraining(FourRooms(folder.path() / "parts"), &rest);
-  EXPECT_EQ(rest.resumed, 8);
+  EXPECT_EQ(rest.resumed(), 8);
   const auto weights = [&](const char* name) {
     return agent::ReadTensorFile(folder.path() / name / "weights.safetensors").tensors;
   };
