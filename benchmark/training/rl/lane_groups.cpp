@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "agent/perception/one_thread.h"
+#include "benchmark/training/core/net_parts.h"
 #include "sim/base/check.h"
 
 namespace bulletnav::bench {
@@ -14,9 +15,7 @@ LaneGroups::LaneGroups(int lanes, int group, const ActorCriticMaker& make, Actor
   BULLETNAV_CHECK(group >= 1 && lanes % group == 0);
   for (int i = 0; i < lanes / group; ++i) {
     nets_.push_back(make());
-    const std::vector<torch::Tensor> shared = net->parameters();
-    const std::vector<torch::Tensor> own = nets_.back()->parameters();
-    for (std::size_t k = 0; k < own.size(); ++k) torch::Tensor(own[k]).set_data(shared[k].data());
+    ShareParameters(*net, *nets_.back());
     const std::vector<torch::Tensor> fixed = net->buffers();
     const std::vector<torch::Tensor> copies = nets_.back()->buffers();
     for (std::size_t k = 0; k < copies.size(); ++k) torch::Tensor(copies[k]).set_data(fixed[k]);
@@ -40,24 +39,11 @@ std::vector<double> LaneGroups::Differentiate(const std::vector<int>& groups,
     of_group.backward();
     losses[at] = of_group.item<double>();
   });
-  Gather(groups);
-  return losses;
-}
-
-void LaneGroups::Gather(const std::vector<int>& groups) {
-  const torch::NoGradGuard no_grad;
   const double share = 1.0 / static_cast<double>(groups.size());
-  const std::vector<torch::Tensor> parameters = net_->parameters();
   for (const int group : groups) {
-    const std::vector<torch::Tensor> own = nets_[static_cast<std::size_t>(group)]->parameters();
-    for (std::size_t k = 0; k < own.size(); ++k) {
-      torch::Tensor& part = own[k].mutable_grad();
-      if (!part.defined()) continue;
-      torch::Tensor& sum = parameters[k].mutable_grad();
-      sum = sum.defined() ? sum.add_(part, share) : part.mul_(share);
-      part.reset();
-    }
+    TakeGradients(*nets_[static_cast<std::size_t>(group)], share, *net_);
   }
+  return losses;
 }
 
 double LimitGradients(const torch::nn::Module& net, double limit) {

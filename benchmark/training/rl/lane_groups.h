@@ -32,8 +32,6 @@ class LaneGroups {
   std::vector<double> Differentiate(const std::vector<int>& groups, const GroupLoss& loss);
 
  private:
-  void Gather(const std::vector<int>& groups);
-
   int group_;
   ActorCritic* net_;
   sim::WorkerPool* pool_;

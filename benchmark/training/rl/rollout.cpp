@@ -109,8 +109,7 @@ void Actor::EncodeGoals(const std::vector<std::int64_t>& lanes) {
   }
 }
 
-ActorCritic::Output Actor::Ask(const torch::Tensor& starts, Now* seen_now) {
-  Now& now = *seen_now;
+ActorCritic::Output Actor::Ask(Now* now) {
   const std::int64_t count = Wide(lanes());
   const std::int64_t groups = (count + group_ - 1) / group_;
   std::vector<ActorCritic::Output> parts(static_cast<std::size_t>(groups));
@@ -124,14 +123,14 @@ ActorCritic::Output Actor::Ask(const torch::Tensor& starts, Now* seen_now) {
       return all.narrow(0, first, size);
     };
     ActorCritic::Seen seen;
-    seen.numbers = of(now.numbers).unsqueeze(0);
+    seen.numbers = of(now->numbers).unsqueeze(0);
     torch::Tensor& code = codes[static_cast<std::size_t>(i)];
-    if (now.pictures.defined()) {
-      code = net_->Encode(of(now.pictures));
+    if (now->pictures.defined()) {
+      code = net_->Encode(of(now->pictures));
       seen.codes = code.unsqueeze(0);
       seen.goal_codes = of(goal_codes_).unsqueeze(0);
     }
-    parts[static_cast<std::size_t>(i)] = net_->Run(seen, of(starts).unsqueeze(0), of(hidden_));
+    parts[static_cast<std::size_t>(i)] = net_->Run(seen, of(starts_).unsqueeze(0), of(hidden_));
   });
   std::vector<torch::Tensor> probabilities, values, hidden;
   for (const ActorCritic::Output& part : parts) {
@@ -139,7 +138,7 @@ ActorCritic::Output Actor::Ask(const torch::Tensor& starts, Now* seen_now) {
     values.push_back(part.values);
     hidden.push_back(part.hidden);
   }
-  if (now.pictures.defined()) now.codes = at::cat(codes);
+  if (now->pictures.defined()) now->codes = at::cat(codes);
   return {at::cat(probabilities, 1), at::cat(values, 1), at::cat(hidden)};
 }
 
@@ -182,7 +181,7 @@ std::vector<int> Actor::Choose(const PlaySpec& spec, Record* record, ActorCritic
   record->goal_index.push_back(Indices(record->goal_of_lane));
   std::vector<int> actions(lanes());
   if (record->asks) {
-    *output = Ask(starts_, &now);
+    *output = Ask(&now);
     hidden_ = output->hidden;
     Act(*output, &actions);
   }
@@ -280,7 +279,7 @@ std::vector<double> Actor::ValuesOf(const torch::Tensor& values,
 
 std::vector<double> Actor::ValuesHere(const RunningMoments& moments) {
   Now now = Observe();
-  return ValuesOf(Ask(starts_, &now).values[0], moments);
+  return ValuesOf(Ask(&now).values[0], moments);
 }
 
 /// The lanes whose next episode began.

@@ -84,7 +84,7 @@ class Actor {
   Now Observe();
   void EncodeGoals(const std::vector<std::int64_t>& lanes);
   /// Sets the codes of what was seen.
-  ActorCritic::Output Ask(const torch::Tensor& starts, Now* now);
+  ActorCritic::Output Ask(Now* now);
   Record BeginRecord(const PlaySpec& spec);
   /// Of lanes whose goal is new.
   void AddGoals(const std::vector<std::int64_t>& lanes, Record* record);

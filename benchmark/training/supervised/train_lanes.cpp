@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "agent/perception/one_thread.h"
+#include "benchmark/training/core/net_parts.h"
 #include "sim/math/rng.h"
 
 namespace bulletnav::bench {
@@ -14,9 +15,7 @@ TrainLanes::TrainLanes(const SupervisedPlan& plan, const LearnerMaker& make, tor
   for (int i = 0; i < plan_.lanes; ++i) {
     lanes_.push_back(make());
     if (plan_.device == Device::kCuda) lanes_.back()->net().to(torch::kCUDA);
-    const std::vector<torch::Tensor> shared = net->parameters();
-    const std::vector<torch::Tensor> own = lanes_.back()->net().parameters();
-    for (std::size_t k = 0; k < own.size(); ++k) torch::Tensor(own[k]).set_data(shared[k].data());
+    ShareParameters(*net, lanes_.back()->net());
     lanes_.back()->net().train();
   }
 }
@@ -61,18 +60,10 @@ void TrainLanes::Gather() {
   const double share = 1.0 / plan_.lanes;
   const std::vector<torch::Tensor> buffers = net_->buffers();
   for (const torch::Tensor& buffer : buffers) buffer.zero_();
-  const std::vector<torch::Tensor> parameters = net_->parameters();
   for (const auto& lane : lanes_) {
     const std::vector<torch::Tensor> means = lane->net().buffers();
     for (std::size_t k = 0; k < means.size(); ++k) buffers[k].add_(means[k], share);
-    const std::vector<torch::Tensor> own = lane->net().parameters();
-    for (std::size_t k = 0; k < own.size(); ++k) {
-      torch::Tensor& part = own[k].mutable_grad();
-      if (!part.defined()) continue;
-      torch::Tensor& sum = parameters[k].mutable_grad();
-      sum = sum.defined() ? sum.add_(part, share) : part.mul_(share);
-      part.reset();
-    }
+    TakeGradients(lane->net(), share, *net_);
   }
 }
 

@@ -5,8 +5,6 @@
 #include <numeric>
 #include <utility>
 
-#include <fmt/core.h>
-
 #include "benchmark/training/core/registry.h"
 #include "benchmark/training/rl/lane_groups.h"
 #include "benchmark/training/rl/lanes_state.h"
@@ -153,13 +151,9 @@ class ImitationTraining final : public Training {
     return NavigationCurves(config_.navigation.setting);
   }
   std::vector<std::pair<std::string, std::string>> CardRows() const override {
-    return {{"scenes", std::to_string(world_.scene_count())},
-            {"a step", fmt::format("{} steps of {} lanes", config_.rollout, config_.lanes)}};
+    return world_.CardRows(config_.lanes, config_.rollout);
   }
-  std::string validated_on() const override {
-    return fmt::format("{} episodes in validation scenes, in each setting",
-                       config_.navigation.validation_episodes);
-  }
+  std::string validated_on() const override { return world_.validated_on(); }
 
  private:
   static double Mean(const std::vector<double>& values) {

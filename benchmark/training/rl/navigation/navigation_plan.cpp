@@ -76,6 +76,7 @@ std::unique_ptr<PictureNet> NavigationPlan::MakeNet(std::uint64_t seed) const {
 
 NavigationWorld::NavigationWorld(const NavigationPlan& plan, const TrainContext& context)
     : setting_(plan.setting),
+      validation_episodes_(plan.validation_episodes),
       scenes_(LoadScenes(plan.data, context, "loading scenes")),
       validation_scenes_(LoadScenes(ValidationOf(plan), context, "loading validation scenes")),
       validation_(&validation_scenes_, plan.task(), plan.validation_episodes) {}
@@ -117,6 +118,16 @@ Measures NavigationWorld::Validate(const PolicyValidation::PolicyMaker& make,
   measures("loss", 1.0 - success);
   for (const Measures::Item& item : all.items()) measures(item.name, item.value);
   return measures;
+}
+
+std::vector<std::pair<std::string, std::string>> NavigationWorld::CardRows(int lanes,
+                                                                           int rollout) const {
+  return {{"scenes", std::to_string(scenes_.count())},
+          {"a step", fmt::format("{} steps of {} lanes", rollout, lanes)}};
+}
+
+std::string NavigationWorld::validated_on() const {
+  return fmt::format("{} episodes in validation scenes, in each setting", validation_episodes_);
 }
 
 std::string DescribeNavigation(const Measures& measures) {

@@ -3,6 +3,8 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "agent/policy/policy_config.h"
 #include "benchmark/training/core/registry.h"
@@ -55,12 +57,15 @@ class NavigationWorld {
   /// from the validation's first steps. Absent for a width that has no integers.
   std::optional<Measures> Quantise(agent::PolicyNet* net, const std::filesystem::path& file,
                                    sim::WorkerPool* pool) const;
-  std::size_t scene_count() const { return scenes_.count(); }
+  /// Rows of a card: the scenes, and a step of the training.
+  std::vector<std::pair<std::string, std::string>> CardRows(int lanes, int rollout) const;
+  std::string validated_on() const;
 
  private:
   Measures Validate(const PolicyValidation::PolicyMaker& make, sim::WorkerPool* pool) const;
 
   LaneSetting setting_;
+  int validation_episodes_;
   NavigationScenes scenes_;
   NavigationScenes validation_scenes_;
   PolicyValidation validation_;

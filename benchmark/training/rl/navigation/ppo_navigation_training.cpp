@@ -2,8 +2,6 @@
 #include <map>
 #include <utility>
 
-#include <fmt/core.h>
-
 #include "benchmark/training/core/registry.h"
 #include "benchmark/training/rl/navigation/navigation_plan.h"
 #include "benchmark/training/rl/ppo_training.h"
@@ -62,14 +60,9 @@ class PpoNavigationTraining final : public PpoTraining {
     return NavigationCurves(config_.navigation.setting);
   }
   std::vector<std::pair<std::string, std::string>> CardRows() const override {
-    return {
-        {"scenes", std::to_string(world_->scene_count())},
-        {"a step", fmt::format("{} steps of {} lanes", config_.ppo.rollout, config_.ppo.lanes)}};
+    return world_->CardRows(config_.ppo.lanes, config_.ppo.rollout);
   }
-  std::string validated_on() const override {
-    return fmt::format("{} episodes in validation scenes, in each setting",
-                       config_.navigation.validation_episodes);
-  }
+  std::string validated_on() const override { return world_->validated_on(); }
 
  private:
   PpoNavigationTraining(const Config& config, const std::shared_ptr<NavigationWorld>& world)
