@@ -16,6 +16,7 @@ constexpr float kLevel = 0.9f;        // vertical part of a level face's normal,
 constexpr float kOverhead = 2.0f;     // metres above the floor
 constexpr float kOnTheFloor = 0.15f;  // metres
 constexpr float kFloorStep = 0.1f;    // metres that heights are counted in
+constexpr double kFloorShare = 0.5;   // of the largest level's area: a roof may be larger than it
 constexpr double kMiddleGrey = 127.5;
 constexpr double kLightest = 255.0;
 constexpr int kMostShrunk = 1024;
@@ -214,7 +215,10 @@ float FloorHeight(const SceneMesh& mesh) {
   const auto most = std::max_element(areas.begin(), areas.end(), [](const auto& a, const auto& b) {
     return a.second < b.second;
   });
-  return (static_cast<float>(most->first) + 0.5f) * kFloorStep;
+  const auto floor = std::find_if(areas.begin(), areas.end(), [&](const auto& level) {
+    return level.second >= kFloorShare * most->second;
+  });
+  return (static_cast<float>(floor->first) + 0.5f) * kFloorStep;
 }
 
 void ApplyFinish(const Finish& finish, SceneMesh* mesh) {

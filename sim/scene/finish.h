@@ -61,7 +61,8 @@ struct Finish {
 /// be left out with the ceiling, they stay. The same bits on every processor.
 void ApplyFinish(const Finish& finish, SceneMesh* mesh);
 
-/// Height at which most area faces up: the floor, in scenes of one storey. Metres.
+/// The lowest height at which at least half as much area faces up as where most does: the floor, of
+/// the lowest storey, also below a ceiling or a roof that faces up. Metres.
 float FloorHeight(const SceneMesh& mesh);
 
 }  // namespace bulletnav::sim
