@@ -60,14 +60,20 @@ class Scene:
         return self._scene.island(point)
 
     def random_points(self, count, seed=0, island=0):
-        """Points (x, y, z) drawn evenly from an island's area, -1: from all, furniture too. The
-        same for the same seed."""
+        """Points (x, y, z) drawn evenly from an island's area, -1: from all. The same
+        for the same seed."""
         return [tuple(point) for point in self._scene.random_points(count, seed, island)]
 
     @property
     def islands(self):
         """Connected parts of the floor, largest first: [{"area": m2, "radius": m}]."""
         return self._scene.islands()
+
+    @property
+    def objects(self):
+        """What the numbers of a camera's channel "semantic" stand for: [{"category", "name",
+        "room"}], the first for what is not known; empty for scenes that do not say."""
+        return self._scene.objects()
 
     @property
     def report(self):

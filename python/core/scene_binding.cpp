@@ -99,6 +99,18 @@ py::dict Report(const Scene& scene) {
   return facts;
 }
 
+py::list Objects(const Scene& scene) {
+  py::list objects;
+  for (const sim::SceneObject& object : scene.world().objects()) {
+    py::dict facts;
+    facts["category"] = object.category;
+    facts["name"] = object.name;
+    facts["room"] = object.room;
+    objects.append(facts);
+  }
+  return objects;
+}
+
 }  // namespace
 
 void BindScene(py::module_* module) {
@@ -127,6 +139,7 @@ void BindScene(py::module_* module) {
           unlocked)
       .def("render", &Render)
       .def("islands", &Islands)
+      .def("objects", &Objects)
       .def("report", &Report)
       .def("renderer", [](const Scene& scene) {
         return scene.world().render_scene().description();

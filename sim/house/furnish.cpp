@@ -37,6 +37,7 @@ Furnishing Told(const placing::Placed& placed, int room) {
   furnishing.position = placed.pose.translation();
   furnishing.low = placed.bounds.min();
   furnishing.high = placed.bounds.max();
+  furnishing.name = placed.name;
   return furnishing;
 }
 

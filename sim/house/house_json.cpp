@@ -102,6 +102,7 @@ Json FurnitureJson(const std::vector<Furnishing>& furniture) {
                     {"yaw", piece.yaw},
                     {"low", VectorJson(piece.low)},
                     {"high", VectorJson(piece.high)}});
+    if (!piece.name.empty()) json.back()["name"] = piece.name;
   }
   return json;
 }
@@ -240,6 +241,7 @@ std::vector<Furnishing> ReadFurniture(const Node& node, std::size_t rooms) {
     piece.low = ReadVector(item.At("low"));
     piece.high = ReadVector(item.At("high"));
     if ((piece.high - piece.low).minCoeff() < 0.0f) item.At("high").Fail("is below low");
+    if (item.Has("name")) piece.name = item.At("name").Text();
     furniture.push_back(std::move(piece));
   }
   return furniture;

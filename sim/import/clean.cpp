@@ -33,11 +33,13 @@ std::size_t Filter(SceneMesh* mesh, const std::function<bool(const Triangle&)>& 
     if (!keep(mesh->triangles[i])) continue;
     mesh->triangles[kept] = mesh->triangles[i];
     mesh->triangle_materials[kept] = mesh->triangle_materials[i];
+    if (mesh->has_objects()) mesh->triangle_objects[kept] = mesh->triangle_objects[i];
     ++kept;
   }
   const std::size_t dropped = mesh->triangles.size() - kept;
   mesh->triangles.resize(kept);
   mesh->triangle_materials.resize(kept);
+  if (mesh->has_objects()) mesh->triangle_objects.resize(kept);
   return dropped;
 }
 

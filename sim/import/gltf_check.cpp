@@ -11,6 +11,7 @@
 #include "sim/base/error.h"
 #include "sim/base/files.h"
 #include "sim/import/gltf_document.h"
+#include "sim/import/gltf_objects.h"
 #include "sim/import/mesh_file_check.h"
 #include "sim/import/uri.h"
 
@@ -37,6 +38,7 @@ class GltfChecker {
     CheckReferences();
     CheckNodes();
     CheckMaterials(&checked->ignored);
+    checked->objects = ReadGltfObjects(gltf_, view_data_);
     checked->content = gltf_.WithIntegers();
   }
 

@@ -79,14 +79,17 @@ void RemoveCeiling(SceneMesh* mesh) {
   const float overhead = FloorHeight(*mesh) + kOverhead;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<std::uint32_t> materials;
+  std::vector<std::uint32_t> objects;
   for (std::size_t t = 0; t < mesh->triangles.size(); ++t) {
     if (LowestOf(*mesh, t) >= overhead && IsLevel(*mesh, t)) continue;
     triangles.push_back(mesh->triangles[t]);
     materials.push_back(mesh->triangle_materials[t]);
+    if (mesh->has_objects()) objects.push_back(mesh->triangle_objects[t]);
   }
   if (triangles.empty()) return;
   mesh->triangles = std::move(triangles);
   mesh->triangle_materials = std::move(materials);
+  mesh->triangle_objects = std::move(objects);
 }
 
 void BlankFloor(SceneMesh* mesh) {

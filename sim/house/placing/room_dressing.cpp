@@ -33,8 +33,7 @@ void RoomFurnisher::Rug(std::string_view kind, const PlanPoint& centre, float wi
     });
     if (lies_on_other) return;
     if (!space_.Contains(foot)) continue;
-    const MeshBuilder::Frame frame(builder_, pose);
-    builder_->Append(draft.piece.mesh);
+    Show(draft, pose);
     rugs_.push_back(foot);
     return;
   }
@@ -58,8 +57,7 @@ bool RoomFurnisher::OnTop(const Placed& piece, std::string_view kind) {
     });
     if (hits) continue;
     on_tops_.emplace_back(&piece, foot);
-    const MeshBuilder::Frame frame(builder_, piece.pose * local);
-    builder_->Append(draft.piece.mesh);
+    Show(draft, piece.pose * local);
     return true;
   }
   return false;
@@ -84,9 +82,7 @@ bool RoomFurnisher::Hang(const Draft& draft, const Eigen::Affine3f& pose) {
   if (box.min().y() < 1.7f && draft.bounds.sizes().z() > 0.1f) {
     if (space_.MeetsDoorway(FootOf(box)) || !space_.LeavesWayPast(box)) return false;
   }
-  Placed placed{draft.kind, pose, draft.bounds.sizes(), box, {}, draft.bounds};
-  const MeshBuilder::Frame frame(builder_, pose);
-  builder_->Append(draft.piece.mesh);
+  Placed placed{draft.kind, pose, draft.bounds.sizes(), box, {}, draft.bounds, Show(draft, pose)};
   space_.Add(box, std::nullopt);
   placed_.push_back(std::move(placed));
   return true;
@@ -134,8 +130,7 @@ void RoomFurnisher::DressWindow(const shell::Side& side, const shell::Hole& wind
         face * Moved(middle, top - draft.bounds.max().y(), kOnWallGap + 0.01f);
     const Box box = Transformed(draft.bounds, pose);
     if (!space_.Contains(FootOf(box)) || !space_.IsFree(box)) return false;
-    const MeshBuilder::Frame frame(builder_, pose);
-    builder_->Append(draft.piece.mesh);
+    Show(draft, pose);
     space_.Add(box, std::nullopt);
     return true;
   };
@@ -192,8 +187,7 @@ void RoomFurnisher::Light(std::string_view kind, const Placed* over) {
     const Eigen::Affine3f pose = Moved(at.x(), space_.ceiling(), at.y(), along_x ? 0.0f : kQuarter);
     const Box box = Transformed(draft.bounds, pose);
     if (!space_.Contains(FootOf(box)) || !space_.IsFree(box)) continue;
-    const MeshBuilder::Frame frame(builder_, pose);
-    builder_->Append(draft.piece.mesh);
+    Show(draft, pose);
     space_.Add(box, std::nullopt);
   }
 }
@@ -203,8 +197,7 @@ bool RoomFurnisher::HangAt(std::string_view kind, const PlanPoint& at, float tur
   const Eigen::Affine3f pose = Moved(at.x(), space_.ceiling(), at.y(), turn);
   const Box box = Transformed(draft.bounds, pose);
   if (!space_.Contains(FootOf(box)) || !space_.IsFree(box)) return false;
-  const MeshBuilder::Frame frame(builder_, pose);
-  builder_->Append(draft.piece.mesh);
+  Show(draft, pose);
   space_.Add(box, std::nullopt);
   return true;
 }

@@ -54,6 +54,13 @@ RoomFurnisher::Draft RoomFurnisher::Build(std::string_view kind, const PieceRequ
   return draft;
 }
 
+std::string RoomFurnisher::Show(const Draft& draft, const Eigen::Affine3f& pose) {
+  const MeshBuilder::Frame frame(builder_, pose);
+  const std::string name = builder_->BeginObject(draft.kind->name, space_.room().name).name;
+  builder_->Append(draft.piece.mesh);
+  return name;
+}
+
 std::optional<Rect> RoomFurnisher::ClearanceOf(const Draft& draft,
                                                const Eigen::Affine3f& pose) const {
   const float wanted = draft.kind->clearance;
@@ -90,11 +97,9 @@ bool RoomFurnisher::Fits(const Draft& draft, const Eigen::Affine3f& pose,
 
 const Placed* RoomFurnisher::Place(const Draft& draft, const Eigen::Affine3f& pose,
                                    bool keeps_clearance) {
-  Placed placed{draft.kind,           pose,
-                draft.bounds.sizes(), Transformed(draft.bounds, pose),
-                draft.piece.tops,     draft.bounds};
-  const MeshBuilder::Frame frame(builder_, pose);
-  builder_->Append(draft.piece.mesh);
+  Placed placed{
+      draft.kind,       pose,         draft.bounds.sizes(), Transformed(draft.bounds, pose),
+      draft.piece.tops, draft.bounds, Show(draft, pose)};
   const auto clearance = keeps_clearance ? ClearanceOf(draft, pose) : std::nullopt;
   space_.Add(placed.box, clearance);
   placed_.push_back(std::move(placed));

@@ -2,6 +2,7 @@
 #pragma once
 #include <deque>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "sim/house/furniture.h"
@@ -16,7 +17,8 @@ struct Placed {
   Eigen::Vector3f size = Eigen::Vector3f::Zero();      // along the piece's own axes
   Box box;                                             // in the world
   std::vector<TopSurface> tops;
-  Box bounds;  // in the piece's frame
+  Box bounds;        // in the piece's frame
+  std::string name;  // of the object, as MeshBuilder gives it
 };
 
 enum class Anchor { kAnywhere, kCentre, kEnd };  // along a wall
@@ -138,6 +140,8 @@ class RoomFurnisher {
   };
 
   Draft Build(std::string_view kind, const PieceRequest& request = {});
+  /// Adds it to the building, as an object; returns its name.
+  std::string Show(const Draft& draft, const Eigen::Affine3f& pose);
   bool Fits(const Draft& draft, const Eigen::Affine3f& pose, const Rules& rules) const;
   std::optional<Rect> ClearanceOf(const Draft& draft, const Eigen::Affine3f& pose) const;
   const Placed* Place(const Draft& draft, const Eigen::Affine3f& pose, bool keeps_clearance);

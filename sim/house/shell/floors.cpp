@@ -98,13 +98,18 @@ void AddBeams(const Surface& surface, const std::vector<PlanPoint>& outline, flo
 void AddFloorAndCeiling(const FloorPlan& plan, const HouseStyle& style, int room,
                         MeshBuilder* builder) {
   const auto& outline = plan.rooms[static_cast<std::size_t>(room)].outline;
+  const std::string& name = plan.rooms[static_cast<std::size_t>(room)].name;
   const RoomStyle& look = style.rooms[static_cast<std::size_t>(room)];
   const Extent house = ExtentOf(plan.footprint);
   const bool is_deep = (house.high - house.low).y() > (house.high - house.low).x();
   const std::vector<PlanPoint> wide = Grown(outline, 0.5f * InnerThickness(plan) + kSeam);
+  builder->BeginObject("floor", name);
   AddFloor(look.floor, wide, is_deep, builder);
+  builder->BeginObject("ceiling", name);
   builder->Polygon(look.ceiling, wide, plan.ceiling, false);
-  if (look.beams) AddBeams(*look.beams, outline, plan.ceiling, builder);
+  if (!look.beams) return;
+  builder->BeginObject("beams", name);
+  AddBeams(*look.beams, outline, plan.ceiling, builder);
 }
 
 }  // namespace bulletnav::sim::shell

@@ -237,7 +237,8 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(HouseJson, ReadsBackKindAndFurniture) {
   HouseDescription house = Sample();
   house.kind = "office";
-  house.furniture = {{"office_chair", 1, {-0.3f, 0, -0.3f}, {0.3f, 1, 0.25f}, {1, 0, -2}, 0.5f}};
+  house.furniture = {
+      {"office_chair", 1, {-0.3f, 0, -0.3f}, {0.3f, 1, 0.25f}, {1, 0, -2}, 0.5f, "office_chair_3"}};
   const HouseDescription back = ReadBack(ToJson(house));
   EXPECT_EQ(back.kind, "office");
   ASSERT_EQ(back.furniture.size(), 1U);
@@ -247,6 +248,7 @@ TEST(HouseJson, ReadsBackKindAndFurniture) {
   EXPECT_EQ(back.furniture[0].high, house.furniture[0].high);
   EXPECT_EQ(back.furniture[0].position, house.furniture[0].position);
   EXPECT_EQ(back.furniture[0].yaw, house.furniture[0].yaw);
+  EXPECT_EQ(back.furniture[0].name, "office_chair_3");
 
   json text = json::parse(ToJson(house));
   text["furniture"][0]["room"] = 99;

@@ -77,6 +77,48 @@ TEST(Sensors, OdometryAndBumperAreArraysAsWell) {
   EXPECT_TRUE(seen.sensors.collided);  // a room is not five metres long
 }
 
+TEST(Sensors, ACameraTellsObjectsApart) {
+  SceneMesh mesh = BoxRoom(4, 2.6f, 6);
+  mesh.objects = {{}, {"wall", "wall_1", "room"}, {"box", "box_1", "room"}};
+  mesh.triangle_objects.assign(mesh.triangles.size(), 1);
+  tests::AddBox({0.2f, 0, -3.5f}, {1.2f, 2, -3}, {90, 90, 90}, &mesh);
+  mesh.triangle_objects.resize(mesh.triangles.size(), 2);
+  WorldOptions options;
+  options.backend = Backend::kEmbree;
+  const auto world = World::FromMesh(mesh, "room", options);
+  EXPECT_EQ(world->objects(), mesh.objects);
+  SimulatorSpec spec;
+  PanoramaSensorConfig around;
+  around.panorama = {.rows = 32, .cols = 128};
+  around.channels = {"semantic", "depth"};
+  spec.sensors.Add("around", PanoramaSensor(around));
+  Simulator simulator(world, spec);
+  const Observation& seen = simulator.Reset(kStart);
+  const auto objects = seen.values<std::int32_t>("around.semantic");
+  EXPECT_THAT(objects, testing::Contains(2));
+  EXPECT_THAT(objects, testing::Each(testing::AnyOf(1, 2)));
+  around.channels = {"depth"};
+  const tests::Panorama drawn =
+      tests::RenderPanorama(world->render_scene(), around.panorama,
+                            {kStart.position.cast<float>() + Eigen::Vector3f(0, 1.25f, 0),
+                             static_cast<float>(kStart.yaw)});
+  EXPECT_THAT(seen.values<float>("around.depth"), ElementsAreArray(drawn.depth));
+}
+
+TEST(Sensors, ASceneWithoutObjectsHasNoneToTellApart) {
+  PinholeSensorConfig front = Front();
+  front.channels = {"semantic"};
+  SimulatorSpec spec = Spec();
+  spec.sensors.Add("objects", PinholeSensor(front));
+  try {
+    Simulator simulator(Room(), spec);
+    simulator.Reset(kStart);
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_THAT(e.what(), HasSubstr("the channel semantic needs a scene whose objects are known"));
+  }
+}
+
 TEST(Sensors, WrongNamesAndTypesAreErrors) {
   Simulator simulator(Room(), Spec());
   const Observation& seen = simulator.Reset(kStart);
