@@ -20,7 +20,7 @@ void LuggageRack(PieceMaker& m) {
   for (const float z : Spaced(0.06f, deep - 0.06f, 0.12f))
     m.Box(wood, {-half, high, z}, {half, high + 0.025f, z + 0.07f});
   m.Box(wood, {-half, high, 0}, {half, high + 0.3f, 0.025f});
-  if (!m.Chance(0.5)) return m.AddTop(high + 0.025f, {-half, 0.05f}, {half, deep});
+  if (!m.Chance(0.5)) return m.AddTop(high + 0.025f, {-half, 0.05f}, {half, deep - 0.05f});
   const float size = m.Draw(0.24f, 0.3f);
   m.RoundedBox({"plastic", MutedColor(m)}, {-half + 0.06f, high + 0.025f, 0.05f},
                {half - 0.06f, high + size, deep - 0.04f}, 0.04f);

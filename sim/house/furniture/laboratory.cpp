@@ -28,7 +28,7 @@ void Glassware(PieceMaker& m, const Vec& at) {
     case 0:
       return m.Turn(kGlass, at,
                     {{0.07f, 0.0f}, {0.07f, 0.02f}, {0.02f, 0.13f}, {0.02f, 0.2f}, {0.0f, 0.2f}},
-                    8);
+                    6);
     case 1:
       return m.Cylinder({"plastic", m.Chance(0.5) ? Rgb8{120, 72, 30} : BrightColor(m)}, at, 0.045f,
                         0.17f, 8);
@@ -64,7 +64,7 @@ void Apparatus(PieceMaker& m, const Vec& at) {
 
 void Stool(PieceMaker& m, const Vec& at) {
   const Surface seat = m.Chance(0.5) ? kBlackPlastic : m.palette().wood;
-  m.Cylinder(seat, at + Vec(0, 0.58f, 0), 0.17f, 0.05f, 10);
+  m.Cylinder(seat, at + Vec(0, 0.58f, 0), 0.17f, 0.05f, 8);
   for (const float x : {-0.12f, 0.12f}) {
     for (const float z : {-0.12f, 0.12f}) Post(m, kBlackMetal, at + Vec(x, 0, z), 0.025f, 0.58f);
   }
@@ -90,7 +90,7 @@ void LabBench(PieceMaker& m) {
     m.Box(kWhitePaint, {-half + 0.04f, shelf, -0.17f}, {half - 0.04f, shelf + 0.03f, 0.17f});
     for (const float x : Spaced(-half + 0.2f, half - 0.15f, 0.22f)) {
       const float z = m.Draw(-0.1f, 0.1f);
-      if (m.Chance(0.6)) Glassware(m, {x, shelf + 0.03f, z});
+      if (m.Chance(0.45)) Glassware(m, {x, shelf + 0.03f, z});
     }
   }
   const bool has_stools = m.Chance(0.75);
@@ -98,10 +98,10 @@ void LabBench(PieceMaker& m) {
     const Frame frame(&m, {0, 0, 0}, yaw);
     Doors(m, body, {-half + 0.05f, half - 0.05f, 0.14f, kBenchTop - 0.06f, kDeep - 0.06f}, doors);
     for (const float x : Spaced(-half + 0.35f, half - 0.3f, 0.6f)) {
-      if (m.Chance(0.6)) Apparatus(m, {x, kBenchTop, 0.42f});
+      if (m.Chance(0.5)) Apparatus(m, {x, kBenchTop, 0.42f});
     }
     if (!has_stools) continue;
-    for (const float x : Spaced(-half + 0.4f, half - 0.3f, 0.9f)) Stool(m, {x, 0, kDeep + 0.14f});
+    for (const float x : Spaced(-half + 0.4f, half - 0.3f, 1.0f)) Stool(m, {x, 0, kDeep + 0.14f});
   }
   m.AddTop(kBenchTop, {-half, 0.22f}, {half, kDeep});
 }

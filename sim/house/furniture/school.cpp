@@ -60,7 +60,7 @@ void SchoolDesk(PieceMaker& m) {
       m.Box(book, {x - 0.1f, high, 0.12f}, {x + 0.1f, high + m.Draw(0.01f, 0.05f), 0.38f});
     }
     if (m.Chance(0.3))
-      m.Block({"canvas", BrightColor(m)}, {x + 0.3f * half, 0, 0.15f}, {0.3f, 0.38f, 0.2f});
+      m.Block({"canvas", BrightColor(m)}, {x + 0.1f * half, 0, 0.15f}, {0.24f, 0.38f, 0.2f});
   }
   m.AddTop(high, {-half, 0.0f}, {half, deep});
 }
