@@ -20,7 +20,7 @@ constexpr std::array kExams = {
     Cell{kWaitingRoom, 4.0f, 7.0f, 0.5, 0, 2, kArch}, Cell{kOffice, 2.8f, 3.8f, 0.5, 0, 2},
     Cell{kLaboratory, 4.5f, 7.0f, 0.3, 0, 1}};
 constexpr std::array kWards = {
-    Cell{kWard, 3.6f, 4.6f, 2.0, 1, 99, kDoor, false, Alcove{kBathroom, 1.8f, 2.0f}},
+    Cell{kWard, 3.8f, 4.8f, 2.0, 1, 99, kDoor, false, Alcove{kBathroom, 2.0f, 2.2f}},
     Cell{kWard, 5.6f, 8.5f, 1.5}, Cell{kWaitingRoom, 4.0f, 6.5f, 0.3, 0, 1, kArch},
     Cell{kExamRoom, 3.2f, 4.5f, 0.4, 0, 2}};
 constexpr std::array kService = {
@@ -70,7 +70,7 @@ Block Hospital(Rng* rng) {
 
 void Lay(float area, Sketch* sketch, Rng* rng) {
   const bool is_hospital = area > 650.0f && rng->Chance(0.65);
-  const bool has_wards = area > 260.0f && rng->Chance(0.55);
+  const bool has_wards = area > 260.0f && rng->Chance(area > 500.0f ? 0.85 : 0.55);
   Block block = is_hospital ? Hospital(rng) : (has_wards ? WardFloor(rng) : Practice(rng));
   float depth = 0.0f;
   for (const Band& band : block.bands) depth += band.depth;
@@ -130,7 +130,7 @@ void FurnishExamRoom(RoomFurnisher* room) {
   if (room->area() > 18.0f && room->Chance(0.7)) return FurnishTreatment(room);
   const Placed* couch = room->AgainstWall("exam_couch", {.anchor = placing::Anchor::kEnd});
   const Placed* desk = room->AgainstWall("desk", {.width = 1.6f, .min_width = 1.1f});
-  if (desk != nullptr) room->At(*desk, "office_chair", {0.0f, desk->size.z() + 0.22f, kHalfTurn});
+  if (desk != nullptr) SeatAtDesks(room);
   if (couch != nullptr && room->Chance(0.5)) {
     room->At(*couch, "bed_curtain", {0.0f, couch->size.z() + 0.5f, 0.0f}, {.width = 1.6f});
   }
@@ -236,7 +236,7 @@ void Furnish(RoomType type, RoomFurnisher* room) {
   if (type == kCorridor) return FurnishWideCorridor(room);
   if (type == kLaboratory) return FurnishSampleRoom(room);
   if (type == kBathroom) return FurnishWetCell(room);
-  if (type == kOffice) return FurnishOffice(room);
+  if (type == kOffice) return FurnishStaffOffice(room);
   if (type == kBreakRoom) return FurnishBreakRoom(room);
   if (type == kRestroom) return FurnishRestroom(room);
   if (type == kStockRoom) return FurnishStockRoom(room);

@@ -29,9 +29,9 @@ struct Rooms {
 Rooms DrawRooms(bool has_breakfast, Rng* rng) {
   Rooms rooms;
   rooms.depth = Draw(rng, 5.4, 7.2);
-  const float width = Draw(rng, 3.3, 4.3);
-  const float bath = std::min(Draw(rng, 1.6, 2.0), width - 1.6f);
-  const Alcove alcove{kBathroom, bath, Draw(rng, 1.8, 2.3)};
+  const float width = Draw(rng, 3.5, 4.4);
+  const float bath = std::min(Draw(rng, 1.8, 2.2), width - 1.6f);
+  const Alcove alcove{kBathroom, bath, Draw(rng, 2.0, 2.5)};
   const int breakfast = has_breakfast ? 1 : 0;
   rooms.cells = {
       Cell{kHotelRoom, width, width + 0.06f, 8.0, 1, 99, OpeningKind::kDoor, false, alcove},
@@ -77,17 +77,33 @@ void Lay(float area, Sketch* sketch, Rng* rng) {
   LayBent(block, has_core ? kNever : Draw(rng, 25.0, 70.0), sketch, rng);
 }
 
-void PlaceGuestBed(RoomFurnisher* room) {
-  const bool is_twin = room->Chance(0.3);
+/// What the rooms of one house have in common besides their pieces' looks.
+struct GuestRoom {
+  bool is_twin = false;
+  bool has_mirror = false;  // over the desk, else a screen
+  bool has_lamp = false;
+  bool has_chair = false;
+};
+
+GuestRoom DrawGuestRoom(RoomFurnisher* room) {
+  GuestRoom guest;
+  guest.is_twin = room->Chance(0.3);
+  guest.has_mirror = room->Chance(0.5);
+  guest.has_lamp = room->Chance(0.5);
+  guest.has_chair = room->Chance(0.7);
+  return guest;
+}
+
+void PlaceGuestBed(const GuestRoom& guest, RoomFurnisher* room) {
   const placing::Wish wish{.anchor = placing::Anchor::kCentre, .far_from_doors = true};
-  const Placed* bed = room->AgainstWall(is_twin ? "single_bed" : "double_bed", wish);
+  const Placed* bed = room->AgainstWall(guest.is_twin ? "single_bed" : "double_bed", wish);
   if (bed == nullptr) bed = room->AgainstWall("single_bed", {.squeeze = true});
   if (bed == nullptr) return;
   for (const bool left : {true, false}) {
     const Placed* stand = room->Beside(*bed, "nightstand", left);
     if (stand == nullptr) continue;
     room->OnTop(*stand, "table_lamp");
-    if (is_twin && left) room->Beside(*stand, "single_bed", true);
+    if (guest.is_twin && left) room->Beside(*stand, "single_bed", true);
   }
   room->Over(*bed, "painting", 0.35f);
 }
@@ -95,26 +111,26 @@ void PlaceGuestBed(RoomFurnisher* room) {
 /// The same in every room of the house, as far as its plan allows.
 void FurnishGuestRoom(RoomFurnisher* room) {
   room->DrawAsInOtherRooms();
+  const GuestRoom guest = DrawGuestRoom(room);
   room->SetAlike(true);
-  PlaceGuestBed(room);
+  PlaceGuestBed(guest, room);
   const Placed* desk = room->AgainstWall("desk", {.width = 1.4f, .min_width = 1.0f});
   if (desk != nullptr) {
-    room->At(*desk, "office_chair", {0.0f, desk->size.z() + 0.22f, kHalfTurn});
-    room->Over(*desk, room->Chance(0.5) ? "wall_tv" : "mirror", 0.4f);
+    SeatAtDesks(room);
+    room->Over(*desk, guest.has_mirror ? "mirror" : "wall_tv", 0.4f);
   }
   room->AgainstWall("wardrobe",
                     {.width = 1.2f, .min_width = 0.8f, .anchor = placing::Anchor::kEnd});
   room->AgainstWall("minibar");
   room->AgainstWall("luggage_rack");
-  room->AgainstWall("armchair");
-  if (room->Chance(0.5)) room->NearWall("floor_lamp");
-  room->OnWall("wall_tv", 1.1f);
+  if (guest.has_chair) room->AgainstWall("armchair");
+  if (guest.has_lamp) room->NearWall("floor_lamp");
+  if (guest.has_mirror) room->OnWall("wall_tv", 1.1f);
   room->NearWall("bin");
   room->DressWindows(true);
   room->Light("ceiling_lamp");
-  // Guests differ.
-  if (room->Chance(0.5)) room->NearWall("suitcase");
   room->OnWall("painting");
+  if (room->Chance(0.5)) room->NearWall("suitcase");  // guests differ
 }
 
 void FurnishGuestBath(RoomFurnisher* room) {
@@ -165,7 +181,7 @@ void Furnish(RoomType type, RoomFurnisher* room) {
   if (type == kCorridor) return FurnishHotelCorridor(room);
   if (type == kStockRoom) return FurnishLinenRoom(room);
   if (type == kMeetingRoom) return FurnishMeetingRoom(room);
-  if (type == kOffice) return FurnishOffice(room);
+  if (type == kOffice) return FurnishStaffOffice(room);
   if (type == kRestroom) return FurnishRestroom(room);
   FurnishTechnicalRoom(room);
 }

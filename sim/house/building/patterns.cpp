@@ -129,8 +129,8 @@ void GlazedWall(Hall* hall, float u) {
 void Tables(Hall* hall, std::string_view table, float width, const Field& field) {
   RoomFurnisher& room = hall->room();
   room.SetAlike(true);
-  constexpr float kAcross = 2.5f;
-  const float along = width + 1.5f;
+  constexpr float kAcross = 2.1f;  // metres; with chairs and a way
+  const float along = width + 1.0f;
   const auto columns = std::max(1, static_cast<int>((field.u1 - field.u0) / along));
   const auto rows = std::max(1, static_cast<int>((field.v1 - field.v0) / kAcross));
   for (int i = 0; i < rows * columns; ++i) {
@@ -145,10 +145,31 @@ void Tables(Hall* hall, std::string_view table, float width, const Field& field)
   room.SetAlike(false);
 }
 
+void SeatAtDesks(RoomFurnisher* room) {
+  constexpr std::array kBehind = {0.22f, 0.34f, 0.46f};  // metres from the desk's edge
+  const std::size_t count = room->placed().size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const Placed& desk = room->placed()[i];
+    if (desk.kind->name != "desk") continue;
+    const Placed* next = i + 1 < count ? &room->placed()[i + 1] : nullptr;
+    if (next != nullptr && next->kind->name == "office_chair") continue;
+    for (const float behind : kBehind) {
+      const float z = desk.size.z() + behind;
+      if (room->At(desk, "office_chair", {0.0f, z, kHalfTurn}) != nullptr) break;
+    }
+  }
+}
+
+void FurnishStaffOffice(RoomFurnisher* room) {
+  FurnishOffice(room);
+  SeatAtDesks(room);
+}
+
 void FurnishWetCell(RoomFurnisher* room) {
   room->SetAlike(true);
+  const placing::Wish in_corner{.anchor = placing::Anchor::kEnd, .squeeze = true};
   room->InCorner("shower_cabin");
-  room->AgainstWall("toilet", {.anchor = placing::Anchor::kEnd, .squeeze = true});
+  room->AgainstWall("toilet", in_corner);
   const Placed* basin = room->AgainstWall("washbasin", {.width = 0.6f, .squeeze = true});
   if (basin == nullptr) basin = room->AgainstWall("pedestal_basin", {.squeeze = true});
   if (basin != nullptr) room->Over(*basin, "mirror", 0.3f);
@@ -167,7 +188,7 @@ void FurnishCanteen(RoomFurnisher* room) {
     room->AgainstWall("buffet_counter", {.width = 3.2f, .min_width = 1.4f});
   }
   if (room->Chance(0.5)) room->AgainstWall("vending_machine");
-  Field field = hall.Inner(1.2f);
+  Field field = hall.Inner(0.7f);
   if (hall.length() > 11.0f && room->Chance(0.5)) {
     const float u = Draw(hall.rng(), 0.25, 0.35) * hall.length();
     GlazedWall(&hall, u);

@@ -119,7 +119,8 @@ void FurnishClassroom(RoomFurnisher* room) {
         .width = single ? 0.75f : 1.3f,
         .pitch = Draw(hall.rng(), 1.35, 1.7),
         .first = 2.7f,
-        .gap = Draw(hall.rng(), 0.6, 0.9)});
+        .side = 0.55f,
+        .gap = Draw(hall.rng(), 0.45, 0.8)});
   room->SetAlike(false);
   static constexpr std::array<std::string_view, 4> kWalls = {"low_shelf", "credenza", "bookshelf",
                                                              "locker_row"};
@@ -141,9 +142,9 @@ void FurnishLaboratory(RoomFurnisher* room) {
   room->SetAlike(room->Chance(0.5));
   hall.Fill({.kind = "lab_bench",
              .width = Draw(hall.rng(), 1.8, 2.8),
-             .pitch = Draw(hall.rng(), 2.9, 3.5),
+             .pitch = Draw(hall.rng(), 2.6, 3.2),
              .break_after = 5.0f},
-            hall.Inner(1.3f));
+            hall.Inner(0.9f));
   room->SetAlike(false);
   for (int i = 0; i < benches; ++i) {
     room->AgainstWall("lab_wall_bench", {.width = 3.2f, .min_width = 1.4f});
@@ -167,7 +168,7 @@ void FurnishGym(Hall* hall) {
   }
   for (int i = 0; i < 3; ++i) room.AgainstWall("wall_bars", {.width = 2.7f, .min_width = 0.9f});
   for (int i = 0; i < 2; ++i) room.AgainstWall("bench");
-  for (int i = 0; i < room.rng().Between(1, 3); ++i)
+  for (int i = 0; i < room.rng().Between(2, 5); ++i)
     hall->Scatter("vaulting_box", hall->Inner(1.5f));
   for (int i = 0; i < 2; ++i) room.NearWall("gym_mats");
   for (int i = 0; i < 4; ++i) room.NearWall("ball");
@@ -238,7 +239,7 @@ void Furnish(RoomType type, RoomFurnisher* room) {
   if (type == kCanteen) return FurnishCanteen(room);
   if (type == kLobby) return FurnishSchoolLobby(room);
   if (type == kCorridor) return FurnishSchoolCorridor(room);
-  if (type == kOffice) return FurnishOffice(room);
+  if (type == kOffice) return FurnishStaffOffice(room);
   if (type == kMeetingRoom) return FurnishMeetingRoom(room);
   if (type == kBreakRoom) return FurnishBreakRoom(room);
   if (type == kRestroom) return FurnishRestroom(room);
