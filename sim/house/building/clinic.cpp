@@ -157,7 +157,7 @@ void FurnishSeats(Hall* hall, int count) {
 
 void FurnishWaitingRoom(RoomFurnisher* room) {
   Hall hall(room);
-  if (room->area() > 40.0f && room->Chance(0.6)) GlazedWall(&hall, 0.3f * hall.length());
+  if (room->area() > 18.0f && room->Chance(0.4)) GlazedWall(&hall, 0.35f * hall.length());
   FurnishSeats(&hall, 2 + static_cast<int>(room->area() / 12.0f));
   if (hall.width() > 4.5f) {
     room->SetAlike(true);

@@ -161,8 +161,10 @@ void FurnishHotelCorridor(RoomFurnisher* room) {
 }
 
 void FurnishHotelLobby(RoomFurnisher* room) {
-  room->AgainstWall("lift_doors");
-  if (room->area() > 60.0f) room->AgainstWall("lift_doors");
+  room->SetAlike(true);
+  const int lifts = room->area() > 60.0f ? 2 : 1;
+  for (int i = 0; i < lifts; ++i) room->AgainstWall("lift_doors");
+  room->SetAlike(false);
   room->NearWall("bell_cart");
   if (room->Chance(0.5)) room->NearWall("suitcase");
   FurnishLobby(room);

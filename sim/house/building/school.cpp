@@ -14,7 +14,7 @@ using enum RoomType;
 constexpr OpeningKind kArch = OpeningKind::kArch;
 
 constexpr std::array kClasses = {Cell{kClassroom, 7.0f, 10.0f, 3.0, 1},
-                                 Cell{kLaboratory, 7.0f, 11.0f, 1.0, 0, 3},
+                                 Cell{kLaboratory, 7.0f, 11.0f, 1.6, 0, 3},
                                  Cell{kStockRoom, 2.4f, 3.5f, 0.3, 0, 1}};
 constexpr std::array kResearch = {
     Cell{kLaboratory, 5.5f, 11.0f, 3.0, 1}, Cell{kOffice, 3.0f, 4.5f, 1.5},
@@ -63,7 +63,7 @@ Block Core(std::span<const Cell> rooms, Rng* rng) {
 
 void Lay(float area, Sketch* sketch, Rng* rng) {
   const std::span<const Cell> rooms =
-      rng->Chance(0.7) ? std::span<const Cell>(kClasses) : kResearch;
+      rng->Chance(0.62) ? std::span<const Cell>(kClasses) : kResearch;
   const bool has_core = area > 900.0f && rng->Chance(0.5);
   const bool is_small = area < 260.0f;
   Block block = is_small ? Gallery(rng) : (has_core ? Core(rooms, rng) : Spine(rooms, rng));

@@ -150,7 +150,7 @@ void LiftDoors(PieceMaker& m) {
   const float half = 0.5f * m.Draw(1.2f, 1.5f);
   const float high = m.Draw(2.15f, 2.35f);
   const Surface frame = m.Chance(0.5) ? kSteel : Surface{"black_marble"};
-  const Surface leaf = m.Chance(0.7) ? kSteel : Surface{"painted_wood", MutedColor(m)};
+  const Surface leaf = m.Chance(0.85) ? kSteel : Surface{"painted_wood", MutedColor(m)};
   m.Box(frame, {-half, 0, 0}, {-half + 0.16f, high, 0.1f});
   m.Box(frame, {half - 0.16f, 0, 0}, {half, high, 0.1f});
   m.Box(frame, {-half + 0.16f, high - 0.2f, 0}, {half - 0.16f, high, 0.1f});
