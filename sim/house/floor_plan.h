@@ -47,7 +47,8 @@ enum class RoomType {
   kHotelRoom,
   kLobby,
   kWorkshop,
-  kWarehouse
+  kWarehouse,
+  kAssemblyHall
 };
 
 template <>
@@ -83,7 +84,8 @@ struct EnumNames<RoomType> {
                                         std::pair{"hotel_room", RoomType::kHotelRoom},
                                         std::pair{"lobby", RoomType::kLobby},
                                         std::pair{"workshop", RoomType::kWorkshop},
-                                        std::pair{"warehouse", RoomType::kWarehouse}};
+                                        std::pair{"warehouse", RoomType::kWarehouse},
+                                        std::pair{"assembly_hall", RoomType::kAssemblyHall}};
 };
 
 /// Plan coordinates are the world's (x, z) in metres, seen from above with x right and z down.

@@ -41,7 +41,10 @@ struct BuildingKind {
 };
 
 /// The kinds, one function a file.
+const BuildingKind& Clinic();
+const BuildingKind& Hotel();
 const BuildingKind& Office();
+const BuildingKind& School();
 const BuildingKind& Warehouse();
 
 /// All of them, in the order of their names.

@@ -83,6 +83,7 @@ class Decorator {
       case RoomType::kLobby:
       case RoomType::kWorkshop:
       case RoomType::kWarehouse:
+      case RoomType::kAssemblyHall:
         break;
     }
     return theme_.main_floor;
@@ -162,6 +163,7 @@ class Decorator {
       case RoomType::kLobby:
       case RoomType::kWorkshop:
       case RoomType::kWarehouse:
+      case RoomType::kAssemblyHall:
         break;
     }
   }
