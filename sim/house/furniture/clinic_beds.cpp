@@ -67,7 +67,9 @@ void HospitalBed(PieceMaker& m) {
   }
 }
 
+/// Its length lies along x, so that it stands along walls.
 void Gurney(PieceMaker& m) {
+  const Frame along(&m, {0, 0, 0}, kQuarterTurn);
   const float half = 0.5f * m.Draw(0.62f, 0.7f);
   const float base = m.Draw(0.68f, 0.78f);
   constexpr float kEnd = 0.96f;
