@@ -8,7 +8,7 @@
 namespace bulletnav::sim::building {
 
 std::span<const BuildingKind* const> AllKinds() {
-  static const std::array kAll = {&Office(), &Warehouse()};
+  static const std::array kAll = {&Loft(), &Office(), &Shop(), &Warehouse(), &Workshop()};
   return kAll;
 }
 

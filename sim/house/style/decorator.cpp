@@ -83,6 +83,9 @@ class Decorator {
       case RoomType::kLobby:
       case RoomType::kWorkshop:
       case RoomType::kWarehouse:
+      case RoomType::kPaintRoom:
+      case RoomType::kStairwell:
+      case RoomType::kStudio:
         break;
     }
     return theme_.main_floor;
@@ -162,6 +165,9 @@ class Decorator {
       case RoomType::kLobby:
       case RoomType::kWorkshop:
       case RoomType::kWarehouse:
+      case RoomType::kPaintRoom:
+      case RoomType::kStairwell:
+      case RoomType::kStudio:
         break;
     }
   }
