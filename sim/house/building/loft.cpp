@@ -38,31 +38,40 @@ void Lay(float area, Sketch* sketch, Rng* rng) {
   LayBlock(block, {{0, 0}, {1, 0}, {0, 1}}, -1, sketch, rng);
 }
 
-/// A bed at the far end, behind screens or shelves that leave a way at one side.
+/// Screens or shelves across the far end that leave a way at one side. Returns where they stand.
+float Screens(Hall* hall, bool at_left) {
+  RoomFurnisher& room = hall->room();
+  static constexpr std::array<std::string_view, 3> kScreens = {"partition", "glass_screen",
+                                                               "book_gondola"};
+  constexpr float kWide = 1.6f;
+  const std::string_view screen = room.Pick(kScreens);
+  const float u = hall->length() - Draw(hall->rng(), 3.4, 4.4);
+  const float reach = Draw(hall->rng(), 0.55, 0.75) * hall->width();
+  room.SetAlike(true);
+  for (float at = 0.5f * kWide + 0.05f; at + 0.5f * kWide < reach; at += kWide + 0.01f) {
+    const float v = at_left ? at : hall->width() - at;
+    hall->Put(screen, u, v, Look::kLeft, {.width = kWide, .height = 2.0f});
+  }
+  room.SetAlike(false);
+  return u;
+}
+
+/// A bed at the far end of the room, its head at the wall there or at the screens.
 void BedZone(Hall* hall) {
   RoomFurnisher& room = hall->room();
   const bool at_left = room.Chance(0.5);
+  const float screens = Screens(hall, at_left);
   const float v = (at_left ? 0.3f : 0.7f) * hall->width();
   const Placed* bed = hall->Put("double_bed", hall->length() - 0.05f, v, Look::kLeft);
+  if (bed == nullptr) bed = hall->Put("double_bed", screens + 0.45f, v, Look::kRight);
   if (bed == nullptr) bed = room.AgainstWall("double_bed", {.far_from_doors = true});
+  if (bed == nullptr) bed = room.InTheOpen("single_bed");
   if (bed == nullptr) return;
   for (const bool left : {true, false}) {
     const Placed* table = room.Beside(*bed, "nightstand", left);
     if (table != nullptr) room.OnTop(*table, "table_lamp");
   }
   room.AgainstWall("wardrobe", {.width = 2.2f, .min_width = 1.0f, .near = bed});
-  static constexpr std::array<std::string_view, 3> kScreens = {"partition", "glass_screen",
-                                                               "book_gondola"};
-  const std::string_view screen = room.Pick(kScreens);
-  room.SetAlike(true);
-  const float u = hall->length() - Draw(hall->rng(), 3.3, 4.2);
-  constexpr float kWide = 1.6f;
-  const float reach = 0.68f * hall->width();
-  for (float at = 0.5f * kWide + 0.05f; at + 0.5f * kWide < reach; at += kWide) {
-    const float place = at_left ? at : hall->width() - at;
-    hall->Put(screen, u, place, Look::kLeft, {.width = kWide, .height = 2.0f});
-  }
-  room.SetAlike(false);
 }
 
 /// Worktops on a wall, an island, a table with chairs.
@@ -152,11 +161,15 @@ void HobbyZone(Hall* hall) {
 
 void FurnishStudio(RoomFurnisher* room) {
   Hall hall(room);
-  if (hall.width() > 6.0f && room->Chance(0.75)) hall.Columns(Draw(hall.rng(), 3.8, 5.5));
-  KitchenZone(&hall);
   BedZone(&hall);
-  SofaZone(&hall, Draw(hall.rng(), 0.35, 0.55) * hall.length());
+  KitchenZone(&hall);
+  if (hall.width() > 6.0f && room->Chance(0.75)) hall.Columns(Draw(hall.rng(), 3.8, 5.5));
+  SofaZone(&hall, Draw(hall.rng(), 0.35, 0.5) * hall.length());
   HobbyZone(&hall);
+  if (room->area() > 90.0f) {
+    HobbyZone(&hall);
+    SofaZone(&hall, Draw(hall.rng(), 0.12, 0.25) * hall.length());
+  }
   static constexpr std::array<std::string_view, 5> kWalls = {"bookshelf", "sideboard", "low_shelf",
                                                              "display_cabinet", "console_table"};
   hall.AlongWalls(kWalls, 2 + static_cast<int>(room->area() / 25.0f), 1.8f);

@@ -91,8 +91,8 @@ void FurnishBookShop(Hall* hall) {
   field.u0 = tables.u1 + 0.5f;
   hall->Fill({.kind = "book_gondola",
               .width = Draw(hall->rng(), 1.2, 2.0),
-              .pitch = Draw(hall->rng(), 1.9, 2.6),
-              .gap = room.Chance(0.5) ? 0.0f : 0.9f,
+              .pitch = Draw(hall->rng(), 1.7, 2.4),
+              .gap = room.Chance(0.7) ? 0.0f : 0.9f,
               .break_after = 5.0f,
               .share = 0.92f},
              field);
@@ -110,8 +110,8 @@ void FurnishClothesShop(Hall* hall) {
              {field.u0, field.u1, middle - 1.2f, middle + 1.2f});
   hall->Fill({.kind = "garment_rack",
               .width = Draw(hall->rng(), 1.2, 1.8),
-              .pitch = Draw(hall->rng(), 1.8, 2.6),
-              .gap = Draw(hall->rng(), 0.8, 1.4),
+              .pitch = Draw(hall->rng(), 1.6, 2.3),
+              .gap = Draw(hall->rng(), 0.6, 1.1),
               .share = 0.85f},
              field);
   for (int i = 0; i < 2 + static_cast<int>(room.area() / 30.0f); ++i) {
@@ -127,7 +127,7 @@ void FurnishGrocer(Hall* hall) {
   RoomFurnisher& room = hall->room();
   hall->Fill({.kind = "gondola",
               .width = Draw(hall->rng(), 1.3, 2.2),
-              .pitch = Draw(hall->rng(), 2.0, 2.9),
+              .pitch = Draw(hall->rng(), 1.9, 2.6),
               .break_after = Draw(hall->rng(), 6.0, 12.0),
               .share = 0.96f},
              Sales(*hall));

@@ -74,9 +74,10 @@ void FurnishMetalShop(Hall* hall) {
   static constexpr std::array<std::string_view, 4> kMachines = {"lathe", "press", "machine",
                                                                 "drill_press"};
   const Field field = hall->Inner(1.6f);
-  for (int row = 0; row < 3; ++row) {
-    const float v = field.v0 + (field.v1 - field.v0) * (static_cast<float>(row) + 0.5f) / 3.0f;
-    if (row == 1 && hall->width() < 8.0f) continue;
+  const auto rows = std::max(1, static_cast<int>((field.v1 - field.v0) / 2.6f));
+  for (int row = 0; row < rows; ++row) {
+    const float share = (static_cast<float>(row) + 0.5f) / static_cast<float>(rows);
+    const float v = field.v0 + (field.v1 - field.v0) * share;
     hall->Fill({.kind = room.Pick(kMachines),
                 .width = 2.0f,
                 .pitch = 3.0f,
