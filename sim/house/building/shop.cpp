@@ -72,7 +72,7 @@ void Tills(Hall* hall, float u) {
 
 /// What is left of the floor behind the tills.
 Field Sales(const Hall& hall) {
-  Field field = hall.Inner(1.3f);
+  Field field = hall.Inner(1.1f);
   field.u0 = std::min(3.2f, 0.3f * hall.length());
   return field;
 }

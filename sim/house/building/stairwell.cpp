@@ -68,11 +68,11 @@ void PutAt(const Seen& seen, float x, float z, Pit* pit) {
   pit->across = seen.across;
 }
 
-/// Rails at free edges: all, some or none. Edges at walls are not free.
-void DrawRails(const std::array<bool, 4>& is_free, Rng* rng, Pit* pit) {
+/// Rails at free edges: all (with a chance), some or none. Edges at walls are not free.
+void DrawRails(const std::array<bool, 4>& is_free, double all, Rng* rng, Pit* pit) {
   static constexpr std::array kRails = {Rail::kBars, Rail::kBars, Rail::kGlass, Rail::kBoards};
   pit->rail = rng->Pick(kRails);
-  const double share = rng->Pick(std::array{0.0, 0.0, 0.5, 1.0});
+  const double share = rng->Chance(all) ? 1.0 : (rng->Chance(0.35) ? 0.5 : 0.0);
   for (std::size_t i = 0; i < 4; ++i) pit->rails[i] = is_free[i] && rng->Chance(share);
 }
 
@@ -96,7 +96,7 @@ std::optional<Pit> DrawStair(const FloorPlan& plan, int room, Rng* rng) {
   PutAt(seen, x, z, &pit);
   const bool is_at_end = seen.length - z - pit.length < 0.1f;
   const std::array<bool, 4> is_free = {true, !is_at_end, left > 0.1f, right > 0.1f};
-  DrawRails(is_free, rng, &pit);
+  DrawRails(is_free, 0.25, rng, &pit);
   pit.depth = Draw(rng, 1.5, 3.0);
   if (rng->Chance(0.8)) pit.first_drop = Draw(rng, kLeastDrop, 0.65);
   pit.goes_up = pit.length > 2.2f && pit.width > 1.9f && rng->Chance(0.5);
@@ -122,7 +122,8 @@ std::optional<Pit> DrawVoid(const FloorPlan& plan, int room, bool is_narrow, Rng
   PutAt(seen, x, kAround + Draw(rng, 0.0, static_cast<double>(more_z)), &pit);
   pit.depth = is_narrow ? Draw(rng, 1.3, 1.7) : Draw(rng, 1.5, 3.0);
   if (is_narrow || rng->Chance(0.4)) pit.first_drop = Draw(rng, kLeastDrop, 0.6);
-  if (!is_narrow || rng->Chance(0.2)) DrawRails({true, true, true, true}, rng, &pit);
+  if (!is_narrow || rng->Chance(0.2))
+    DrawRails({true, true, true, true}, is_narrow ? 0.5 : 0.4, rng, &pit);
   return pit;
 }
 
