@@ -35,7 +35,9 @@ std::vector<FurnitureKind> Collect() {
                              Fixtures(),       Industry(),
                              Workplaces(),     Clinic(),
                              ClinicBeds(),     Hotel(),
-                             Laboratory(),     School()}) {
+                             Laboratory(),     School(),
+                             ShopDisplays(),   ShopFittings(),
+                             Tools(),          Vehicles()}) {
     all.insert(all.end(), family.begin(), family.end());
   }
   std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) {

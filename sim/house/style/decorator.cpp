@@ -84,6 +84,9 @@ class Decorator {
       case RoomType::kWorkshop:
       case RoomType::kWarehouse:
       case RoomType::kAssemblyHall:
+      case RoomType::kPaintRoom:
+      case RoomType::kStairwell:
+      case RoomType::kStudio:
         break;
     }
     return theme_.main_floor;
@@ -164,6 +167,9 @@ class Decorator {
       case RoomType::kWorkshop:
       case RoomType::kWarehouse:
       case RoomType::kAssemblyHall:
+      case RoomType::kPaintRoom:
+      case RoomType::kStairwell:
+      case RoomType::kStudio:
         break;
     }
   }
