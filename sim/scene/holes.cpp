@@ -20,7 +20,8 @@ constexpr float kOverhead = 2.0f;  // metres above the floor
 constexpr float kGlass = 0.5f;
 constexpr float kDark = 0.4f;  // black; less for what is less dark
 constexpr float kCeiling = 0.15f;
-constexpr double kFinest = 0.05;  // metres
+constexpr double kFinest = 0.05;     // metres
+constexpr double kAffordable = 0.4;  // of AffordableEdge: only a part of the mesh is cut so finely
 constexpr double kEdgesAcross = 4.0;
 
 bool IsGlassy(const std::string& name) {
@@ -80,7 +81,8 @@ class HolePuncher {
 
   /// So that holes are rounder than the triangles.
   void RefineBorders() {
-    const auto finest = static_cast<float>(std::max(kFinest, holes_.size / kEdgesAcross));
+    const auto finest = static_cast<float>(
+        std::max({kFinest, holes_.size / kEdgesAcross, kAffordable * AffordableEdge(*mesh_)}));
     Refine(
         [&](std::uint32_t material, const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
           if ((a - b).squaredNorm() <= finest * finest) return false;
@@ -115,12 +117,13 @@ float ExactFloor(const SceneMesh& mesh, float floor) {
 
 void OpenFloor(double share, std::uint64_t seed, float floor, SceneMesh* mesh) {
   constexpr double kSize = 0.25;         // metres from gap to gap
-  constexpr float kEdge = 0.12f;         // metres
+  constexpr double kEdge = 0.12;         // metres
   constexpr float kNearTheFloor = 0.2f;  // metres
+  const auto edge = static_cast<float>(std::max(kEdge, kAffordable * AffordableEdge(*mesh)));
   Refine(
       [&](std::uint32_t, const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
         return std::abs(a.y() - floor) < kNearTheFloor && std::abs(b.y() - floor) < kNearTheFloor &&
-               (a - b).squaredNorm() > kEdge * kEdge;
+               (a - b).squaredNorm() > edge * edge;
       },
       mesh);
   const SmoothNoise noise(seed, kSize);

@@ -15,7 +15,7 @@ namespace {
 constexpr int kMostPasses = 12;
 constexpr std::size_t kMostTriangles = 2'000'000;
 constexpr double kManyTriangles = 120'000.0;
-constexpr double kTriangleArea = 0.4;  // of one with edges up to 1, about
+constexpr double kTriangleArea = 0.1;  // of one with edges up to 1, as halving leaves them
 
 using Triangle = std::array<std::uint32_t, 3>;
 
@@ -116,9 +116,12 @@ void Refine(const SplitsEdge& splits, SceneMesh* mesh) {
   }
 }
 
+double AffordableEdge(const SceneMesh& mesh) {
+  return std::sqrt(AreaOf(mesh) / (kTriangleArea * kManyTriangles));
+}
+
 void RefineTo(double longest, SceneMesh* mesh) {
-  const double finest = std::sqrt(AreaOf(*mesh) / (kTriangleArea * kManyTriangles));
-  const auto limit = static_cast<float>(std::max(longest, finest));
+  const auto limit = static_cast<float>(std::max(longest, AffordableEdge(*mesh)));
   Refine(
       [limit](std::uint32_t, const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
         return (a - b).squaredNorm() > limit * limit;

@@ -18,8 +18,11 @@ using SplitsEdge =
 /// times and no more once there are two million triangles. What is seen stays as it is.
 void Refine(const SplitsEdge& splits, SceneMesh* mesh);
 
-/// Refine, until no edge is longer than `longest`, or than what gives a mesh 120,000 triangles if
-/// that is more. Metres.
+/// The length of edges that gives a mesh about 120,000 triangles, beside those that are small
+/// already: trainings keep hundreds of scenes in memory. Metres.
+double AffordableEdge(const SceneMesh& mesh);
+
+/// Refine, until no edge is longer than `longest`, or than AffordableEdge if that is more. Metres.
 void RefineTo(double longest, SceneMesh* mesh);
 
 /// m2 of all triangles.
