@@ -17,6 +17,7 @@ constexpr float kOverhead = 2.0f;  // metres above the floor
 constexpr double kMiddleGrey = 127.5;
 constexpr double kLightest = 255.0;
 constexpr int kMostShrunk = 1024;
+constexpr const char* kBlankFloor = "blank floor";
 constexpr Rgb8 kNearlyBlack = {10, 10, 10};
 // Parts of red, green and blue in grey (Rec. 709).
 constexpr std::array<double, 3> kGreyParts = {0.2126, 0.7152, 0.0722};
@@ -70,17 +71,31 @@ void BlankFloor(SceneMesh* mesh) {
         blanks.try_emplace(material, static_cast<std::uint32_t>(mesh->materials.size()));
     if (is_new) {
       const double grey = GreyOf(MeanOf(*mesh, mesh->materials[material]));
-      mesh->materials.push_back({"blank floor", ToRgb8({grey, grey, grey}), -1});
+      mesh->materials.push_back({kBlankFloor, ToRgb8({grey, grey, grey}), -1});
     }
     material = found->second;
+  }
+}
+
+void BlankWalls(SceneMesh* mesh) {
+  constexpr float kUpright = 0.1f;  // vertical part of the normal, at most
+  constexpr float kHigh = 1.5f;     // metres
+  const auto white = static_cast<std::uint32_t>(mesh->materials.size());
+  mesh->materials.push_back({"blank wall", kWhite, -1});
+  for (std::size_t t = 0; t < mesh->triangles.size(); ++t) {
+    const Eigen::Vector3f normal = NormalOf(*mesh, t);
+    const bool is_wall = std::abs(normal.y()) <= kUpright * normal.norm() &&
+                         HighestOf(*mesh, t) - LowestOf(*mesh, t) >= kHigh;
+    if (is_wall) mesh->triangle_materials[t] = white;
   }
 }
 
 void Recolor(Surfaces surfaces, SceneMesh* mesh) {
   if (surfaces == Surfaces::kOriginal) return;
   for (Material& material : mesh->materials) {
-    material.base_color =
-        surfaces == Surfaces::kFlat ? ToRgb8(MeanOf(*mesh, material)) : Rgb8{kWhite};
+    const bool keeps = surfaces == Surfaces::kFlat ||
+                       (surfaces == Surfaces::kAllWhite && material.name == kBlankFloor);
+    material.base_color = keeps ? ToRgb8(MeanOf(*mesh, material)) : Rgb8{kWhite};
     material.texture = -1;
   }
   mesh->textures.clear();
@@ -186,6 +201,7 @@ void ApplyFinish(const Finish& finish, SceneMesh* mesh) {
   if (finish == Finish{}) return;
   if (!finish.ceiling) RemoveCeiling(mesh);
   if (finish.blank_floor) BlankFloor(mesh);
+  if (finish.blank_walls) BlankWalls(mesh);
   Recolor(finish.surfaces, mesh);
   if (finish.black_overhead) BlackenOverhead(mesh);
   if (!finish.baked_light) std::fill(mesh->colors.begin(), mesh->colors.end(), kWhite);

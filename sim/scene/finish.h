@@ -14,7 +14,7 @@ enum class Surfaces {
   kOriginal,
   kFlat,          // each material by the mean colour of its texture
   kVertexColors,  // by the vertices alone: what is left of a scan without its pictures
-  kAllWhite       // not at all: white, with the light of the vertices' colours
+  kAllWhite  // not at all: white but for a blank floor, with the light of the vertices' colours
 };
 
 template <>
@@ -35,6 +35,8 @@ struct Finish {
   Surfaces surfaces = Surfaces::kOriginal;
   /// One grey for all that is level and lies on the floor's height.
   bool blank_floor = false;
+  /// White for upright triangles that are 1.5 m high or more: walls, where they are not cut finely.
+  bool blank_walls = false;
   /// False: colours of vertices, into which light is baked, are white.
   bool baked_light = true;
   /// Pixels of a texture that become one, to a side: 16 leaves little but its colours.
@@ -52,6 +54,7 @@ struct Finish {
     v("black_overhead", black_overhead);
     v("surfaces", surfaces);
     v("blank_floor", blank_floor);
+    v("blank_walls", blank_walls);
     v("baked_light", baked_light);
     v("texture_shrink", texture_shrink);
     v("exposure", exposure);

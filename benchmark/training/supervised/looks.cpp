@@ -71,6 +71,13 @@ sim::Damage DrawDamage(const LooksSpec& spec, const sim::Rng& look) {
   return damage;
 }
 
+/// White scenes as others make them: with a grey floor or all white, which is nothing to see
+/// without light.
+void Whiten(sim::Rng rng, sim::Finish* finish) {
+  finish->blank_floor = rng.Chance(0.5);
+  finish->baked_light = !(finish->blank_floor && rng.Chance(0.5));
+}
+
 double Factor(double less, double more, sim::Rng* rng) {
   return rng->Uniform(1.0 - less, 1.0 + more);
 }
@@ -79,9 +86,10 @@ double Factor(double less, double more, sim::Rng* rng) {
 
 void LooksSpec::Validate() const {
   for (const double value :
-       {share,         no_ceiling, blank_floor, flat,    vertex_colors, unlit,          shrunk,
-        exposure,      contrast,   saturation,  tint,    white,         black_overhead, low_poly,
-        color_spacing, clutter,    bumps,       doubled, holes,         smears,         mirrored}) {
+       {share,       no_ceiling,     blank_floor, flat,          vertex_colors, unlit,
+        shrunk,      exposure,       contrast,    saturation,    tint,          white,
+        blank_walls, black_overhead, low_poly,    color_spacing, clutter,       bumps,
+        doubled,     holes,          smears,      mirrored}) {
     if (!(value >= 0.0 && value <= 1.0)) throw sim::Error("looks are shares and spreads, 0 to 1");
   }
   if (!(flat + vertex_colors + white <= 1.0)) {
@@ -113,6 +121,8 @@ sim::Finish DrawLook(const LooksSpec& spec, std::uint64_t seed, const std::strin
   finish.contrast = Factor(spec.contrast, spec.contrast, &rng);
   finish.saturation = Factor(spec.saturation, spec.saturation / 2, &rng);
   for (double& tint : finish.tint) tint = Factor(spec.tint, spec.tint, &rng);
+  if (finish.surfaces == sim::Surfaces::kAllWhite) Whiten(rng.Fork("white"), &finish);
+  finish.blank_walls = rng.Fork("walls").Chance(spec.blank_walls);
   finish.damage = DrawDamage(spec, rng);
   finish.black_overhead = finish.ceiling && rng.Fork("overhead").Chance(spec.black_overhead);
   return finish;

@@ -22,7 +22,8 @@ struct LooksSpec {
   double saturation = 0.8;  // 1 - this to 1 + half of this
   double tint = 0.15;       // likewise, each channel by itself
   // Shares of the scenes that do not look as their files say, each drawn by itself; sim::Damage.
-  double white = 0.0;           // all surfaces white; in place of flat and vertex_colors
+  double white = 0.0;           // all white, half with a grey floor; not flat or vertex_colors
+  double blank_walls = 0.0;     // white walls
   double black_overhead = 0.0;  // of those with a ceiling
   double low_poly = 0.0;        // cells of 0.06 to 0.25 m
   double color_spacing = 0.0;   // colours at vertices 0.06 to 0.2 m apart
@@ -47,6 +48,7 @@ struct LooksSpec {
     v("saturation", saturation);
     v("tint", tint);
     v("white", white);
+    v("blank_walls", blank_walls);
     v("black_overhead", black_overhead);
     v("low_poly", low_poly);
     v("color_spacing", color_spacing);

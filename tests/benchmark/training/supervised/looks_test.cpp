@@ -41,7 +41,8 @@ TEST(Looks, HaveTheSharesThatWereAskedFor) {
 
 LooksSpec WithDamage(double share) {
   LooksSpec spec;
-  spec.black_overhead = spec.low_poly = spec.color_spacing = spec.clutter = share;
+  spec.black_overhead = spec.blank_walls = spec.low_poly = spec.color_spacing = spec.clutter =
+      share;
   spec.bumps = spec.doubled = spec.holes = spec.smears = spec.mirrored = share;
   return spec;
 }
@@ -92,8 +93,22 @@ TEST(Looks, AreTheSameBesideTheDamage) {
     EXPECT_EQ(DrawLook(without, 1, scene).damage, sim::Damage{});
     finish.damage = {};
     finish.black_overhead = false;
+    finish.blank_walls = false;
     EXPECT_EQ(finish, DrawLook(without, 1, scene));
   }
+}
+
+TEST(Looks, WhiteScenesAreLitOrHaveAGreyFloor) {
+  int unlit = 0;
+  for (int i = 0; i < 400; ++i) {
+    const sim::Finish finish =
+        DrawLook({.share = 1.0, .flat = 0.0, .vertex_colors = 0.0, .white = 1.0}, 1,
+                 fmt::format("{}.glb", i));
+    EXPECT_EQ(finish.surfaces, sim::Surfaces::kAllWhite);
+    EXPECT_TRUE(finish.baked_light || finish.blank_floor);
+    unlit += finish.baked_light ? 0 : 1;
+  }
+  EXPECT_NEAR(unlit, 100, 30);
 }
 
 TEST(Looks, ShareNoneLeavesAll) {
