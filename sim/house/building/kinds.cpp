@@ -9,7 +9,7 @@ namespace bulletnav::sim::building {
 
 std::span<const BuildingKind* const> AllKinds() {
   static const std::array kAll = {&Clinic(), &Hotel(), &Loft(),      &Office(),
-                                   &School(), &Shop(),  &Warehouse(), &Workshop()};
+                                  &School(), &Shop(),  &Warehouse(), &Workshop()};
   return kAll;
 }
 
