@@ -19,7 +19,8 @@ struct WorldOptions {
 };
 
 /// Throws Error, offering the ground plane, if a scene has next to no floor to walk on: under 1 m2
-/// or a twentieth of its footprint (a few table tops are no floor). `name` is the file's.
+/// or, where no island has 10 m2, a twentieth of its footprint (a few table tops are no floor).
+/// `name` is the file's.
 void RequireFloor(const std::string& name, const ImportReport& report, const Navmesh& navmesh);
 
 /// One scene, ready to be moved in and looked at: physics, navmesh, renderer's data. Immutable

@@ -78,7 +78,8 @@ void RoomFurnisher::OnTops(const Placed& piece, std::span<const std::string_view
 bool RoomFurnisher::Hang(const Draft& draft, const Eigen::Affine3f& pose) {
   const Box box = Transformed(draft.bounds, pose);
   const bool fits = space_.Contains(FootOf(box)) && space_.IsFree(box) &&
-                    !space_.HidesOpening(box) && box.max().y() < space_.ceiling() - 0.05f;
+                    space_.HasWallBehind(box) && !space_.HidesOpening(box) &&
+                    box.max().y() < space_.ceiling() - 0.05f;
   if (!fits) return false;
   if (box.min().y() < 1.7f && draft.bounds.sizes().z() > 0.1f) {
     if (space_.MeetsDoorway(FootOf(box)) || !space_.LeavesWayPast(box)) return false;

@@ -30,7 +30,8 @@ struct Wish {
   const Placed* near = nullptr;    // as close as possible
   const Placed* facing = nullptr;  // looks at it and is in line with it
   bool far_from_doors = false;
-  bool squeeze = false;  // rather near a door or with little free floor than not at all
+  bool squeeze = false;        // rather near a door or with little free floor than not at all
+  std::string_view seat = {};  // only where this can stand before it, see SeatAt
 };
 
 /// Where something goes relative to a piece, in that piece's frame: x to its left (seen from the
@@ -70,6 +71,8 @@ class RoomFurnisher {
   const Placed* Beside(const Placed& other, std::string_view kind, bool left, float gap = 0.05f);
   /// In front of it, looking back at it if `turned`.
   const Placed* Before(const Placed& other, std::string_view kind, float gap, bool turned = false);
+  /// A chair before a desk, looking at it: a gap away from its edge or pushed under it.
+  const Placed* SeatAt(const Placed& desk, std::string_view chair, float gap = 0.22f);
   /// Around a table, looking at it. Returns how many.
   int ChairsAround(const Placed& table, std::string_view chair, int most);
 
@@ -91,6 +94,19 @@ class RoomFurnisher {
   bool HangAt(std::string_view kind, const PlanPoint& at, float turn);
   /// Hung from the ceiling in some corner.
   void HangInCorner(std::string_view kind);
+
+  /// What `furnish` returns when it is tried out on a copy of the room, which is thrown away.
+  template <class Furnish>
+  bool Try(const Furnish& furnish) const {
+    RoomSpace space = space_;
+    MeshBuilder scratch;
+    RoomFurnisher copy(&space, style_, rng_, &scratch);
+    copy.rugs_ = rugs_;
+    copy.on_tops_ = on_tops_;
+    copy.built_ = built_;
+    copy.alike_ = alike_;
+    return furnish(&copy);
+  }
 
   /// From now on pieces of a kind and width are all alike, or each is drawn anew again.
   void SetAlike(bool alike) { alike_ = alike; }
@@ -132,7 +148,9 @@ class RoomFurnisher {
   std::optional<Rect> ClearanceOf(const Draft& draft, const Eigen::Affine3f& pose) const;
   const Placed* Place(const Draft& draft, const Eigen::Affine3f& pose, bool keeps_clearance);
   const Placed* PlaceBest(const Draft& draft, std::vector<Candidate> candidates,
-                          bool keeps_clearance = true);
+                          bool keeps_clearance = true, std::string_view seat = {});
+  bool HasSeat(const Draft& draft, const Eigen::Affine3f& pose, bool keeps_clearance,
+               std::string_view seat) const;
   /// Draws a chair up to a table's place; some stay pulled out or askew.
   bool PlaceChair(const Placed& table, std::string_view chair, const Offset& seat);
   void AddWallCandidates(const Draft& draft, const shell::Side& side, const Wish& wish,
