@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
 
 #include "sim/base/check.h"
+#include "sim/base/error.h"
 
 namespace bulletnav::sim {
 namespace {
@@ -70,6 +70,21 @@ void Cover(const Paint& paint, Image* image) {
 }
 
 }  // namespace
+
+void Repaint::Validate() const {
+  for (const double share : {recolored, exchanged}) {
+    if (!(share >= 0.0 && share <= 1.0)) {
+      throw Error("recolored and exchanged are shares, 0 to 1");
+    }
+  }
+}
+
+void ApplyRepaint(const Repaint& repaint, SceneMesh* mesh) {
+  repaint.Validate();
+  const Rng rng(repaint.seed, "repaint");
+  if (repaint.exchanged > 0.0) ExchangeTextures(repaint.exchanged, rng, mesh);
+  if (repaint.recolored > 0.0) RecolorMaterials(repaint.recolored, rng, mesh);
+}
 
 void RecolorMaterials(double share, const Rng& rng, SceneMesh* mesh) {
   BULLETNAV_CHECK(share >= 0.0 && share <= 1.0);

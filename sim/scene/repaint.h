@@ -1,9 +1,31 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cstdint>
+
 #include "sim/math/rng.h"
 #include "sim/scene/mesh.h"
 
 namespace bulletnav::sim {
+
+/// Other paint on a scene's things. The default leaves it as it is.
+struct Repaint {
+  std::uint64_t seed = 0;  // other colours for another seed
+  double recolored = 0.0;  // share of textures and colours, see RecolorMaterials
+  double exchanged = 0.0;  // share of textures, see ExchangeTextures
+
+  template <class V>
+  void Visit(V& v) {
+    v("seed", seed);
+    v("recolored", recolored);
+    v("exchanged", exchanged);
+  }
+  /// Throws Error.
+  void Validate() const;
+  bool operator==(const Repaint&) const = default;
+};
+
+/// Expects a valid mesh; it stays one. A function of the arguments.
+void ApplyRepaint(const Repaint& repaint, SceneMesh* mesh);
 
 /// Gives `share` of a mesh's textures, and of its materials without one, another colour of any hue,
 /// mostly pale: what is drawn on a texture stays, lighter and darker. Networks that are trained on

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/base/error.h"
+
 namespace bulletnav::sim {
 namespace {
 
@@ -104,6 +106,14 @@ TEST(Repaint, ExchangedTexturesAreAllStillThere) {
   EXPECT_EQ(used.count(-1), 10u);
   for (int i = 0; i < 50; ++i) EXPECT_EQ(used.count(i), 1u);
   EXPECT_GT(moved, 40);
+}
+
+TEST(Repaint, RefusesWhatIsNoShare) {
+  EXPECT_THROW(Repaint{.recolored = 1.2}.Validate(), Error);
+  EXPECT_THROW(Repaint{.exchanged = -0.1}.Validate(), Error);
+  SceneMesh mesh = Patches(4, 4);
+  ApplyRepaint({}, &mesh);
+  EXPECT_TRUE(IsSame(mesh, Patches(4, 4)));
 }
 
 }  // namespace
