@@ -24,8 +24,8 @@ World::World(std::string name, const ImportedScene& scene, const WorldOptions& o
       report_(scene.report),
       physics_(scene.mesh),
       navmesh_(scene.mesh, options.navmesh),
-      objects_(scene.mesh.objects),
-      render_scene_(MakeRenderScene(scene.mesh, options.backend)) {}
+      objects_(scene.drawn_mesh().objects),
+      render_scene_(MakeRenderScene(scene.drawn_mesh(), options.backend)) {}
 
 std::shared_ptr<const World> World::Load(const std::filesystem::path& file,
                                          const WorldOptions& options) {

@@ -12,9 +12,12 @@
 #include "benchmark/cli/progress.h"
 #include "benchmark/training/supervised/data_config.h"
 #include "benchmark/training/supervised/dataset.h"
+#include "benchmark/training/supervised/gallery.h"
 #include "benchmark/training/supervised/label_picture.h"
 #include "benchmark/training/supervised/label_statistics.h"
 #include "sim/base/error.h"
+#include "sim/base/files.h"
+#include "sim/image/image.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -27,6 +30,8 @@ struct DatasetOptions {
   fs::path draw;
   std::string scene;
   int count = 4;
+  fs::path gallery;
+  int scenes = 24;
 };
 
 void MakeLabels(const DataConfig& config, int workers) {
@@ -70,6 +75,17 @@ void Draw(const DataConfig& config, const DatasetOptions& options) {
   }
 }
 
+void WriteGallery(const DataConfig& config, const DatasetOptions& options) {
+  constexpr int kQuality = 75;
+  const int scenes = std::min(options.scenes, static_cast<int>(ScenesOf(config).size()));
+  Progress progress("scenes", scenes);
+  const sim::Image sheet = DrawGallery(config, scenes, [&] {
+    progress.Advance();
+  });
+  sim::WriteFileAtomically(options.gallery, sim::EncodeJpeg(sheet, kQuality));
+  fmt::print("{}\n", options.gallery.string());
+}
+
 }  // namespace
 
 void AddDatasetCommand(CLI::App* program) {
@@ -88,10 +104,19 @@ void AddDatasetCommand(CLI::App* program) {
   command->add_option("--count", options->count, "Points to draw")
       ->needs(draw)
       ->check(CLI::Range(1, 2000));
+  auto* gallery =
+      command->add_option("--gallery", options->gallery,
+                          "JPEG of panoramas of some scenes, each in its look; label no more");
+  gallery->excludes(draw);
+  command->add_option("--scenes", options->scenes, "Scenes in the gallery")
+      ->needs(gallery)
+      ->check(CLI::Range(1, 200));
   command->callback([options] {
     const DataConfig config = LoadDataConfig(options->config);
     MakeHousesOf(config, CommittedVersion(), options->workers, StartLine);
-    if (options->draw.empty()) {
+    if (!options->gallery.empty()) {
+      WriteGallery(config, *options);
+    } else if (options->draw.empty()) {
       MakeLabels(config, options->workers);
     } else {
       Draw(config, *options);

@@ -40,7 +40,7 @@ ExampleScene::ExampleScene(const SceneCases& cases, const DataConfig& finer,
                            const sim::ImportedScene& scene)
     : cases_(cases),
       size_(finer.panorama),
-      render_(sim::MakeRenderScene(scene.mesh, sim::Backend::kEmbree)),
+      render_(sim::MakeRenderScene(scene.drawn_mesh(), sim::Backend::kEmbree)),
       panoramas_(*render_, finer),
       map_(MakeSceneMap(scene.mesh, sim::Navmesh(scene.mesh, finer.navmesh),
                         PlanBeside(cases.scene, finer.import.scale))) {}

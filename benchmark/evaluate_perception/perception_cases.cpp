@@ -28,7 +28,7 @@ class SceneExam {
   SceneCases Take(agent::SemanticModel* model) {
     const sim::ImportedScene imported = sim::ImportScene(cases_.scene, config_.import.options());
     CountWalls(sim::PhysicsWorld(imported.mesh));
-    const auto render = sim::MakeRenderScene(imported.mesh, sim::Backend::kEmbree);
+    const auto render = sim::MakeRenderScene(imported.drawn_mesh(), sim::Backend::kEmbree);
     const std::vector<agent::PanoramaCode> codes = Encode(*render, model);
     for (const agent::PanoramaCode& code : codes) {
       cases_.explorable.push_back(model->Explorable(code));

@@ -60,6 +60,7 @@ std::vector<Furnishing> FurnishRooms(const FloorPlan& plan, const HouseStyle& st
     const int room = static_cast<int>(i);
     placing::RoomSpace space(plan, style, room);
     placing::RoomFurnisher furnisher(&space, style.rooms[i], rng.Fork("room", i), builder);
+    furnisher.SetCommonRng(rng.Fork("common"));
     furnish(plan.rooms[i].type, &furnisher);
     for (const placing::Placed& placed : furnisher.placed()) {
       furniture.push_back(Told(placed, room));

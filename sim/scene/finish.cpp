@@ -8,40 +8,21 @@
 #include <span>
 
 #include "sim/base/error.h"
+#include "sim/scene/mesh_measures.h"
 
 namespace bulletnav::sim {
 namespace {
 
-constexpr float kLevel = 0.9f;        // vertical part of a level face's normal, at least
-constexpr float kOverhead = 2.0f;     // metres above the floor
-constexpr float kOnTheFloor = 0.15f;  // metres
-constexpr float kFloorStep = 0.1f;    // metres that heights are counted in
-constexpr double kFloorShare = 0.5;   // of the largest level's area: a roof may be larger than it
+constexpr float kOverhead = 2.0f;  // metres above the floor
 constexpr double kMiddleGrey = 127.5;
 constexpr double kLightest = 255.0;
 constexpr int kMostShrunk = 1024;
+constexpr const char* kBlankFloor = "blank floor";
+constexpr Rgb8 kNearlyBlack = {10, 10, 10};
 // Parts of red, green and blue in grey (Rec. 709).
 constexpr std::array<double, 3> kGreyParts = {0.2126, 0.7152, 0.0722};
 
 using Color = std::array<double, 3>;
-
-/// Twice the area times the unit normal.
-Eigen::Vector3f NormalOf(const SceneMesh& mesh, std::size_t triangle) {
-  const auto& corners = mesh.triangles[triangle];
-  const Eigen::Vector3f& a = mesh.positions[corners[0]];
-  return (mesh.positions[corners[1]] - a).cross(mesh.positions[corners[2]] - a);
-}
-
-bool IsLevel(const SceneMesh& mesh, std::size_t triangle) {
-  const Eigen::Vector3f normal = NormalOf(mesh, triangle);
-  return std::abs(normal.y()) >= kLevel * normal.norm();
-}
-
-float LowestOf(const SceneMesh& mesh, std::size_t triangle) {
-  const auto& corners = mesh.triangles[triangle];
-  return std::min({mesh.positions[corners[0]].y(), mesh.positions[corners[1]].y(),
-                   mesh.positions[corners[2]].y()});
-}
 
 std::uint8_t ToByte(double value) {
   return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, kLightest)));
@@ -55,67 +36,74 @@ double GreyOf(const Color& color) {
   return kGreyParts[0] * color[0] + kGreyParts[1] * color[1] + kGreyParts[2] * color[2];
 }
 
-Color MeanOf(const Image& image) {
-  std::array<std::uint64_t, 3> sums{};
-  for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
-    for (std::size_t c = 0; c < 3; ++c) sums[c] += image.pixels[i + c];
+/// Whether a triangle is level and more than a door's height above the floor.
+std::vector<char> Overhead(const SceneMesh& mesh) {
+  const float overhead = FloorHeight(mesh) + kOverhead;
+  std::vector<char> is_overhead;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    is_overhead.push_back(LowestOf(mesh, t) >= overhead && IsLevel(mesh, t) ? 1 : 0);
   }
-  const auto count = static_cast<double>(std::max<std::size_t>(1, image.pixels.size() / 4));
-  return {static_cast<double>(sums[0]) / count, static_cast<double>(sums[1]) / count,
-          static_cast<double>(sums[2]) / count};
-}
-
-/// What is seen of a material on the whole, without its vertices' colours.
-Color MeanOf(const SceneMesh& mesh, const Material& material) {
-  Color color{};
-  const Color mean = material.texture < 0
-                         ? Color{kLightest, kLightest, kLightest}
-                         : MeanOf(mesh.textures[static_cast<std::size_t>(material.texture)].image);
-  for (std::size_t c = 0; c < 3; ++c) color[c] = mean[c] * material.base_color[c] / kLightest;
-  return color;
+  return is_overhead;
 }
 
 void RemoveCeiling(SceneMesh* mesh) {
-  const float overhead = FloorHeight(*mesh) + kOverhead;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::vector<std::uint32_t> materials;
-  std::vector<std::uint32_t> objects;
-  for (std::size_t t = 0; t < mesh->triangles.size(); ++t) {
-    if (LowestOf(*mesh, t) >= overhead && IsLevel(*mesh, t)) continue;
-    triangles.push_back(mesh->triangles[t]);
-    materials.push_back(mesh->triangle_materials[t]);
-    if (mesh->has_objects()) objects.push_back(mesh->triangle_objects[t]);
+  std::vector<char> kept = Overhead(*mesh);
+  for (char& one : kept) one = one == 0 ? 1 : 0;
+  if (std::count(kept.begin(), kept.end(), 1) > 0) KeepTriangles(kept, mesh);
+}
+
+void BlackenOverhead(SceneMesh* mesh) {
+  const std::vector<char> is_overhead = Overhead(*mesh);
+  const auto black = static_cast<std::uint32_t>(mesh->materials.size());
+  mesh->materials.push_back({"black overhead", kNearlyBlack, -1});
+  for (std::size_t t = 0; t < is_overhead.size(); ++t) {
+    if (is_overhead[t] != 0) mesh->triangle_materials[t] = black;
   }
-  if (triangles.empty()) return;
-  mesh->triangles = std::move(triangles);
-  mesh->triangle_materials = std::move(materials);
-  mesh->triangle_objects = std::move(objects);
 }
 
 void BlankFloor(SceneMesh* mesh) {
   const float floor = FloorHeight(*mesh);
   std::map<std::uint32_t, std::uint32_t> blanks;  // by material
   for (std::size_t t = 0; t < mesh->triangles.size(); ++t) {
-    if (std::abs(LowestOf(*mesh, t) - floor) > kOnTheFloor || !IsLevel(*mesh, t)) continue;
+    if (!IsOnTheFloor(*mesh, t, floor)) continue;
     std::uint32_t& material = mesh->triangle_materials[t];
     const auto [found, is_new] =
         blanks.try_emplace(material, static_cast<std::uint32_t>(mesh->materials.size()));
     if (is_new) {
       const double grey = GreyOf(MeanOf(*mesh, mesh->materials[material]));
-      mesh->materials.push_back({"blank floor", ToRgb8({grey, grey, grey}), -1});
+      mesh->materials.push_back({kBlankFloor, ToRgb8({grey, grey, grey}), -1});
     }
     material = found->second;
+  }
+}
+
+void BlankWalls(SceneMesh* mesh) {
+  constexpr float kUpright = 0.1f;  // vertical part of the normal, at most
+  constexpr float kHigh = 1.5f;     // metres
+  const auto white = static_cast<std::uint32_t>(mesh->materials.size());
+  mesh->materials.push_back({"blank wall", kWhite, -1});
+  for (std::size_t t = 0; t < mesh->triangles.size(); ++t) {
+    const Eigen::Vector3f normal = NormalOf(*mesh, t);
+    const bool is_wall = std::abs(normal.y()) <= kUpright * normal.norm() &&
+                         HighestOf(*mesh, t) - LowestOf(*mesh, t) >= kHigh;
+    if (is_wall) mesh->triangle_materials[t] = white;
   }
 }
 
 void Recolor(Surfaces surfaces, SceneMesh* mesh) {
   if (surfaces == Surfaces::kOriginal) return;
   for (Material& material : mesh->materials) {
-    material.base_color =
-        surfaces == Surfaces::kFlat ? ToRgb8(MeanOf(*mesh, material)) : Rgb8{kWhite};
+    const bool keeps = surfaces == Surfaces::kFlat ||
+                       (surfaces == Surfaces::kAllWhite && material.name == kBlankFloor);
+    material.base_color = keeps ? ToRgb8(MeanOf(*mesh, material)) : Rgb8{kWhite};
     material.texture = -1;
   }
   mesh->textures.clear();
+  if (surfaces != Surfaces::kAllWhite) return;
+  for (Rgb8& color : mesh->colors) {
+    const double grey = GreyOf({1.0 * color[0], 1.0 * color[1], 1.0 * color[2]});
+    color = ToRgb8({grey, grey, grey});
+  }
 }
 
 /// Columns or rows from `begin` to before `end`.
@@ -205,31 +193,19 @@ void Finish::Validate() const {
       !std::all_of(tint.begin(), tint.end(), is_factor)) {
     throw Error("exposure, contrast, saturation and tint must lie between 0 and 10");
   }
-}
-
-float FloorHeight(const SceneMesh& mesh) {
-  std::map<int, double> areas;  // by height in steps
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const Eigen::Vector3f normal = NormalOf(mesh, t);
-    if (normal.y() <= kLevel * normal.norm()) continue;
-    areas[static_cast<int>(std::floor(LowestOf(mesh, t) / kFloorStep))] += double{normal.y()};
-  }
-  if (areas.empty()) return mesh.Bounds().min().y();
-  const auto most = std::max_element(areas.begin(), areas.end(), [](const auto& a, const auto& b) {
-    return a.second < b.second;
-  });
-  const auto floor = std::find_if(areas.begin(), areas.end(), [&](const auto& level) {
-    return level.second >= kFloorShare * most->second;
-  });
-  return (static_cast<float>(floor->first) + 0.5f) * kFloorStep;
+  repaint.Validate();
+  damage.Validate();
 }
 
 void ApplyFinish(const Finish& finish, SceneMesh* mesh) {
   finish.Validate();
   if (finish == Finish{}) return;
+  ApplyRepaint(finish.repaint, mesh);
   if (!finish.ceiling) RemoveCeiling(mesh);
   if (finish.blank_floor) BlankFloor(mesh);
+  if (finish.blank_walls) BlankWalls(mesh);
   Recolor(finish.surfaces, mesh);
+  if (finish.black_overhead) BlackenOverhead(mesh);
   if (!finish.baked_light) std::fill(mesh->colors.begin(), mesh->colors.end(), kWhite);
   if (finish.texture_shrink > 1) {
     for (Texture& texture : mesh->textures) {

@@ -4,22 +4,25 @@
 #include <utility>
 
 #include "sim/config/enum_names.h"
+#include "sim/scene/damage.h"
 #include "sim/scene/mesh.h"
+#include "sim/scene/repaint.h"
 
 namespace bulletnav::sim {
 
 /// What surfaces are coloured by.
 enum class Surfaces {
   kOriginal,
-  kFlat,         // each material by the mean colour of its texture
-  kVertexColors  // by the vertices alone: what is left of a scan without its pictures
+  kFlat,          // each material by the mean colour of its texture
+  kVertexColors,  // by the vertices alone: what is left of a scan without its pictures
+  kAllWhite  // not at all: white but for a blank floor, with the light of the vertices' colours
 };
 
 template <>
 struct EnumNames<Surfaces> {
-  static constexpr std::array kNames = {std::pair{"original", Surfaces::kOriginal},
-                                        std::pair{"flat", Surfaces::kFlat},
-                                        std::pair{"vertex_colors", Surfaces::kVertexColors}};
+  static constexpr std::array kNames = {
+      std::pair{"original", Surfaces::kOriginal}, std::pair{"flat", Surfaces::kFlat},
+      std::pair{"vertex_colors", Surfaces::kVertexColors}, std::pair{"white", Surfaces::kAllWhite}};
 };
 
 /// How a scene looks, beside what its file says: scenes differ in this more than in their rooms.
@@ -28,9 +31,15 @@ struct EnumNames<Surfaces> {
 struct Finish {
   /// False: level faces more than 2 m above the floor are left out, so that nothing is overhead.
   bool ceiling = true;
+  /// True: they are nearly black.
+  bool black_overhead = false;
   Surfaces surfaces = Surfaces::kOriginal;
+  /// Before anything else.
+  Repaint repaint = {};
   /// One grey for all that is level and lies on the floor's height.
   bool blank_floor = false;
+  /// White for upright triangles that are 1.5 m high or more: walls, where they are not cut finely.
+  bool blank_walls = false;
   /// False: colours of vertices, into which light is baked, are white.
   bool baked_light = true;
   /// Pixels of a texture that become one, to a side: 16 leaves little but its colours.
@@ -39,30 +48,33 @@ struct Finish {
   double contrast = 1.0;                         // around middle grey
   double saturation = 1.0;                       // 0: grey
   std::array<double, 3> tint = {1.0, 1.0, 1.0};  // factors of red, green, blue
+  /// Of what is drawn; see ImportedScene::drawn.
+  Damage damage = {};
 
   template <class V>
   void Visit(V& v) {
     v("ceiling", ceiling);
+    v("black_overhead", black_overhead);
     v("surfaces", surfaces);
+    v("repaint", repaint);
     v("blank_floor", blank_floor);
+    v("blank_walls", blank_walls);
     v("baked_light", baked_light);
     v("texture_shrink", texture_shrink);
     v("exposure", exposure);
     v("contrast", contrast);
     v("saturation", saturation);
     v("tint", tint);
+    v("damage", damage);
   }
   /// Throws Error.
   void Validate() const;
   bool operator==(const Finish&) const = default;
 };
 
-/// Expects a mesh that SceneMesh::Validate accepts; the result is one, too. If all triangles would
-/// be left out with the ceiling, they stay. The same bits on every processor.
+/// All of a finish but its damage, see ApplyDamage. Expects a mesh that SceneMesh::Validate
+/// accepts; the result is one, too. If all triangles would be left out with the ceiling, they stay.
+/// The same bits on every processor.
 void ApplyFinish(const Finish& finish, SceneMesh* mesh);
-
-/// The lowest height at which at least half as much area faces up as where most does: the floor, of
-/// the lowest storey, also below a ceiling or a roof that faces up. Metres.
-float FloorHeight(const SceneMesh& mesh);
 
 }  // namespace bulletnav::sim

@@ -50,6 +50,10 @@ ImportedScene ImportScene(const std::filesystem::path& file, const ImportOptions
       if (!reader.signal()) {
         ImportedScene scene = FromBlob(content);
         ApplyFinish(options.finish, &scene.mesh);
+        if (options.finish.damage != Damage{}) {
+          scene.drawn = scene.mesh;
+          ApplyDamage(options.finish.damage, &*scene.drawn);
+        }
         return scene;
       }
       break;

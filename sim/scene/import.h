@@ -37,6 +37,10 @@ struct ImportReport {
 struct ImportedScene {
   SceneMesh mesh;
   ImportReport report;
+  /// What is drawn, where it is not the mesh: with the damage of ImportOptions::finish.
+  std::optional<SceneMesh> drawn = std::nullopt;
+
+  const SceneMesh& drawn_mesh() const { return drawn ? *drawn : mesh; }
 };
 
 /// Loads an indoor mesh: glb, gltf (embedded and external textures, vertex colours), obj + mtl, ply

@@ -68,7 +68,7 @@ class LabelPictures {
       : samples_(scene.samples),
         config_(config),
         imported_(sim::ImportScene(scene.file, config.import.options())),
-        render_scene_(sim::MakeRenderScene(imported_.mesh, sim::Backend::kEmbree)),
+        render_scene_(sim::MakeRenderScene(imported_.drawn_mesh(), sim::Backend::kEmbree)),
         panoramas_(*render_scene_, config),
         map_(MakeSceneMap(imported_.mesh, sim::Navmesh(imported_.mesh, config.navmesh),
                           std::nullopt)),

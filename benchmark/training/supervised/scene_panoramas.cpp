@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/training/supervised/scene_panoramas.h"
 
+#include <utility>
 #include <vector>
 
 #include "sim/base/check.h"
@@ -11,11 +12,13 @@ namespace bulletnav::bench {
 std::unique_ptr<const sim::RenderScene> LoadForPanoramas(const std::filesystem::path& scene,
                                                          const DataConfig& config) {
   sim::ImportedScene imported = sim::ImportScene(scene, config.import.options());
+  sim::SceneMesh mesh = std::move(imported.drawn ? *imported.drawn : imported.mesh);
   if (config.looks) {
-    sim::ApplyFinish(DrawLook(*config.looks, config.seed, scene.filename().string()),
-                     &imported.mesh);
+    const sim::Finish look = DrawLook(*config.looks, config.seed, scene.filename().string());
+    sim::ApplyFinish(look, &mesh);
+    sim::ApplyDamage(look.damage, &mesh);
   }
-  return sim::MakeRenderScene(imported.mesh, sim::Backend::kEmbree);
+  return sim::MakeRenderScene(mesh, sim::Backend::kEmbree);
 }
 
 ScenePanoramas::ScenePanoramas(const sim::RenderScene& scene, const DataConfig& config)

@@ -31,7 +31,7 @@ void RoomFurnisher::Rug(std::string_view kind, const PlanPoint& centre, float wi
     const bool lies_on_other = std::any_of(rugs_.begin(), rugs_.end(), [&](const Rect& other) {
       return other.intersects(foot);
     });
-    if (lies_on_other) return;
+    if (lies_on_other || space_.MeetsPit(foot)) return;
     if (!space_.Contains(foot)) continue;
     Show(draft, pose);
     rugs_.push_back(foot);

@@ -50,7 +50,7 @@ struct Offset {
 class RoomFurnisher {
  public:
   RoomFurnisher(RoomSpace* space, const RoomStyle& style, const Rng& rng, MeshBuilder* builder)
-      : space_(*space), style_(style), rng_(rng), builder_(builder) {}
+      : space_(*space), style_(style), rng_(rng), common_rng_(rng), builder_(builder) {}
 
   const Placed* AgainstWall(std::string_view kind, const Wish& wish = {});
   /// At one place of one wall, `x` metres from its left end.
@@ -103,6 +103,7 @@ class RoomFurnisher {
     RoomSpace space = space_;
     MeshBuilder scratch;
     RoomFurnisher copy(&space, style_, rng_, &scratch);
+    copy.common_rng_ = common_rng_;
     copy.rugs_ = rugs_;
     copy.on_tops_ = on_tops_;
     copy.built_ = built_;
@@ -112,6 +113,12 @@ class RoomFurnisher {
 
   /// From now on pieces of a kind and width are all alike, or each is drawn anew again.
   void SetAlike(bool alike) { alike_ = alike; }
+  /// The generator that rooms which look like each other draw from; set before the first piece.
+  void SetCommonRng(const Rng& rng) { common_rng_ = rng; }
+  /// From now on pieces and choices are drawn as in every other room of this type in the building.
+  void DrawAsInOtherRooms() {
+    rng_ = common_rng_.Fork("type", static_cast<std::uint64_t>(space_.room().type));
+  }
 
   /// Of everything placed, in order.
   std::vector<std::string_view> kinds() const;
@@ -161,6 +168,7 @@ class RoomFurnisher {
   RoomSpace& space_;
   const RoomStyle& style_;
   Rng rng_;
+  Rng common_rng_;
   MeshBuilder* builder_;
   std::deque<Placed> placed_;
   std::vector<Rect> rugs_;

@@ -15,6 +15,7 @@ constexpr float kOverHead = 1.7f;      // what hangs higher is in nobody's way, 
 constexpr float kFlat = 0.03f;         // what is lower is walked over
 constexpr float kCasing = 0.09f;       // around holes in walls
 constexpr float kAtWall = 0.25f;       // pieces this near a wall hide what is in it
+constexpr float kPitEdge = 0.04f;      // beside a hole in the floor
 constexpr float kHangs = 0.02f;        // pieces this near a wall hang on it
 constexpr float kStandBefore = 0.32f;  // from a door to where one stands before it
 
@@ -63,6 +64,16 @@ RoomSpace::RoomSpace(const FloorPlan& plan, const HouseStyle& style, int room)
       if (opening.IsPassage() && is_here && (opening.room_b < 0) == entry) AddDoor(plan, opening);
     }
   }
+  for (const Pit& pit : plan.pits) {
+    if (pit.room != room) continue;
+    // Nothing stands on it or before its edge; lamps may hang over it.
+    const PlanPoint edge = PlanPoint::Constant(kPitEdge);
+    const PlanPoint low = pit.low() - edge;
+    const PlanPoint high = pit.high() + edge;
+    taken_.emplace_back(Eigen::Vector3f(low.x(), -pit.depth, low.y()),
+                        Eigen::Vector3f(high.x(), kOverHead, high.y()));
+    pits_.emplace_back(pit.low(), pit.high());
+  }
   std::vector<Rect> leaves;
   for (const Box& leaf : taken_) leaves.push_back(FootOf(leaf));
   grid_.emplace(room_, mouths_, leaves, 0.5f * kWayWidth);
@@ -88,6 +99,12 @@ void RoomSpace::AddDoor(const FloorPlan& plan, const Opening& door) {
                         Eigen::Vector3f(leaf.max().x(), door.top, leaf.max().y()));
   }
   doorways_.push_back(zone);
+}
+
+bool RoomSpace::MeetsPit(const Rect& rect) const {
+  return std::any_of(pits_.begin(), pits_.end(), [&](const Rect& pit) {
+    return pit.intersects(rect);
+  });
 }
 
 bool RoomSpace::IsFree(const Box& box) const {

@@ -31,6 +31,8 @@ class RoomSpace {
   bool IsFree(const Box& box) const;
   bool MeetsDoorway(const Rect& rect) const;
   bool MeetsClearance(const Rect& rect) const;
+  /// Lies over a hole in the floor.
+  bool MeetsPit(const Rect& rect) const;
   /// Stands before a window, or on a wall where a hole is.
   bool HidesOpening(const Box& box) const;
   /// Hangs on a wall that is as wide as the box, at least.
@@ -52,6 +54,7 @@ class RoomSpace {
   float ceiling_;
   Rect main_floor_;
   std::vector<Box> taken_;
+  std::vector<Rect> pits_;
   std::vector<Rect> doorways_;
   std::vector<Rect> clearances_;
   std::vector<PlanPoint> mouths_;

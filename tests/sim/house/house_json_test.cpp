@@ -255,6 +255,23 @@ TEST(HouseJson, ReadsBackKindAndFurniture) {
   EXPECT_THAT(ComplaintOf(text.dump()), HasSubstr("furniture[0].room:"));
 }
 
+TEST(HouseJson, ReadsBackPits) {
+  HouseDescription house = Sample(1);
+  EXPECT_EQ(ToJson(house).find("pits"), std::string::npos);
+  Pit pit;
+  pit.room = 0;
+  pit.into = {0.0f, 1.0f};
+  pit.across = {-1.0f, 0.0f};
+  pit.first_drop = 0.5f;
+  pit.rails = {true, false, true, false};
+  pit.rail = Rail::kGlass;
+  house.plan.pits.push_back(pit);
+  const HouseDescription back = ReadBack(ToJson(house));
+  ASSERT_EQ(back.plan.pits.size(), 1u);
+  EXPECT_EQ(back.plan.pits[0].Outline(), pit.Outline());
+  EXPECT_EQ(ToJson(back), ToJson(house));
+}
+
 TEST(HouseJson, RefusesARoomNameTwice) {
   json house = json::parse(ToJson(Sample()));
   house["rooms"][1]["name"] = house["rooms"][0]["name"];

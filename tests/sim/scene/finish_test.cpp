@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/error.h"
+#include "sim/scene/mesh_measures.h"
+#include "tests/support/scenes.h"
 
 namespace bulletnav::sim {
 namespace {
@@ -83,6 +85,46 @@ TEST(Finish, AMeshThatIsAllOverheadStays) {
   mesh.triangle_materials.resize(1);
   ApplyFinish({.ceiling = false}, &mesh);
   EXPECT_EQ(mesh.triangles.size(), 1u);
+}
+
+TEST(Finish, BlackOverheadIsTheCeilingAlone) {
+  SceneMesh mesh = Room();
+  ApplyFinish({.black_overhead = true}, &mesh);
+  mesh.Validate();
+  ASSERT_EQ(mesh.triangles.size(), Room().triangles.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const bool is_overhead = LowestOf(mesh, t) > 2.0f;
+    const Material& material = mesh.materials[mesh.triangle_materials[t]];
+    EXPECT_EQ(material.base_color[0] < 20 && material.texture < 0, is_overhead);
+  }
+}
+
+TEST(Finish, WhiteKeepsTheLightAndNoColour) {
+  SceneMesh mesh = Room();
+  ApplyFinish({.surfaces = Surfaces::kAllWhite}, &mesh);
+  mesh.Validate();
+  EXPECT_TRUE(mesh.textures.empty());
+  EXPECT_EQ(mesh.materials[1].base_color, kWhite);
+  EXPECT_EQ(mesh.colors[0], (Rgb8{109, 109, 109}));  // of (100, 110, 120)
+}
+
+TEST(Finish, BlankWallsAreWhiteAndLowThingsAreNot) {
+  SceneMesh mesh = tests::BoxRoom(4, 2.5f, 3);
+  tests::AddBox({1, 0, -2}, {2, 0.8f, -1}, {90, 60, 40}, &mesh);
+  ApplyFinish({.blank_walls = true}, &mesh);
+  mesh.Validate();
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const bool is_wall = HighestOf(mesh, t) - LowestOf(mesh, t) > 2.0f;
+    EXPECT_EQ(mesh.materials[mesh.triangle_materials[t]].name == "blank wall", is_wall);
+  }
+}
+
+TEST(Finish, AllWhiteLeavesABlankFloorGrey) {
+  SceneMesh mesh = Room();
+  ApplyFinish({.surfaces = Surfaces::kAllWhite, .blank_floor = true, .baked_light = false}, &mesh);
+  mesh.Validate();
+  EXPECT_NEAR(mesh.materials[mesh.triangle_materials[0]].base_color[0], 49, 1);
+  EXPECT_EQ(mesh.materials[mesh.triangle_materials[4]].base_color, kWhite);
 }
 
 TEST(Finish, ABlankFloorIsGreyAndTheTableIsNot) {

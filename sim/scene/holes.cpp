@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "sim/scene/holes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <string_view>
+
+#include "sim/scene/mesh_measures.h"
+#include "sim/scene/patches.h"
+#include "sim/scene/refine.h"
+#include "sim/scene/smooth_noise.h"
+
+namespace bulletnav::sim {
+namespace {
+
+constexpr float kOverhead = 2.0f;  // metres above the floor
+// How much sooner than others these have a hole; the noise is between -1.34 and 1.34.
+constexpr float kGlass = 0.5f;
+constexpr float kDark = 0.4f;  // black; less for what is less dark
+constexpr float kCeiling = 0.15f;
+constexpr double kFinest = 0.05;     // metres
+constexpr double kAffordable = 0.4;  // of AffordableEdge: only a part of the mesh is cut so finely
+constexpr double kEdgesAcross = 4.0;
+
+bool IsGlassy(const std::string& name) {
+  constexpr std::array<std::string_view, 7> kWords = {"window", "glass", "mirror", "screen",
+                                                      "metal",  "steel", "chrome"};
+  std::string lower = name;
+  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return std::any_of(kWords.begin(), kWords.end(), [&](std::string_view word) {
+    return lower.find(word) != std::string::npos;
+  });
+}
+
+std::vector<float> ReadinessOf(const SceneMesh& mesh) {
+  std::vector<float> readiness;
+  for (const Material& material : mesh.materials) {
+    const auto mean = MeanOf(mesh, material);
+    const double light = (mean[0] + mean[1] + mean[2]) / (3.0 * 255.0);
+    const float glass = IsGlassy(material.name) ? kGlass : 0.0f;
+    readiness.push_back(glass + kDark * static_cast<float>(1.0 - light));
+  }
+  return readiness;
+}
+
+class HolePuncher {
+ public:
+  HolePuncher(const Holes& holes, std::uint64_t seed, SceneMesh* mesh)
+      : holes_(holes),
+        noise_(seed, holes.size),
+        mesh_(mesh),
+        floor_(FloorHeight(*mesh)),
+        readiness_(ReadinessOf(*mesh)) {}
+
+  void Run() {
+    RefineTo(0.75 * holes_.size, mesh_);
+    Measure();
+    RefineBorders();
+    Measure();
+    std::vector<char> kept;
+    for (const float value : values_) kept.push_back(value > threshold_ ? 0 : 1);
+    if (std::count(kept.begin(), kept.end(), 1) > 0) KeepTriangles(kept, mesh_);
+  }
+
+ private:
+  void Measure() {
+    values_.clear();
+    std::vector<double> areas;
+    for (std::size_t t = 0; t < mesh_->triangles.size(); ++t) {
+      const bool may_go = holes_.floors || !IsOnTheFloor(*mesh_, t, floor_);
+      const bool is_ceiling = LowestOf(*mesh_, t) > floor_ + kOverhead && IsLevel(*mesh_, t);
+      const float value = noise_.RoughAt(CentreOf(*mesh_, t)) + (is_ceiling ? kCeiling : 0.0f) +
+                          readiness_[mesh_->triangle_materials[t]];
+      values_.push_back(may_go ? value : -HUGE_VALF);
+      areas.push_back(may_go ? AreaOf(*mesh_, t) : 0.0);
+    }
+    threshold_ = ThresholdOf(values_, areas, holes_.share);
+  }
+
+  /// So that holes are rounder than the triangles.
+  void RefineBorders() {
+    const auto finest = static_cast<float>(
+        std::max({kFinest, holes_.size / kEdgesAcross, kAffordable * AffordableEdge(*mesh_)}));
+    Refine(
+        [&](std::uint32_t material, const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
+          if ((a - b).squaredNorm() <= finest * finest) return false;
+          const float level = threshold_ - readiness_[material];
+          const bool at_a = noise_.RoughAt(a) > level;
+          return at_a != (noise_.RoughAt(b) > level) ||
+                 at_a != (noise_.RoughAt(0.5f * (a + b)) > level);
+        },
+        mesh_);
+  }
+
+  Holes holes_;
+  SmoothNoise noise_;
+  SceneMesh* mesh_;
+  float floor_;
+  std::vector<float> readiness_;  // by material
+  std::vector<float> values_;     // by triangle
+  float threshold_ = 0.0f;
+};
+
+/// Mean height of the triangles on the floor.
+float ExactFloor(const SceneMesh& mesh, float floor) {
+  double sum = 0.0;
+  double area = 0.0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (!IsOnTheFloor(mesh, t, floor)) continue;
+    sum += AreaOf(mesh, t) * double{CentreOf(mesh, t).y()};
+    area += AreaOf(mesh, t);
+  }
+  return area > 0.0 ? static_cast<float>(sum / area) : floor;
+}
+
+void OpenFloor(double share, std::uint64_t seed, float floor, SceneMesh* mesh) {
+  constexpr double kSize = 0.25;         // metres from gap to gap
+  constexpr double kEdge = 0.12;         // metres
+  constexpr float kNearTheFloor = 0.2f;  // metres
+  const auto edge = static_cast<float>(std::max(kEdge, kAffordable * AffordableEdge(*mesh)));
+  Refine(
+      [&](std::uint32_t, const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
+        return std::abs(a.y() - floor) < kNearTheFloor && std::abs(b.y() - floor) < kNearTheFloor &&
+               (a - b).squaredNorm() > edge * edge;
+      },
+      mesh);
+  const SmoothNoise noise(seed, kSize);
+  std::vector<float> values;
+  std::vector<double> areas;
+  for (std::size_t t = 0; t < mesh->triangles.size(); ++t) {
+    const bool is_floor = IsOnTheFloor(*mesh, t, floor);
+    values.push_back(is_floor ? noise.RoughAt(CentreOf(*mesh, t)) : -HUGE_VALF);
+    areas.push_back(is_floor ? AreaOf(*mesh, t) : 0.0);
+  }
+  const float threshold = ThresholdOf(values, areas, share);
+  std::vector<char> kept;
+  for (const float value : values) kept.push_back(value > threshold ? 0 : 1);
+  if (std::count(kept.begin(), kept.end(), 1) > 0) KeepTriangles(kept, mesh);
+}
+
+void AddMirrored(float floor, float level, SceneMesh* mesh) {
+  constexpr int kLight = 6;  // tenths
+  constexpr float kHighest = 3.0f;
+  const std::size_t count = mesh->triangles.size();
+  for (std::size_t t = 0; t < count; ++t) {
+    if (IsOnTheFloor(*mesh, t, floor) || HighestOf(*mesh, t) < level) continue;
+    if (LowestOf(*mesh, t) > level + kHighest) continue;
+    std::array<std::uint32_t, 3> corners = mesh->triangles[t];
+    for (std::uint32_t& corner : corners) {
+      corner = CopyVertex(corner, mesh);
+      Eigen::Vector3f& p = mesh->positions[corner];
+      p.y() = 2.0f * level - p.y();
+      for (auto& value : mesh->colors[corner]) {
+        value = static_cast<std::uint8_t>(value * kLight / 10);
+      }
+    }
+    std::swap(corners[1], corners[2]);
+    AddTriangleLike(t, corners, mesh);
+  }
+}
+
+}  // namespace
+
+void PunchHoles(const Holes& holes, std::uint64_t seed, SceneMesh* mesh) {
+  if (holes.share > 0.0) HolePuncher(holes, seed, mesh).Run();
+}
+
+void MirrorFloor(double share, std::uint64_t seed, SceneMesh* mesh) {
+  constexpr float kDeepest = 1.0f;
+  const float floor = FloorHeight(*mesh);
+  if (share <= 0.0 || mesh->Bounds().min().y() < floor - kDeepest) return;
+  const float level = ExactFloor(*mesh, floor);
+  AddMirrored(floor, level, mesh);
+  OpenFloor(share, seed, floor, mesh);
+}
+
+}  // namespace bulletnav::sim
