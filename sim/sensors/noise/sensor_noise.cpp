@@ -83,6 +83,14 @@ SensorNoise NamedSensorNoise(std::string_view name) {
   throw Error("unknown sensor noise '" + std::string(name) + "'; known are: " + known);
 }
 
+void RequireSensorNoise(std::string_view name) {
+  try {
+    NamedSensorNoise(name);
+  } catch (const Error& e) {
+    throw KeyError("sensor_noise", e.what());
+  }
+}
+
 SensorNoise Scaled(const SensorNoise& noise, double strength) {
   BULLETNAV_CHECK(strength >= 0.0 && strength <= 4.0);
   if (strength == 0.0) return {};

@@ -108,6 +108,8 @@ struct SensorNoise {
 std::vector<std::string> SensorNoiseNames();
 /// One of them. Throws Error for another name, with those that are known.
 SensorNoise NamedSensorNoise(std::string_view name);
+/// For configs with a key `sensor_noise`: throws KeyError there unless the name is known.
+void RequireSensorNoise(std::string_view name);
 
 /// The same sensor, so much worse (above 1) or better: standard deviations, steps, shadows, what is
 /// too dark, and colour's spreads go with `strength`; ranges and angles stay. 0: no noise at all.

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/error.h"
+#include "sim/config/yaml_reader.h"
 #include "sim/sensors/noise/picture_noise.h"
 
 namespace bulletnav::sim {
@@ -63,6 +64,8 @@ TEST(SensorNoise, IsFoundByName) {
     EXPECT_NO_THROW(NamedSensorNoise(name).Validate());
   }
   EXPECT_THROW(NamedSensorNoise("lidar"), Error);
+  EXPECT_THROW(RequireSensorNoise("lidar"), KeyError);
+  EXPECT_NO_THROW(RequireSensorNoise("none"));
 }
 
 TEST(SensorNoise, RefusesWhatNoSensorIs) {
