@@ -73,13 +73,13 @@ class ColorRows {
       const float sigma = __builtin_sqrtf(light * frame_.shot + frame_.read_squared);
       const float read = PixelMin(1.0f, PixelMax(0.0f, light + sigma * normal));
       const float shown = PixelMin(255.0f, __builtin_sqrtf(read) * balance_[i]);
-      out[i] = static_cast<std::uint8_t>(static_cast<std::int32_t>(shown + 0.5f));
+      out[i] = static_cast<std::uint8_t>(PixelRound(shown));
     }
   }
 
   const ColorNoiseFrame& frame_;
   int values_;
-  float balance_[kLanes];
+  float balance_[kLanes] = {};
 };
 
 }  // namespace

@@ -49,7 +49,7 @@ class DepthRows {
   static constexpr float kEdge = 0.1f;  // share of the range by which neighbours differ there
 
   int line_size() const { return frame_.cols + frame_.window + 1; }
-  float* line(int number) const { return frame_.line + number * line_size(); }
+  float* line(int number) const { return frame_.line + std::int64_t{number} * line_size(); }
   float* hidden() const { return line(0); }  // see FindShadows
   float* least() const { return line(1); }
   float* squared_slopes() const { return line(2); }
@@ -117,8 +117,9 @@ class DepthRows {
     }
   }
 
-  static float Albedo(const std::uint8_t* rgb) {
-    const auto sum = static_cast<std::int32_t>(2u * rgb[0] + 5u * rgb[1] + rgb[2]);
+  static float Albedo(const std::uint8_t* color, int first) {
+    const auto sum =
+        static_cast<std::int32_t>(2u * color[first] + 5u * color[first + 1] + color[first + 2]);
     const float luminance = static_cast<float>(sum) * (1.0f / (8.0f * 255.0f));
     return luminance * luminance;
   }
@@ -140,7 +141,7 @@ class DepthRows {
       const float cosine = 1.0f / __builtin_sqrtf(1.0f + slopes[i]);
       const std::uint32_t bits = PixelBits(Place(row * f.cols + i), f.key);
       const float limit = 0.5f + Share(bits & 0xFFFFu);
-      const float albedo = kHasColor ? Albedo(color + 3 * i) : 0.25f;
+      const float albedo = kHasColor ? Albedo(color, 3 * i) : 0.25f;
       const float met = Neighbour({here[i - 1], here[i + 1], above[i], below[i]}, d,
                                   Share(bits >> 16), f.lateral * f.across[i] * stretch, astray_y);
       const bool is_lost = (d <= 0.0f) | (met < f.min_range) | (met >= f.max_range) |
@@ -192,7 +193,7 @@ class DepthRows {
         const float variance = PixelMax(0.0f, sigma * sigma - step * step * (1.0f / 12.0f));
         const float shaken = PixelMax(0.01f, r + __builtin_sqrtf(variance) * normal);
         const float steps = PixelMin(1e6f, f.disparity / shaken);
-        const auto whole = static_cast<std::int32_t>(PixelMax(1.0f, steps) + 0.5f);
+        const auto whole = PixelRound(PixelMax(1.0f, steps));
         read = f.disparity / static_cast<float>(whole);
       }
       // A product, as a choice would be made before the reckoning.

@@ -25,6 +25,11 @@ inline float PixelNormal(std::uint32_t bits) {
   return (sum - 510.0f) * 0.0067658751f;  // sqrt(12 / (4 (256^2 - 1)))
 }
 
+/// Of 0 to 2^22. The library's rounding is a call, and no loop with a call becomes vectors.
+inline std::int32_t PixelRound(float a) {
+  return static_cast<std::int32_t>(a + 0.5f);  // NOLINT(bugprone-incorrect-roundings)
+}
+
 inline float PixelMin(float a, float b) {
   return a < b ? a : b;
 }
