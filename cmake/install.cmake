@@ -5,7 +5,7 @@ include(CMakePackageConfigHelpers)
 
 set(installed bulletnav_options)
 foreach(name base config image math navmesh noise physics render_projection render
-             scene_mesh scene sensors_core sensors_types sensors threads)
+             scene_mesh scene sensors_core sensors_noise sensors_types sensors threads)
   list(APPEND installed bulletnav_sim_${name})
 endforeach()
 list(APPEND installed bulletnav_sim)

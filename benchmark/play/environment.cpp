@@ -12,7 +12,8 @@ namespace bulletnav::bench {
 namespace {
 
 sim::SimulatorSpec SimulatorSpecOf(const Task& task) {
-  return {task.body, task.panorama, task.noise, task.color, task.depth, task.sensors};
+  return {task.body,  task.panorama, task.noise,       task.color,
+          task.depth, task.sensors,  task.sensor_noise};
 }
 
 }  // namespace
@@ -23,6 +24,7 @@ Environment::Environment(const Task& task, std::vector<GroundTruth*> truths, int
   const std::size_t pixels = lanes_.size() * task.panorama.pixels();
   if (task.color) color_.resize(3 * pixels);
   if (task.depth) depth_.resize(pixels);
+  if (!task.sensor_noise.is_none()) goal_noise_.emplace(task.sensor_noise, task.panorama);
   MakeMemory();
 }
 
@@ -120,6 +122,15 @@ void Environment::DrawGoal(int lane) {
   const Eigen::Vector3d eye = pose.position + Eigen::Vector3d(0, task_.body.camera_height, 0);
   simulator_->Render(lane, {eye.cast<float>(), static_cast<float>(pose.yaw)},
                      {own.goal_color, own.goal_depth});
+  if (goal_noise_) goal_noise_->Apply(GoalNoise(lane), own.goal_color, own.goal_depth);
+}
+
+/// Other numbers for each goal of each episode.
+sim::Rng Environment::GoalNoise(int lane) const {
+  const TaskEpisode& own = episode(lane);
+  const sim::EpisodeKey& key = own.random_key();
+  return sim::Rng({key.run_seed, own.world().id(), key.episode, 0, sim::Stream::kSensors})
+      .Fork("goal", own.goal());
 }
 
 bool Environment::TakeNewGoal(int lane) {

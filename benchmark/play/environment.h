@@ -12,6 +12,7 @@
 #include "benchmark/play/ground_truth.h"
 #include "benchmark/play/task_episode.h"
 #include "sim/batch_simulator.h"
+#include "sim/sensors/noise/picture_noise.h"
 
 namespace bulletnav::bench {
 
@@ -96,6 +97,7 @@ class Environment {
   void Enter(int lane, const std::shared_ptr<const sim::World>& world);
   void StartGoals(int lane);
   void DrawGoal(int lane);
+  sim::Rng GoalNoise(int lane) const;
   bool draws() const { return task_.color || task_.depth; }
   void MakeMemory();
 
@@ -110,6 +112,7 @@ class Environment {
   std::vector<std::vector<std::byte>> bytes_;              // of those that are not the panorama's
   std::vector<std::span<std::byte>> memory_;               // of all arrays
   std::vector<sim::BatchArray> others_;                    // `bytes_`, as the simulator takes them
+  std::optional<sim::PictureNoise> goal_noise_;            // if there is any
   std::vector<sim::Sensors> read_;
   std::vector<StepOutcome> outcomes_;
 };

@@ -6,6 +6,7 @@
 #include "sim/noise/noise_model.h"
 #include "sim/physics/body_spec.h"
 #include "sim/render/projection.h"
+#include "sim/sensors/noise/sensor_noise.h"
 #include "sim/sensors/sensor_set.h"
 
 namespace bulletnav::bench {
@@ -40,6 +41,8 @@ struct Task {
   /// `panorama` must draw what is said above.
   sim::SensorSet sensors = {};
   sim::NoiseMode noise = sim::NoiseMode::kNone;
+  /// Of all cameras' pictures, goals' too: a goal is a picture that such a body has taken.
+  sim::SensorNoise sensor_noise = {};
   SuccessRule success;
   int max_steps = 500;               // a goal
   std::optional<RewardSpec> reward;  // absent: nobody learns, and rewards are 0

@@ -189,6 +189,7 @@ Task TaskOf(const RunConfig& config, const std::string& setting, Condition condi
   task.depth = sees && rig.has_depth;
   if (sees) task.sensors = SensorsOf(config, setting);
   task.noise = condition == Condition::kNoNoise ? sim::NoiseMode::kNone : config.noise;
+  task.sensor_noise = sim::NamedSensorNoise(config.sensor_noise.value_or("none"));
   task.success = {config.success_distance, condition == Condition::kNoStop};
   task.max_steps = config.max_steps;
   return task;

@@ -11,6 +11,7 @@
 #include "benchmark/runs/published.h"
 #include "benchmark/runs/saved_config.h"
 #include "sim/config/override.h"
+#include "sim/sensors/noise/sensor_noise.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -181,6 +182,7 @@ void RunConfig::Validate() const {
     throw KeyError("max_steps", "max_steps must lie between 1 and 1000000");
   }
   panorama.Validate();
+  sim::RequireSensorNoise(sensor_noise.value_or("none"));
   for (const auto& [setting, set] : sensors) RequireUsable(setting, set);
   if (episodes.draw) generator().Validate();
 }

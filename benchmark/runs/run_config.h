@@ -108,7 +108,8 @@ struct RunConfig {
   sim::PanoramaSpec panorama;
   sim::Backend backend = sim::Backend::kAuto;
   sim::NoiseMode noise = sim::NoiseMode::kAnsReleased;  // where the condition has noise
-  std::map<std::string, sim::SensorSet> sensors;        // more settings, by name; see SensorsOf
+  std::optional<std::string> sensor_noise;  // of cameras, see sim::NamedSensorNoise; default: none
+  std::map<std::string, sim::SensorSet> sensors;  // more settings, by name; see SensorsOf
   std::vector<std::string> settings = {"rgbd"};
   std::vector<Condition> conditions = {Condition::kNoise};
   std::vector<std::uint64_t> seeds = {0};
@@ -133,6 +134,7 @@ struct RunConfig {
     v("panorama", panorama);
     v("backend", backend);
     v("noise", noise);
+    v("sensor_noise", sensor_noise);
     v("sensors", sensors);
     v("settings", settings);
     v("conditions", conditions);

@@ -75,7 +75,8 @@ class VectorEnv(LanesOwner, _Base):
       autoreset_mode: "next_step", "same_step", "disabled" or Gymnasium's AutoresetMode
       sensors: "rgb", "rgbd", or {name: {type: panorama | pinhole | odometry | bumper, ...}}
       body: {radius, height, camera_height, max_climb, max_slope_deg, sliding}, metres
-      noise: "ans_released" (default), "none", "ans_radians", "physical"
+      noise: of motion: "ans_released" (default), "none", "ans_radians", "physical"
+      sensor_noise: of cameras: "none" (default), "depth_camera", "phone_camera", "stereo_camera"
       success_distance (m), no_stop, max_steps, reward: {success, progress, step}
       import: {up: y | z, scale, ground_plane}; navmesh: {...}; backend: auto | egl | embree
       render_mode: "rgb_array" or None

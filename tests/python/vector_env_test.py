@@ -99,6 +99,14 @@ class Stepping(unittest.TestCase):
             *_, truncated, info = envs.step(FORWARD)
         self.assertTrue(any(truncated))
 
+    def test_cameras_can_be_noisy(self):
+        clean, _ = make().reset(seed=0)
+        noisy, _ = make(sensor_noise="depth_camera").reset(seed=0)
+        again, _ = make(sensor_noise="depth_camera", threads=1).reset(seed=0)
+        for name in ("panorama.color", "panorama.depth", "goal.color"):
+            self.assertFalse((clean[name] == noisy[name]).all(), name)
+            self.assertTrue((again[name] == noisy[name]).all(), name)
+
     def test_the_goal_can_be_reached(self):
         """By the truth: turn to it on the straight line, go, stop."""
         import math
@@ -184,6 +192,7 @@ class Misuse(unittest.TestCase):
             ({"num_envs": 0}, "num_envs must lie"),
             ({"num_env": 2}, "did you mean|num_envs"),
             ({"noise": "loud"}, "ans_released"),
+            ({"sensor_noise": "loud"}, "phone_camera"),
             ({"sensors": "xyz"}, "xyz"),
             ({"sensors": {"front": "pinhole"}}, "the goal is a panorama"),
             ({"body": {"radius": -1}}, "radius"),
