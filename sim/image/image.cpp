@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "sim/base/error.h"
 #include "sim/base/files.h"
@@ -79,10 +80,21 @@ void NarrowRow(const Image& image, int y, std::span<const Taps> columns, float* 
 
 }  // namespace
 
-Image DecodeImage(std::span<const std::uint8_t> bytes) {
-  if (bytes.size() >= 8 && bytes[0] == 0x89 && bytes[1] == 'P') return DecodePng(bytes);
-  if (bytes.size() >= 3 && bytes[0] == 0xff && bytes[1] == 0xd8) return DecodeJpeg(bytes);
-  return DecodeWithStb(bytes);
+Image DecodeImage(std::span<const std::uint8_t> bytes, std::uint64_t most_pixels) {
+  const auto begins = [&](std::size_t at, std::string_view text) {
+    return bytes.size() >= at + text.size() &&
+           std::equal(text.begin(), text.end(), bytes.begin() + static_cast<std::ptrdiff_t>(at),
+                      [](char a, std::uint8_t b) {
+                        return static_cast<std::uint8_t>(a) == b;
+                      });
+  };
+  if (begins(0, "\x89P")) return DecodePng(bytes, most_pixels);
+  if (begins(0, "\xff\xd8")) return DecodeJpeg(bytes, most_pixels);
+  if (begins(0, "RIFF") && begins(8, "WEBP")) return DecodeWebp(bytes, most_pixels);
+  if (begins(0, "\xabKTX ")) {
+    throw ImageError("KTX textures (Basis Universal) are not read; convert it to PNG or JPEG");
+  }
+  return DecodeWithStb(bytes, most_pixels);
 }
 
 void WritePng(const std::filesystem::path& file, const Image& image) {
