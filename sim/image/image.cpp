@@ -8,6 +8,7 @@
 #include "sim/base/error.h"
 #include "sim/base/files.h"
 #include "sim/image/codecs.h"
+#include "sim/image/decode.h"
 
 namespace bulletnav::sim {
 namespace {
@@ -78,20 +79,31 @@ void NarrowRow(const Image& image, int y, std::span<const Taps> columns, float* 
   }
 }
 
+bool HasText(std::span<const std::uint8_t> bytes, std::size_t at, std::string_view text) {
+  return bytes.size() >= at + text.size() &&
+         std::equal(text.begin(), text.end(), bytes.begin() + static_cast<std::ptrdiff_t>(at),
+                    [](char a, std::uint8_t b) {
+                      return static_cast<std::uint8_t>(a) == b;
+                    });
+}
+
 }  // namespace
 
+bool IsKtx(std::span<const std::uint8_t> bytes) {
+  return HasText(bytes, 0, "\xabKTX ");
+}
+
+Image DecodeImage(std::span<const std::uint8_t> bytes) {
+  return DecodeImage(bytes, kMostKeptPixels);
+}
+
 Image DecodeImage(std::span<const std::uint8_t> bytes, std::uint64_t most_pixels) {
-  const auto begins = [&](std::size_t at, std::string_view text) {
-    return bytes.size() >= at + text.size() &&
-           std::equal(text.begin(), text.end(), bytes.begin() + static_cast<std::ptrdiff_t>(at),
-                      [](char a, std::uint8_t b) {
-                        return static_cast<std::uint8_t>(a) == b;
-                      });
-  };
-  if (begins(0, "\x89P")) return DecodePng(bytes, most_pixels);
-  if (begins(0, "\xff\xd8")) return DecodeJpeg(bytes, most_pixels);
-  if (begins(0, "RIFF") && begins(8, "WEBP")) return DecodeWebp(bytes, most_pixels);
-  if (begins(0, "\xabKTX ")) {
+  if (HasText(bytes, 0, "\x89P")) return DecodePng(bytes, most_pixels);
+  if (HasText(bytes, 0, "\xff\xd8")) return DecodeJpeg(bytes, most_pixels);
+  if (HasText(bytes, 0, "RIFF") && HasText(bytes, 8, "WEBP")) {
+    return DecodeWebp(bytes, most_pixels);
+  }
+  if (IsKtx(bytes)) {
     throw ImageError("KTX textures (Basis Universal) are not read; convert it to PNG or JPEG");
   }
   return DecodeWithStb(bytes, most_pixels);

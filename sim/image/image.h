@@ -39,15 +39,9 @@ class ImageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// 8192 x 8192.
-inline constexpr std::uint64_t kMostKeptPixels = std::uint64_t{1} << 26;
-
-/// Decodes PNG, JPEG, WebP, BMP or TGA into RGBA. A picture of more than `most_pixels` is halved
-/// while it is decoded, as often as it takes: each pixel is the mean of a square of them, sides
-/// that do not divide are rounded up. So a scan's texture of 16,384 pixels a side takes the memory
-/// of a quarter of it; interlaced PNG, BMP and TGA are held whole for a moment. Throws ImageError:
-/// unknown or damaged format, or more than 16,384 x 16,384 pixels.
-Image DecodeImage(std::span<const std::uint8_t> bytes, std::uint64_t most_pixels = kMostKeptPixels);
+/// Decodes PNG, JPEG, WebP, BMP or TGA into RGBA, large pictures as sim/image/decode.h says.
+/// Throws ImageError: unknown or damaged format, or more than 16,384 x 16,384 pixels.
+Image DecodeImage(std::span<const std::uint8_t> bytes);
 
 /// PNG of a 1, 3 or 4 channel picture.
 std::vector<std::uint8_t> EncodePng(const Image& image);

@@ -10,6 +10,7 @@
 #include <zlib.h>
 
 #include "sim/base/error.h"
+#include "sim/image/decode.h"
 #include "sim/math/rng.h"
 
 namespace bulletnav::sim {
