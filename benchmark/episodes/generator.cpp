@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <map>
 
 #include "benchmark/base/json_cursor.h"
+#include "benchmark/base/scene_names.h"
 #include "benchmark/episodes/episode_drawer.h"
 #include "benchmark/episodes/scene_cache.h"
 #include "sim/base/error.h"
@@ -35,18 +37,16 @@ int Share(int count, std::size_t s, std::size_t n) {
   return count / scenes + (static_cast<int>(s) < count % scenes ? 1 : 0);
 }
 
-/// The beginnings of the scenes' ids: the name of the file, with its folder's where two would be
-/// alike.
+/// The beginnings of the episodes' ids, by scene.
 std::vector<std::string> Labels(const std::vector<std::string>& scenes) {
+  const std::map<std::string, std::string> names = SceneNames(scenes);
   std::vector<std::string> labels;
   for (const std::string& scene : scenes) {
-    const fs::path file = scene;
-    const auto alike = std::count_if(scenes.begin(), scenes.end(), [&](const fs::path& other) {
-      return other.stem() == file.stem();
-    });
-    const std::string stem = file.stem().string();
-    labels.push_back(alike == 1 ? stem : file.parent_path().filename().string() + "-" + stem);
-    if (std::count(labels.begin(), labels.end(), labels.back()) == 1) continue;
+    std::string label = names.at(scene);
+    std::replace(label.begin(), label.end(), '/', '-');
+    const bool is_new = std::find(labels.begin(), labels.end(), label) == labels.end();
+    labels.push_back(std::move(label));
+    if (is_new) continue;
     throw sim::FileError(scene, "",
                          "another scene's episodes would be called '" + labels.back() +
                              "' as well; name each scene once, or rename one");
