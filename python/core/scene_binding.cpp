@@ -126,6 +126,7 @@ void BindScene(py::module_* module) {
           },
           unlocked)
       .def("render", &Render)
+      .def("grey", &Scene::grey)
       .def("islands", &Islands)
       .def("report", &Report)
       .def("renderer", [](const Scene& scene) {

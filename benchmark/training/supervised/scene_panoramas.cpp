@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/training/supervised/scene_panoramas.h"
 
+#include <string>
 #include <vector>
 
 #include "sim/base/check.h"
@@ -9,8 +10,11 @@
 namespace bulletnav::bench {
 
 std::unique_ptr<const sim::RenderScene> LoadForPanoramas(const std::filesystem::path& scene,
-                                                         const DataConfig& config) {
+                                                         const DataConfig& config,
+                                                         const Warn& warn) {
   sim::ImportedScene imported = sim::ImportScene(scene, config.import.options());
+  const std::string grey = DrawnGrey(scene, imported.report);
+  if (warn && !grey.empty()) warn(grey);
   if (config.looks) {
     sim::ApplyFinish(DrawLook(*config.looks, config.seed, scene.filename().string()),
                      &imported.mesh);
