@@ -5,6 +5,7 @@
 #include <array>
 #include <filesystem>
 #include <map>
+#include <string_view>
 
 #include "benchmark/base/json_cursor.h"
 #include "benchmark/base/scene_names.h"
@@ -54,6 +55,17 @@ std::vector<std::string> Labels(const std::vector<std::string>& scenes) {
   return labels;
 }
 
+/// Whether a mesh is another form of a scan that lies beside it: labels instead of colours, or
+/// textures that are not read.
+bool IsOtherForm(const fs::path& mesh) {
+  const std::string name = mesh.filename().string();
+  if (name.ends_with(".semantic.glb") || name.ends_with("_semantic.ply")) return true;
+  constexpr std::string_view kBasis = ".basis.glb";
+  if (!name.ends_with(kBasis)) return false;
+  const std::string plain = name.substr(0, name.size() - kBasis.size()) + ".glb";
+  return fs::exists(mesh.parent_path() / plain);
+}
+
 /// In the order of their names.
 std::vector<std::string> MeshesBelow(const fs::path& folder) {
   constexpr std::array<std::string_view, 5> kMeshes = {".glb", ".gltf", ".obj", ".ply", ".dae"};
@@ -63,6 +75,7 @@ std::vector<std::string> MeshesBelow(const fs::path& folder) {
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, options)) {
     const std::string extension = entry.path().extension().string();
     if (std::find(kMeshes.begin(), kMeshes.end(), extension) == kMeshes.end()) continue;
+    if (IsOtherForm(entry.path())) continue;
     meshes.push_back(entry.path().string());
   }
   if (meshes.empty()) {
