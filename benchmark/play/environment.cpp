@@ -71,6 +71,7 @@ void Environment::Enter(int lane, const std::shared_ptr<const sim::World>& world
   if (own == world) return;
   simulator_->SetWorld(lane, world);
   own = world;
+  at(lane).goal_camera.reset();
 }
 
 void Environment::Reset(int lane, EpisodeTask episode, std::shared_ptr<const sim::World> world) {
@@ -114,12 +115,24 @@ void Environment::StartGoals(int lane) {
 void Environment::DrawGoal(int lane) {
   if (!draws()) return;
   Lane& own = at(lane);
+  const sim::BodyPose pose = own.episode->goal_pose();
+  const Eigen::Vector3d position = pose.position + Eigen::Vector3d(0, task_.body.camera_height, 0);
+  const sim::CameraPose eye = {position.cast<float>(), static_cast<float>(pose.yaw)};
+  if (task_.goal_camera) {
+    DrawGoalPicture(&own, eye);
+    return;
+  }
   if (task_.color) own.goal_color.resize(3 * task_.panorama.pixels());
   if (task_.depth) own.goal_depth.resize(task_.panorama.pixels());
-  const sim::BodyPose pose = own.episode->goal_pose();
-  const Eigen::Vector3d eye = pose.position + Eigen::Vector3d(0, task_.body.camera_height, 0);
-  simulator_->Render(lane, {eye.cast<float>(), static_cast<float>(pose.yaw)},
-                     {own.goal_color, own.goal_depth});
+  simulator_->Render(lane, eye, {own.goal_color, own.goal_depth});
+}
+
+void Environment::DrawGoalPicture(Lane* lane, const sim::CameraPose& eye) {
+  if (!lane->goal_camera) {
+    lane->goal_camera = lane->episode->world().render_scene().MakeRenderer(*task_.goal_camera);
+  }
+  lane->goal_color.resize(3 * task_.goal_camera->pixels());
+  lane->goal_camera->Render({&eye, 1}, lane->goal_color, {});
 }
 
 bool Environment::TakeNewGoal(int lane) {
