@@ -11,7 +11,7 @@
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/progress.h"
 #include "benchmark/cli/scene_options.h"
-#include "benchmark/report/scene_report.h"
+#include "benchmark/episodes/drawn_grey.h"
 #include "sim/base/error.h"
 #include "sim/base/files.h"
 #include "sim/image/image.h"
@@ -102,7 +102,8 @@ void Render(const RenderOptions& options) {
   world_options.import = options.scene.import();
   world_options.backend = options.backend;
   const auto world = LoadWorld(options.scene.file, world_options);
-  fmt::print(stderr, "{}", TextureWarnings(options.scene.file.string(), world->report()));
+  const std::string grey = DrawnGrey(options.scene.file, world->report());
+  if (!grey.empty()) WarnLine(grey);
   const auto renderer = world->render_scene().MakeRenderer(spec);
   const std::vector<BodyPose> poses =
       options.pose.empty() ? RandomPoses(*world, std::max(1, options.random), options.seed)

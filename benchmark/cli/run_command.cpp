@@ -64,6 +64,7 @@ void TellVersions(const fs::path& folder) {
 RunHooks MakeHooks(const fs::path& folder, RunProgress* progress) {
   RunHooks hooks;
   hooks.prepare = StartLine;
+  hooks.warn = WarnLine;
   hooks.missing = [](std::span<const std::string> missing) {
     for (const std::string& one : missing) {
       fmt::print(stderr, "bulletnav: warning: not played: {}\n", one);
@@ -141,7 +142,9 @@ void AddRunCommand(CLI::App* program) {
       ->required();
   command->add_option("overrides", options->overrides,
                       "KEY=VALUE ...: set in the config, as max_steps=100 or agents.0.lanes=2");
-  command->add_option("--episodes", options->run.episodes, "Only the first so many")
+  command
+      ->add_option("--episodes", options->run.episodes,
+                   "Only so many, evenly over scenes and difficulties")
       ->check(CLI::Range(1, 100'000'000));
   command->add_option("--workers", options->run.workers, "Threads (default: one per processor)")
       ->check(CLI::Range(1, 1024));

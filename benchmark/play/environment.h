@@ -53,7 +53,8 @@ class Environment {
   /// Whether the goal has changed since this was last asked.
   bool TakeNewGoal(int lane);
   bool is_first_goal(int lane) const { return episode(lane).goal() == 0; }
-  /// The panorama of the present goal; lives until the goal changes.
+  /// The panorama of the present goal, or a picture as task().goal_camera says; lives until the
+  /// goal changes.
   agent::Panorama goal(int lane) const;
   /// For the agent's random choices on the way to the present goal.
   std::uint64_t agent_seed(int lane) const { return episode(lane).agent_seed(); }
@@ -89,7 +90,8 @@ class Environment {
     sim::Sensors sensors;
     std::vector<std::uint8_t> goal_color;
     std::vector<float> goal_depth;
-    std::vector<sim::ArrayView> arrays;  // in the memory below
+    std::unique_ptr<sim::Renderer> goal_camera;  // of its world; made when it is needed
+    std::vector<sim::ArrayView> arrays;          // in the memory below
   };
   Lane& at(int lane);
   const Lane& at(int lane) const;
@@ -97,8 +99,9 @@ class Environment {
   void Enter(int lane, const std::shared_ptr<const sim::World>& world);
   void StartGoals(int lane);
   void DrawGoal(int lane);
+  void DrawGoalPicture(Lane* lane, const sim::CameraPose& eye);
   sim::Rng GoalNoise(int lane) const;
-  bool draws() const { return task_.color || task_.depth; }
+  bool draws() const { return task_.color || task_.depth || task_.goal_camera; }
   void MakeMemory();
 
   Task task_;

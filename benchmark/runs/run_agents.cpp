@@ -188,6 +188,7 @@ Task TaskOf(const RunConfig& config, const std::string& setting, Condition condi
   task.color = sees && rig.has_color;
   task.depth = sees && rig.has_depth;
   if (sees) task.sensors = SensorsOf(config, setting);
+  if (sees) task.goal_camera = config.goal;
   task.noise = condition == Condition::kNoNoise ? sim::NoiseMode::kNone : config.noise;
   task.sensor_noise = sim::NamedSensorNoise(config.sensor_noise.value_or("none"));
   task.success = {config.success_distance, condition == Condition::kNoStop};

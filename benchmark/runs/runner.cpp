@@ -139,9 +139,10 @@ RunOutcome RunBenchmark(RunConfig config, const fs::path& folder, const RunOptio
   config.beliefs.reset();  // results do not depend on it, nor do the bytes of what is saved
   ResolvedRun run = ResolveRun(std::move(config), options.require_all);
   SceneCache scenes(run.config.world_options());
+  scenes.WarnOfGrey(hooks.warn);
   RunEpisodes episodes =
       PrepareEpisodes(&run.config, {options.episodes, options.shard, options.only},
-                      {scenes, options.workers, StartOf(hooks)});
+                      {scenes, options.workers, StartOf(hooks), hooks.warn});
   RunPlan plan = PlanRun(std::move(run), std::move(episodes));
   plan.beliefs = beliefs;
   const fs::path place = options.shard ? ShardFolder(folder, *options.shard) : folder;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "benchmark/episodes/drawn_grey.h"
 #include "benchmark/runs/run_agents.h"
 #include "benchmark/runs/run_config.h"
 #include "benchmark/runs/run_episodes.h"
@@ -15,7 +16,7 @@
 namespace bulletnav::bench {
 
 struct RunOptions {
-  std::optional<int> episodes;      // only the first so many
+  std::optional<int> episodes;      // only so many, evenly over scenes and difficulties
   int workers = 0;                  // < 1: one per processor
   bool require_all = false;         // agents that cannot run are errors, not remarks in the table
   bool retry_failed = false;        // play episodes that failed again
@@ -27,6 +28,9 @@ struct RunOptions {
 /// What a run tells while it goes on; all may be empty.
 struct RunHooks {
   StartProgress prepare;
+  /// Once for each scene of which something is drawn grey, from any thread, one call at a time; and
+  /// of episodes that are left out.
+  Warn warn;
   /// Once, before `begin`: agents that are not played, and why; see MissingAgents.
   std::function<void(std::span<const std::string>)> missing;
   /// Once, before the first episode: how many results there will be, and those there already are.

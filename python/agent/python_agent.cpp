@@ -150,8 +150,10 @@ class PythonAgent final : public agent::Agent {
   }
 
   py::dict Seen(const agent::Panorama& goal) const {
-    const int rows = rig_.panorama.rows;
-    const int cols = rig_.panorama.cols;
+    // Goals are panoramas, unless the rig has a word of them.
+    const sim::ArraySpec* picture = rig_.FindArray("goal.color");
+    const int rows = picture == nullptr ? rig_.panorama.rows : picture->shape[0];
+    const int cols = picture == nullptr ? rig_.panorama.cols : picture->shape[1];
     py::dict told;
     if (!goal.color.empty()) {
       told["color"] = Copy({"goal.color", {rows, cols, 3}, sim::Element::kUint8, "display value"},

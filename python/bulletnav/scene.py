@@ -2,6 +2,7 @@
 """A scene to look at and to ask the way in."""
 import json
 import os
+import warnings
 
 from bulletnav import _core, arrays
 
@@ -11,12 +12,16 @@ class Scene:
 
     Frame: metres, y up; yaw in radians about +y, 0 looks along -z, positive turns left.
     Arguments by name: import={"up": "y" | "z", "scale", "ground_plane"}, navmesh={...},
-    backend="auto" | "egl" | "embree". Raises FileError for what is no scene.
+    backend="auto" | "egl" | "embree". Raises FileError for what is no scene;
+    warns of what is drawn grey.
     """
 
     def __init__(self, file, **options):
         self.file = os.fspath(file)
         self._scene = _core.Scene(self.file, json.dumps(options))
+        grey = self._scene.grey()
+        if grey:
+            warnings.warn(grey, stacklevel=2)
 
     def render(self, poses, camera=None):
         """Pictures at `poses`: the eye's [x, y, z, yaw], one or a list of n.

@@ -83,13 +83,13 @@ bench::Task LanesConfig::task() const {
   return task;
 }
 
-Lanes::Lanes(const std::string& config)
+Lanes::Lanes(const std::string& config, bench::Warn warn)
     : config_(sim::LoadYamlText<LanesConfig>(config, "arguments")), process_(::getpid()) {
-  worlds_ =
-      std::make_unique<WorldShelf>(config_.world_options(),
-                                   std::vector<std::filesystem::path>(config_.scene_folders.begin(),
-                                                                      config_.scene_folders.end()),
-                                   static_cast<std::size_t>(config_.num_envs) + kWorldsBesideLanes);
+  worlds_ = std::make_unique<WorldShelf>(
+      config_.world_options(),
+      std::vector<std::filesystem::path>(config_.scene_folders.begin(),
+                                         config_.scene_folders.end()),
+      static_cast<std::size_t>(config_.num_envs) + kWorldsBesideLanes, std::move(warn));
   bench::VectorSpec spec;
   spec.task = config_.task();
   spec.episodes = Episodes();

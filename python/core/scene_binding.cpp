@@ -138,6 +138,7 @@ void BindScene(py::module_* module) {
           },
           unlocked)
       .def("render", &Render)
+      .def("grey", &Scene::grey)
       .def("islands", &Islands)
       .def("objects", &Objects)
       .def("report", &Report)

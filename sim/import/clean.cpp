@@ -174,7 +174,7 @@ void CheckExtent(const std::filesystem::path& file, const SceneMesh& mesh) {
     throw FileError(
         file, "",
         fmt::format("is {:.3g} m wide, which no building is; if it is not in metres, give "
-                    "--scale (0.001 for millimetres)",
+                    "--scale (0.001 for millimetres; in a config: import.scale)",
                     extent));
   }
   if (offset <= kMaxOffset) return;

@@ -5,8 +5,8 @@
 
 #include "sim/import/assimp_scene.h"
 #include "sim/import/clean.h"
+#include "sim/import/load_textures.h"
 #include "sim/import/mesh_file_check.h"
-#include "sim/import/texture_limit.h"
 #include "sim/import/up_axis.h"
 
 namespace bulletnav::sim {
@@ -43,7 +43,8 @@ ImportedScene ReadScene(const std::filesystem::path& file, const ImportOptions& 
   ImportedScene scene;
   ImportReport& report = scene.report;
   report.skipped = checked.ignored;
-  scene.mesh = ReadWithAssimp(file, checked.content, &report);
+  const AssimpScene source(file, checked);
+  scene.mesh = source.Convert(&report);
   SceneMesh& mesh = scene.mesh;
   if (checked.objects.of_triangles.size() == mesh.triangles.size()) {
     mesh.objects = checked.objects.objects;
@@ -56,7 +57,7 @@ ImportedScene ReadScene(const std::filesystem::path& file, const ImportOptions& 
   if (report.up_axis == UpAxis::kZ) TurnZUpToYUp(&mesh);
   CleanMesh(file, &mesh, &report);
   if (options.ground_plane) AddGroundPlane(&mesh);
-  LimitTextures(&mesh);
+  LoadTextures(source, &mesh, &report);
   mesh.Validate();
   report.triangles = mesh.triangles.size();
   report.materials =

@@ -104,10 +104,10 @@ class RecastBuilder {
     config_.width = std::max(1, config_.width);
     config_.height = std::max(1, config_.height);
     if (std::int64_t{config_.width} * config_.height > kMaxCells) {
-      throw Error(
-          fmt::format("the scene is {:.0f} x {:.0f} m, too large for a navmesh of {} m cells; "
-                      "cut it up, or give --scale if it is not in metres",
-                      box.sizes().x(), box.sizes().z(), cs));
+      throw Error(fmt::format(
+          "the scene is {:.0f} x {:.0f} m, too large for a navmesh of {} m cells; "
+          "cut it up, or give --scale (in a config: import.scale) if it is not in metres",
+          box.sizes().x(), box.sizes().z(), cs));
     }
   }
 
@@ -140,10 +140,10 @@ class RecastBuilder {
                                       *heights_, *compact_),
             "compact its grid");
     if (compact_->spanCount >= kMaxSpans) {
-      throw Error(
-          fmt::format("the scene has more floor than one navmesh of {} m cells holds ({}); "
-                      "cut it up, or give --scale if it is not in metres",
-                      config_.cs, kMaxSpans));
+      throw Error(fmt::format(
+          "the scene has more floor than one navmesh of {} m cells holds ({}); "
+          "cut it up, or give --scale (in a config: import.scale) if it is not in metres",
+          config_.cs, kMaxSpans));
     }
     std::vector<Surroundings> surroundings;
     if (spec_.is_indoor()) {

@@ -77,7 +77,7 @@ TEST(BeliefLogTest, IsEmptyForAgentsThatTellNothing) {
 
 TEST(BeliefLogTest, LiesBesideTheTrajectories) {
   const ResultKey key = {"nts", "rgbd", "noise", 3, "a/house.glb", "easy/0"};
-  EXPECT_EQ(BeliefPath("run", key), "run/beliefs/nts-rgbd-noise-3/house-easy_0.json.gz");
+  EXPECT_EQ(BeliefPath("run", key), "run/beliefs/nts-rgbd-noise-3/a_house-easy_0.json.gz");
 }
 
 }  // namespace

@@ -497,19 +497,6 @@ TEST(Import, WholeNumbersInGltfMayHaveAPoint) {
               HasSubstr("accessors[1].count: is not a whole number"));
 }
 
-TEST(Import, WhatGltfTexturesLoseIsListed) {
-  const TemporaryFolder folder;
-  const std::string materials =
-      R"("textures":[{}],"materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0,)"
-      R"("texCoord":1,"extensions":{"KHR_texture_transform":{"scale":[2,2]}}}}},)"
-      R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}}],"meshes")";
-  const Changes changes = {{"\"meshes\"", materials}};
-  const auto file = folder.Write("a.gltf", FloorGltf(FloorUri(3), changes));
-  EXPECT_THAT(ImportScene(file).report.skipped,
-              ElementsAre("1 transforms of textures (KHR_texture_transform)",
-                          "1 textures' choices of other coordinates (texCoord)"));
-}
-
 TEST(Import, NamesInGltfMayHavePercentCodes) {
   const TemporaryFolder folder;
   const std::filesystem::path place = folder.path() / "100%25 mine";

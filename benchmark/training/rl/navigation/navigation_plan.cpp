@@ -44,7 +44,9 @@ NavigationScenes LoadScenes(const NavigationData& data, const TrainContext& cont
   if (context.start) {
     loaded = context.start(what, static_cast<int>(ScenesOf(data.as_data()).size()));
   }
-  return NavigationScenes(data, sim::BodySpec{}, 0, loaded);
+  return NavigationScenes(data, sim::BodySpec{}, 0, loaded, [](const std::string& line) {
+    fmt::print(stderr, "bulletnav: warning: {}\n", line);
+  });
 }
 
 }  // namespace
