@@ -31,7 +31,7 @@ struct DatasetOptions {
   std::string scene;
   int count = 4;
   fs::path gallery;
-  int scenes = 24;
+  int panoramas = 16;
 };
 
 void MakeLabels(const DataConfig& config, int workers) {
@@ -77,9 +77,8 @@ void Draw(const DataConfig& config, const DatasetOptions& options) {
 
 void WriteGallery(const DataConfig& config, const DatasetOptions& options) {
   constexpr int kQuality = 75;
-  const int scenes = std::min(options.scenes, static_cast<int>(ScenesOf(config).size()));
-  Progress progress("scenes", scenes);
-  const sim::Image sheet = DrawGallery(config, scenes, [&] {
+  Progress progress("panoramas", options.panoramas);
+  const sim::Image sheet = DrawGallery(config, options.panoramas, [&] {
     progress.Advance();
   });
   sim::WriteFileAtomically(options.gallery, sim::EncodeJpeg(sheet, kQuality));
@@ -108,7 +107,7 @@ void AddDatasetCommand(CLI::App* program) {
       command->add_option("--gallery", options->gallery,
                           "JPEG of panoramas of some scenes, each in its look; label no more");
   gallery->excludes(draw);
-  command->add_option("--scenes", options->scenes, "Scenes in the gallery")
+  command->add_option("--panoramas", options->panoramas, "Panoramas in the gallery")
       ->needs(gallery)
       ->check(CLI::Range(1, 200));
   command->callback([options] {

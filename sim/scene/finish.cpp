@@ -77,16 +77,38 @@ void BlankFloor(SceneMesh* mesh) {
   }
 }
 
+/// What a material covers.
+struct Cover {
+  double area = 0.0;  // m2
+  double upright = 0.0;
+  float lowest = HUGE_VALF;  // metres
+  float highest = -HUGE_VALF;
+
+  bool IsWall(float floor) const {
+    constexpr double kUprightPart = 0.9;
+    constexpr double kLeastArea = 5.0;
+    constexpr float kFoot = 0.5f;
+    constexpr float kHead = 2.2f;  // above doors and wardrobes
+    return upright >= std::max(kLeastArea, kUprightPart * area) && lowest < floor + kFoot &&
+           highest > floor + kHead;
+  }
+};
+
 void BlankWalls(SceneMesh* mesh) {
   constexpr float kUpright = 0.1f;  // vertical part of the normal, at most
-  constexpr float kHigh = 1.5f;     // metres
-  const auto white = static_cast<std::uint32_t>(mesh->materials.size());
-  mesh->materials.push_back({"blank wall", kWhite, -1});
+  std::vector<Cover> covers(mesh->materials.size());
   for (std::size_t t = 0; t < mesh->triangles.size(); ++t) {
+    Cover& cover = covers[mesh->triangle_materials[t]];
     const Eigen::Vector3f normal = NormalOf(*mesh, t);
-    const bool is_wall = std::abs(normal.y()) <= kUpright * normal.norm() &&
-                         HighestOf(*mesh, t) - LowestOf(*mesh, t) >= kHigh;
-    if (is_wall) mesh->triangle_materials[t] = white;
+    const double area = AreaOf(*mesh, t);
+    cover.area += area;
+    if (std::abs(normal.y()) <= kUpright * normal.norm()) cover.upright += area;
+    cover.lowest = std::min(cover.lowest, LowestOf(*mesh, t));
+    cover.highest = std::max(cover.highest, HighestOf(*mesh, t));
+  }
+  const float floor = FloorHeight(*mesh);
+  for (std::size_t m = 0; m < covers.size(); ++m) {
+    if (covers[m].IsWall(floor)) mesh->materials[m] = {"blank wall", kWhite, -1};
   }
 }
 

@@ -38,7 +38,7 @@ struct Finish {
   Repaint repaint = {};
   /// One grey for all that is level and lies on the floor's height.
   bool blank_floor = false;
-  /// White for upright triangles that are 1.5 m high or more: walls, where they are not cut finely.
+  /// White walls: materials of upright faces alone, from below 0.5 m to above 2.2 m, 5 m2 or more.
   bool blank_walls = false;
   /// False: colours of vertices, into which light is baked, are white.
   bool baked_light = true;

@@ -2,11 +2,15 @@
 #include "benchmark/training/supervised/gallery.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <map>
 #include <vector>
 
 #include "benchmark/training/supervised/sample_points.h"
 #include "benchmark/training/supervised/scene_panoramas.h"
 #include "benchmark/training/supervised/walk_grid.h"
+#include "sim/base/check.h"
 #include "sim/world.h"
 
 namespace bulletnav::bench {
@@ -14,50 +18,44 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kColumns = 2;
 constexpr int kGap = 4;  // pixels
 
-sim::Image FirstPanorama(const fs::path& scene, const DataConfig& config) {
+/// The first places in a scene, as many as are asked for.
+std::vector<sim::BodyPose> FirstPlaces(const fs::path& scene, int count, DataConfig config) {
   sim::WorldOptions options;
   options.import = config.import.options();
   options.navmesh = config.navmesh;
   options.backend = sim::Backend::kEmbree;
-  DataConfig one = config;
-  one.points = 1;
-  std::vector<sim::BodyPose> poses;
-  {
-    const auto world = sim::World::Load(scene, options);
-    world->RequireFloor();
-    poses = DrawPoints(*world, LargestStorey(world->navmesh()), one);
-  }
-  const auto seen = LoadForPanoramas(scene, config);
-  sim::Image image(config.panorama.cols, config.panorama.rows, 3);
-  constexpr int kFirst = 0;
-  ScenePanoramas(*seen, config).Render(poses, {&kFirst, 1}, image.pixels, {});
-  return image;
-}
-
-void Paste(const sim::Image& image, int left, int top, sim::Image* sheet) {
-  for (int y = 0; y < image.height; ++y) {
-    std::copy_n(image.at(0, y), 3 * image.width, sheet->at(left, top + y));
-  }
+  const auto world = sim::World::Load(scene, options);
+  world->RequireFloor();
+  config.points = count;
+  return DrawPoints(*world, LargestStorey(world->navmesh()), config);
 }
 
 }  // namespace
 
-sim::Image DrawGallery(const DataConfig& config, int count, const std::function<void()>& on_scene) {
+sim::Image DrawGallery(const DataConfig& config, int count,
+                       const std::function<void()>& on_panorama) {
+  BULLETNAV_CHECK(count >= 1);
   const std::vector<fs::path> scenes = ScenesOf(config);
-  const int n = std::min(count, static_cast<int>(scenes.size()));
-  const int rows = (n + kColumns - 1) / kColumns;
-  const int width = config.panorama.cols + kGap;
-  const int height = config.panorama.rows + kGap;
-  sim::Image sheet(std::min(n, kColumns) * width - kGap, rows * height - kGap, 3);
+  std::map<std::size_t, int> places;  // by scene: how many
+  for (int i = 0; i < count; ++i) {
+    ++places[static_cast<std::size_t>(i) * scenes.size() / static_cast<std::size_t>(count)];
+  }
+  const int cols = config.panorama.cols;
+  const int rows = config.panorama.rows;
+  sim::Image sheet(cols, count * (rows + kGap) - kGap, 3);
   std::fill(sheet.pixels.begin(), sheet.pixels.end(), std::uint8_t{255});
-  for (int i = 0; i < n; ++i) {
-    const auto scene = static_cast<std::size_t>(i) * scenes.size() / static_cast<std::size_t>(n);
-    Paste(FirstPanorama(scenes[scene], config), i % kColumns * width, i / kColumns * height,
-          &sheet);
-    on_scene();
+  int top = 0;
+  for (const auto& [scene, n] : places) {
+    const std::vector<sim::BodyPose> poses = FirstPlaces(scenes[scene], n, config);
+    const auto seen = LoadForPanoramas(scenes[scene], config);
+    ScenePanoramas panoramas(*seen, config);
+    for (int place = 0; place < n; ++place) {
+      panoramas.Render(poses, {&place, 1}, {sheet.at(0, top), 3 * config.panorama.pixels()}, {});
+      top += rows + kGap;
+      on_panorama();
+    }
   }
   return sheet;
 }

@@ -7,10 +7,12 @@
 
 namespace bulletnav::bench {
 
-/// One sheet of what a training on a config sees: a panorama from each of `count` of its scenes,
-/// taken evenly from their list, each in its look; in two columns, the list from above. The place
-/// in a scene is the first that is labelled. `on_scene` is called as scenes are done. Throws
-/// sim::Error for a scene that cannot be read or has no floor.
-sim::Image DrawGallery(const DataConfig& config, int count, const std::function<void()>& on_scene);
+/// One sheet of what a training on a config sees: `count` panoramas, one below the other, of scenes
+/// taken evenly from the config's list, each in its look. Places are the first that are labelled:
+/// one a scene, or more where there are fewer scenes than panoramas. `on_panorama` is called after
+/// each. Expects: 1 or more (checked). Throws sim::Error for a scene that cannot be read or has no
+/// floor.
+sim::Image DrawGallery(const DataConfig& config, int count,
+                       const std::function<void()>& on_panorama);
 
 }  // namespace bulletnav::bench

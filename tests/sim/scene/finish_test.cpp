@@ -109,14 +109,22 @@ TEST(Finish, WhiteKeepsTheLightAndNoColour) {
 }
 
 TEST(Finish, BlankWallsAreWhiteAndLowThingsAreNot) {
-  SceneMesh mesh = tests::BoxRoom(4, 2.5f, 3);
-  tests::AddBox({1, 0, -2}, {2, 0.8f, -1}, {90, 60, 40}, &mesh);
+  SceneMesh mesh = Room();
+  mesh.materials.push_back({"brick", {150, 60, 50}, 0});
+  mesh.materials.push_back({"counter", {90, 60, 40}, -1});
+  const auto add = [&](float height, float z, std::uint32_t material) {
+    tests::AddQuad({0, 0, z}, {4, 0, z}, {4, height, z}, {0, height, z}, kWhite, &mesh);
+    mesh.triangle_materials.resize(mesh.triangles.size(), material);
+    std::fill(mesh.triangle_materials.end() - 2, mesh.triangle_materials.end(), material);
+  };
+  add(2.6f, 0.0f, 2);
+  add(1.4f, 2.0f, 3);
   ApplyFinish({.blank_walls = true}, &mesh);
   mesh.Validate();
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const bool is_wall = HighestOf(mesh, t) - LowestOf(mesh, t) > 2.0f;
-    EXPECT_EQ(mesh.materials[mesh.triangle_materials[t]].name == "blank wall", is_wall);
-  }
+  EXPECT_EQ(mesh.materials[2].base_color, kWhite);
+  EXPECT_EQ(mesh.materials[2].texture, -1);
+  EXPECT_EQ(mesh.materials[3].base_color, (Rgb8{90, 60, 40}));
+  EXPECT_EQ(mesh.materials[0].texture, 0);
 }
 
 TEST(Finish, AllWhiteLeavesABlankFloorGrey) {
