@@ -11,7 +11,7 @@
 namespace bulletnav::sim {
 namespace {
 
-constexpr int kSecondsAFile = 3;  // a small file may hold a picture of 64 million pixels
+constexpr int kSecondsAFile = 3;
 constexpr std::uintmax_t kSecondsAMegabyte = 2;
 constexpr std::uintmax_t kMostSeconds = 1'000'000;
 

@@ -6,6 +6,7 @@
 #include <mutex>
 #include <vector>
 
+#include "benchmark/episodes/drawn_grey.h"
 #include "benchmark/training/supervised/dataset.h"
 #include "benchmark/training/supervised/pair_batch.h"
 #include "benchmark/training/supervised/scene_panoramas.h"

@@ -105,7 +105,7 @@ TEST(Trajectory, DamageIsNamedWithItsPlace) {
 TEST(Trajectory, PathsHaveNoLettersThatFileNamesShouldNotHave) {
   const ResultKey key = {"my agent", "rgbd", "noise", 3, "data/../hou se.basis.glb", "../a/b:1"};
   EXPECT_EQ(TrajectoryPath("run", key),
-            "run/trajectories/my_agent-rgbd-noise-3/data-hou_se.basis-.._a_b_1.json");
+            "run/trajectories/my_agent-rgbd-noise-3/hou_se.basis-.._a_b_1.json");
 }
 
 }  // namespace

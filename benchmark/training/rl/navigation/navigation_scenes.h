@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "benchmark/episodes/drawn_grey.h"
 #include "benchmark/episodes/episode_drawer.h"
 #include "benchmark/episodes/made_houses.h"
 #include "benchmark/play/task_episode.h"
