@@ -18,6 +18,7 @@
 #include "benchmark/cli/out_option.h"
 #include "benchmark/cli/progress.h"
 #include "benchmark/cli/run_progress.h"
+#include "benchmark/cli/shipped_config.h"
 #include "benchmark/cli/tell_outcome.h"
 #include "benchmark/report/run_tables.h"
 #include "benchmark/runs/runner.h"
@@ -110,7 +111,7 @@ void DrawWorst(const fs::path& folder) {
 
 void PlayConfig(RunCommandOptions options) {
   options.run.shard = ShardOf(options);
-  RunConfig config = LoadRunConfig(options.config, options.overrides);
+  RunConfig config = LoadRunConfig(ShippedConfig(options.config), options.overrides);
   const fs::path folder = options.out.empty() ? fs::path("results") / config.name : options.out;
   const fs::path place = options.run.shard ? ShardFolder(folder, *options.run.shard) : folder;
   RunProgress progress;

@@ -91,12 +91,15 @@ struct Fingerprints {
   std::string episodes;
   std::map<std::string, std::string> scenes;
   std::map<std::string, std::string> weights;  // by key of `weights`, or file; of those in use
+  /// By name of the agent, of code that is not the program's; see agent::ForeignAgent.
+  std::optional<std::map<std::string, std::string>> sources = std::nullopt;
 
   template <class V>
   void Visit(V& v) {
     v("episodes", episodes);
     v("scenes", scenes);
     v("weights", weights);
+    v("sources", sources);
   }
   bool operator==(const Fingerprints&) const = default;
 };

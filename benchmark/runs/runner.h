@@ -59,13 +59,14 @@ RunOutcome Summarise(const RunPlan& plan, std::filesystem::path folder,
 /// it was. Results depend on the config alone: not on workers, on other episodes, or on how often
 /// the run was killed and started again; at the end of a run, episodes.jsonl has the same bytes
 /// too. An agent that throws or answers with no action fails that episode, with the reason in its
-/// result; one that never answers is ended with the process. Throws sim::Error: see
+/// result; what becomes of one that never answers is told at RunWorker. Throws sim::Error: see
 /// PrepareEpisodes, RequireSome, RequireAll, ResultStore and BeginShard.
 RunOutcome RunBenchmark(RunConfig config, const std::filesystem::path& folder,
                         const RunOptions& options, const RunHooks& hooks = {});
 
 /// Whether results of a saved config, its YAML text, hold for this one: all but weights that were
-/// not there yet is the same, so that no agent that needs them has run.
+/// not there yet is the same, so that no agent that needs them has run. Hashes of code that were
+/// not kept yet pass too.
 bool LacksOnlyWeights(const std::string& saved, const RunConfig& config);
 
 /// How tables and charts speak of a run's agents.
