@@ -48,7 +48,7 @@ Section: science
 Priority: optional
 Installed-Size: $(du -k -s --apparent-size "$stage/usr" | cut -f 1)
 Depends: $depends, fonts-dejavu-core
-Recommends: ${recommends:+$recommends, }libegl1, libegl-mesa0, libgl1-mesa-dri
+Recommends: ${recommends:+$recommends, }libegl1, libegl-mesa0, libgl1-mesa-dri, libopenblas0-openmp
 Description: simulator and benchmark for image-goal navigation
  Furnished houses in a Bullet physics world, RGBD panoramas, noise of motion
  and odometry measured on a real robot, Neural Topological SLAM and baselines

@@ -85,11 +85,11 @@ class Sleeps(Walker):
 
 class Stubborn(Walker):
     def act(self, observation):
-        while True:
-            try:
+        try:
+            while True:
                 helper.nothing()
-            except BaseException:
-                pass
+        except BaseException:
+            return self.act(observation)
 
 class NoAct:
     def __init__(self, rig, options): pass

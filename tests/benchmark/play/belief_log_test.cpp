@@ -107,7 +107,9 @@ TEST(BeliefLogTest, IsReadBackStepByStep) {
   for (std::size_t i : {0, 1, 2, 9, 10, 23, 24, 39}) {
     const agent::Belief& read = reader.At(i);
     EXPECT_EQ(read.target.has_value(), told[i].target.has_value()) << i;
-    if (read.target) EXPECT_EQ(read.target->x, told[i].target->x) << i;
+    if (read.target) {
+      EXPECT_EQ(read.target->x, told[i].target->x) << i;
+    }
     EXPECT_TRUE(*read.map == *told[i].map) << i;
     EXPECT_EQ(read.graph->nodes, told[i].graph->nodes) << i;
     EXPECT_EQ(read.graph->edges, told[i].graph->edges) << i;
