@@ -155,8 +155,7 @@ class RecastBuilder {
     Require(rcBuildRegions(&context_, *compact_, 0, config_.minRegionArea, config_.mergeRegionArea),
             "find regions");
     if (spec_.is_indoor()) {
-      is_off_floor_ =
-          RegionsOffTheFloor(*heights_, *compact_, surroundings, config_.walkableRadius);
+      is_off_floor_ = RegionsOffTheFloor(*heights_, *compact_, surroundings);
     }
     heights_.reset();
   }

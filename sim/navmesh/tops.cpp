@@ -11,7 +11,7 @@ namespace {
 constexpr float kDropShare = 0.15f;   // of a top's border
 constexpr float kLargestTop = 10.0f;  // m2
 constexpr float kLargestTopShare = 0.25f;
-constexpr int kLedgeCells = 3;  // what Recast leaves out at edges, besides radii
+constexpr float kReach = 1.0f;  // metres from a top's border to the floor, chairs between them
 
 /// Regions between which a body can walk.
 struct Part {
@@ -25,11 +25,11 @@ struct Part {
 class Judge {
  public:
   Judge(const rcHeightfield& heights, const rcCompactHeightfield& compact,
-        const std::vector<Surroundings>& surroundings, int radius_cells)
+        const std::vector<Surroundings>& surroundings)
       : heights_(heights),
         compact_(compact),
         surroundings_(surroundings),
-        reach_(2 * radius_cells + kLedgeCells) {}
+        reach_(static_cast<int>(kReach / compact.cs)) {}
 
   std::vector<bool> Run() {
     Join();
@@ -166,9 +166,8 @@ class Judge {
 
 std::vector<bool> RegionsOffTheFloor(const rcHeightfield& heights,
                                      const rcCompactHeightfield& compact,
-                                     const std::vector<Surroundings>& surroundings,
-                                     int radius_cells) {
-  return Judge(heights, compact, surroundings, radius_cells).Run();
+                                     const std::vector<Surroundings>& surroundings) {
+  return Judge(heights, compact, surroundings).Run();
 }
 
 }  // namespace bulletnav::sim

@@ -127,6 +127,23 @@ TEST(Indoors, TopsAreNoFloor) {
   EXPECT_GE(Navmesh(mesh, all).islands().size(), 3u);
 }
 
+TEST(Indoors, ATableIsNoFloorThoughChairsKeepTheFloorAway) {
+  SceneMesh mesh = RoofedHouse(0);
+  AddBox({4.9f, 0.7f, -4.5f}, {7.1f, 0.75f, -2.5f}, kGrey, &mesh);
+  for (int i = 0; i < 4; ++i) {
+    const float along = 0.05f + 0.55f * static_cast<float>(i);
+    for (const float z : {-5.0f, -2.5f}) {
+      AddBox({4.9f + along, 0, z}, {5.3f + along, 0.45f, z + 0.5f}, kGrey, &mesh);
+    }
+    for (const float x : {4.4f, 7.1f}) {
+      AddBox({x, 0, -4.5f + 0.9f * along}, {x + 0.5f, 0.45f, -4.1f + 0.9f * along}, kGrey, &mesh);
+    }
+  }
+  EXPECT_TRUE(AllCorners(Navmesh(mesh, {}), [](const Vec& p) {
+    return p.y() < 0.5f;
+  }));
+}
+
 TEST(Indoors, TopsOfShelvesAreNoFloorWithoutACeilingEither) {
   SceneMesh mesh = OpenHouse();
   AddBox({0, 0, -6}, {1.3f, 2.2f, -3}, kGrey, &mesh);
