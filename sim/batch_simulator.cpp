@@ -12,6 +12,7 @@
 #include <fmt/ranges.h>
 
 #include "sim/base/error.h"
+#include "sim/sensors/noise/picture_noise.h"
 #include "sim/threads/worker_pool.h"
 
 namespace bulletnav::sim {
@@ -37,8 +38,11 @@ struct BatchSimulator::Impl {
         pool(workers) {
     if (const std::optional<PanoramaSpec> camera = sensors.panorama()) spec.panorama = *camera;
     spec.panorama.Validate();
+    spec.sensor_noise.Validate();
     for (auto& world : worlds) bodies.push_back(NewBody(std::move(world), "BatchSimulator"));
     tools.resize(static_cast<std::size_t>(pool.workers()));
+    if (spec.sensor_noise.is_none()) return;
+    panorama_noise.assign(tools.size(), PictureNoise(spec.sensor_noise, spec.panorama));
   }
 
   std::unique_ptr<SimulatedBody> NewBody(std::shared_ptr<const World> world,
@@ -62,7 +66,9 @@ struct BatchSimulator::Impl {
 
   SensorReader& SensorsOf(const World& world, int worker) {
     auto& reader = tools[static_cast<std::size_t>(worker)][&world.render_scene()].sensors;
-    if (!reader) reader = std::make_unique<SensorReader>(sensors, world.sensor_scene());
+    if (!reader) {
+      reader = std::make_unique<SensorReader>(sensors, world.sensor_scene(), spec.sensor_noise);
+    }
     return *reader;
   }
 
@@ -87,6 +93,19 @@ struct BatchSimulator::Impl {
             cameras,
             out.color.empty() ? out.color : out.color.subspan(3 * pixels * first, 3 * pixels * n),
             out.depth.empty() ? out.depth : out.depth.subspan(pixels * first, pixels * n));
+    if (panorama_noise.empty()) return;
+    for (std::size_t i = first; i < first + n; ++i) AddNoise(i, worker, out);
+  }
+
+  /// To a lane's panorama, as its SensorReader would.
+  void AddNoise(std::size_t lane, int worker, const BatchObservations& out) {
+    const std::size_t pixels = spec.panorama.pixels();
+    SensorInput input = bodies[lane]->sensor_input();
+    input.sensor = "panorama";
+    panorama_noise[static_cast<std::size_t>(worker)].Apply(
+        input.noise(),
+        out.color.empty() ? out.color : out.color.subspan(3 * pixels * lane, 3 * pixels),
+        out.depth.empty() ? out.depth : out.depth.subspan(pixels * lane, pixels));
   }
 
   /// Reads the arrays that are wanted of one lane. `wanted`: of all lanes, see Wanted.
@@ -197,7 +216,8 @@ struct BatchSimulator::Impl {
   NoiseModel noise;
   WorkerPool pool;
   std::vector<std::unique_ptr<SimulatedBody>> bodies;
-  std::vector<ToolsByScene> tools;  // of each worker
+  std::vector<ToolsByScene> tools;           // of each worker
+  std::vector<PictureNoise> panorama_noise;  // of each worker, if there is any
 };
 
 BatchSimulator::BatchSimulator(std::vector<std::shared_ptr<const World>> worlds,

@@ -65,7 +65,7 @@ class BatchSimulator {
   void Observe(const BatchObservations& out);
   void Observe(std::span<const int> lanes, const BatchObservations& out);
   /// What the panorama's camera would see anywhere in a lane's world, by the renderers that are
-  /// there: one picture; `arrays` does not matter.
+  /// there: one picture, without noise; `arrays` does not matter.
   void Render(int lane, const CameraPose& camera, const BatchObservations& out);
 
   /// Ground truth of a lane.

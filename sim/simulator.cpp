@@ -20,7 +20,7 @@ SensorSet SimulatorSpec::AllSensors() const {
 Simulator::Simulator(std::shared_ptr<const World> world, const SimulatorSpec& spec)
     : spec_(spec),
       body_(NotNull(std::move(world)), spec.body, NoiseModel(spec.noise)),
-      sensors_(spec.AllSensors(), body_.world().sensor_scene()) {
+      sensors_(spec.AllSensors(), body_.world().sensor_scene(), spec.sensor_noise) {
   for (const ArraySpec& array : spec.AllSensors().arrays()) {
     NamedArray& added = observation_.arrays.emplace_back(NamedArray{array, {}});
     if (array.name == Observation::kColor) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/observation.h"
+#include "sim/sensors/noise/sensor_noise.h"
 #include "sim/sensors/sensor_reader.h"
 #include "sim/simulated_body.h"
 
@@ -21,6 +22,8 @@ struct SimulatorSpec {
   /// What the body senses. Empty: a sensor `panorama` as said above, odometry and bumper. Else
   /// panorama, color and depth do not matter.
   SensorSet sensors = {};
+  /// Of all cameras, another for each camera, episode and step.
+  SensorNoise sensor_noise = {};
 
   /// The sensors there are, also where `sensors` is empty.
   SensorSet AllSensors() const;

@@ -12,8 +12,9 @@
 namespace bulletnav::sim {
 namespace {
 
-constexpr float kLeastFloor = 1.0f;   // m2
-constexpr float kLeastShare = 0.05f;  // of the footprint
+constexpr float kLeastFloor = 1.0f;    // m2
+constexpr float kLeastShare = 0.05f;   // of the footprint
+constexpr float kLargeIsland = 10.0f;  // m2
 
 }  // namespace
 
@@ -23,6 +24,7 @@ World::World(std::string name, const ImportedScene& scene, const WorldOptions& o
       report_(scene.report),
       physics_(scene.mesh),
       navmesh_(scene.mesh, options.navmesh),
+      objects_(scene.drawn_mesh().objects),
       render_scene_(MakeRenderScene(scene.drawn_mesh(), options.backend)) {}
 
 std::shared_ptr<const World> World::Load(const std::filesystem::path& file,
@@ -46,9 +48,11 @@ std::shared_ptr<const World> World::FromMesh(const SceneMesh& mesh, const std::s
 void RequireFloor(const std::string& name, const ImportReport& report, const Navmesh& navmesh) {
   const float footprint = report.extent_m.x() * report.extent_m.z();
   if (navmesh.area() >= std::max(kLeastFloor, kLeastShare * footprint)) return;
+  if (!navmesh.islands().empty() && navmesh.islands()[0].area >= kLargeIsland) return;
   throw Error(
       fmt::format("{}: has {:.1f} m2 to walk on in a footprint of {:.0f} m2; if it was made "
-                  "without a floor, give --ground-plane, if it lies on its side, --up",
+                  "without a floor, give --ground-plane (in a config: import.ground_plane=true), "
+                  "if it lies on its side, --up (import.up=z)",
                   name, navmesh.area(), footprint));
 }
 

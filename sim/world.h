@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "sim/navmesh/navmesh.h"
 #include "sim/physics/physics_world.h"
@@ -19,7 +20,8 @@ struct WorldOptions {
 };
 
 /// Throws Error, offering the ground plane, if a scene has next to no floor to walk on: under 1 m2
-/// or a twentieth of its footprint (a few table tops are no floor). `name` is the file's.
+/// or, where no island has 10 m2, a twentieth of its footprint (a few table tops are no floor).
+/// `name` is the file's.
 void RequireFloor(const std::string& name, const ImportReport& report, const Navmesh& navmesh);
 
 /// One scene, ready to be moved in and looked at: physics, navmesh, renderer's data. Immutable
@@ -43,6 +45,8 @@ class World {
   const ImportReport& report() const { return report_; }
   const PhysicsWorld& physics() const { return physics_; }
   const Navmesh& navmesh() const { return navmesh_; }
+  /// What the numbers of the channel `semantic` stand for; empty where nobody knows.
+  const std::vector<SceneObject>& objects() const { return objects_; }
   const RenderScene& render_scene() const { return *render_scene_; }
   /// What sensors are made for.
   SensorScene sensor_scene() const { return {*render_scene_, physics_, navmesh_}; }
@@ -56,6 +60,7 @@ class World {
   ImportReport report_;
   PhysicsWorld physics_;
   Navmesh navmesh_;
+  std::vector<SceneObject> objects_;
   std::unique_ptr<const RenderScene> render_scene_;
 };
 

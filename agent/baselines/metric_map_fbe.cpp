@@ -95,13 +95,13 @@ class MetricMapFbeAgent final : public Agent {
     if (const auto action = GoToFrontier()) return *action;
     target_.reset();
     navigator_.ForgetMap();
+    approach_.Reconsider();
     return rng_.Chance(0.5) ? sim::Action::kMoveForward : sim::Action::kTurnLeft;
   }
 
   std::optional<sim::Action> GoToFrontier() {
-    target_ = navigator_.Frontier();
-    if (!target_) return std::nullopt;
-    const auto plan = navigator_.Plan(*target_, false);
+    const auto plan = navigator_.ToFrontier();
+    target_ = navigator_.frontier();
     if (!plan) return std::nullopt;
     return navigator_.Steer(plan->point);
   }

@@ -12,6 +12,10 @@ namespace {
 
 constexpr float kSightStep = 0.7f;  // cells; no ray jumps over a cell
 constexpr float kNothingSeen = -1.0f;
+constexpr float kSteepest = 0.70f;   // of stairs: their fall by their length, 35 degrees
+constexpr float kLeastVoid = 0.20f;  // metres without floor that are more than a gap in a mesh
+constexpr float kDropWidth = 0.50f;  // metres beyond its edge that a drop is marked
+constexpr double kLeastMet = 0.15;   // of the rays below the horizon
 
 float InCells(const MapSpec& spec) {
   return static_cast<float>(spec.vision / spec.cell);
@@ -29,11 +33,16 @@ DepthRing::DepthRing(const Rig& rig, const MapSpec& spec)
       cell_(static_cast<float>(spec.cell)),
       low_(static_cast<float>(spec.obstacle_low)),
       high_(static_cast<float>(spec.obstacle_high)),
+      drop_(static_cast<float>(spec.drop)),
       along_x_(cols_),
       along_y_(cols_),
       range_(cols_),
       height_(cols_),
-      free_(cols_) {
+      free_(cols_),
+      floor_height_(cols_),
+      floor_range_(cols_),
+      edge_range_(cols_),
+      drop_range_(cols_) {
   for (std::size_t c = 0; c < cols_; ++c) flat_.push_back(std::hypot(rays_.x[c], rays_.z[c]));
   for (const float up : rays_.y) {
     for (const float flat : flat_) per_metre_.push_back(1.0f / std::hypot(flat, up));
@@ -47,13 +56,17 @@ void DepthRing::Project(const Panorama& panorama, double x, double y, double yaw
   const std::span<const float> depth = panorama.depth;
   BULLETNAV_CHECK_EQ(depth.size(), static_cast<std::size_t>(rows_) * cols_);
   Clear();
-  std::fill(free_.begin(), free_.end(), kNothingSeen);
+  std::fill(floor_height_.begin(), floor_height_.end(), 0.0f);
+  for (auto* none : {&free_, &floor_range_, &edge_range_, &drop_range_}) {
+    std::fill(none->begin(), none->end(), kNothingSeen);
+  }
+  sees_floor_ = SeesFloor(depth);
   TurnColumns(yaw);
   const auto in_x = static_cast<float>(reach_ + x);
   const auto in_y = static_cast<float>(reach_ + y);
-  for (int row = 0; row < rows_; ++row) {
-    MeasureRow(depth, static_cast<std::size_t>(row));
-    CountRow(in_x, in_y);
+  for (auto row = static_cast<std::size_t>(rows_); row-- > 0;) {  // the floor beside the body first
+    MeasureRow(depth, row);
+    CountRow(row, in_x, in_y);
   }
   LookAlong(in_x, in_y);
 }
@@ -83,20 +96,91 @@ void DepthRing::MeasureRow(std::span<const float> depth, std::size_t row) {
   }
 }
 
-void DepthRing::CountRow(float x, float y) {
+void DepthRing::CountRow(std::size_t row, float x, float y) {
+  const bool looks_down = rays_.y[row] < 0.0f;
   for (std::size_t c = 0; c < cols_; ++c) {
-    const float range = range_[c];
-    if (!(range > 0.0f)) continue;  // no return, or not a number
-    // What is above the body or far away leaves the way to the end of the vision open.
-    const bool is_obstacle = height_[c] > low_ && height_[c] < high_ && range <= vision_;
-    const float open = is_obstacle ? range : vision_;
-    free_[c] = free_[c] == kNothingSeen ? open : std::min(free_[c], open);
-    if (range > vision_ || height_[c] >= high_) continue;
-    const sim::Cell cell{static_cast<int>(x + range * along_x_[c]),
-                         static_cast<int>(y + range * along_y_[c])};
-    ++(is_obstacle ? obstacle_points_ : floor_points_)[cell];
+    if (looks_down && IsBelowFloor(c)) {
+      LookOverEdge(row, c, x, y);
+    } else {
+      CountPoint(c, x, y);
+    }
+  }
+}
+
+void DepthRing::CountPoint(std::size_t col, float x, float y) {
+  const float range = range_[col];
+  if (!(range > 0.0f)) return;  // no return, or not a number
+  // What is above the body or far away leaves the way to the end of the vision open.
+  const float height = height_[col];
+  const bool is_obstacle = height > low_ && height < high_ && range <= vision_;
+  EndSight(col, is_obstacle ? range : vision_);
+  edge_range_[col] = kNothingSeen;
+  drop_range_[col] = kNothingSeen;
+  if (range > vision_ || height >= high_) return;
+  const sim::Cell cell{static_cast<int>(x + range * along_x_[col]),
+                       static_cast<int>(y + range * along_y_[col])};
+  ++(is_obstacle ? obstacle_points_ : floor_points_)[cell];
+  seen_[cell] = 1;
+  if (is_obstacle) return;
+  floor_height_[col] = height;
+  floor_range_[col] = range;
+}
+
+/// Also where nothing is met.
+bool DepthRing::IsBelowFloor(std::size_t col) const {
+  if (range_[col] > 0.0f) return height_[col] < floor_height_[col] - drop_;
+  return range_[col] == 0.0f && sees_floor_;
+}
+
+/// Whether enough is met below the horizon for the rest to be no floor: a blind camera sees no
+/// drops.
+bool DepthRing::SeesFloor(std::span<const float> depth) const {
+  std::size_t all = 0;
+  std::size_t met = 0;
+  for (auto row = static_cast<std::size_t>(rows_); row-- > 0 && rays_.y[row] < 0.0f;) {
+    for (const float d : depth.subspan(row * cols_, cols_)) met += d > 0.0f ? 1 : 0;
+    all += cols_;
+  }
+  return static_cast<double>(met) >= kLeastMet * static_cast<double>(all);
+}
+
+void DepthRing::LookOverEdge(std::size_t row, std::size_t col, float x, float y) {
+  const float down = (camera_height_ - floor_height_[col]) / -rays_.y[row];
+  const float crossing = down * flat_[col] / cell_;
+  if (!(crossing <= vision_)) return;
+  if (edge_range_[col] == kNothingSeen) edge_range_[col] = crossing;
+  // The edge lies somewhere below what is seen.
+  if (floor_range_[col] == kNothingSeen) EndSight(col, 0.0f);
+  if (IsDrop(col, crossing)) {
+    MarkDrop(col, crossing, x, y);
+  } else if (range_[col] > 0.0f) {
+    drop_range_[col] = kNothingSeen;
+    EndSight(col, crossing);
+  }
+}
+
+bool DepthRing::IsDrop(std::size_t col, float crossing) const {
+  if (!(range_[col] > 0.0f)) return (crossing - edge_range_[col]) * cell_ >= kLeastVoid;
+  const float hidden = range_[col] - std::max(floor_range_[col], 0.0f);
+  return floor_height_[col] - height_[col] > kSteepest * hidden * cell_;
+}
+
+/// From the last drop of the column to where this ray crosses the floor.
+void DepthRing::MarkDrop(std::size_t col, float crossing, float x, float y) {
+  float range = drop_range_[col] == kNothingSeen ? edge_range_[col] : drop_range_[col];
+  drop_range_[col] = crossing;
+  EndSight(col, range);
+  const float last = std::min(crossing, edge_range_[col] + kDropWidth / cell_);
+  for (; range <= last; range += kSightStep) {
+    const sim::Cell cell{static_cast<int>(x + range * along_x_[col]),
+                         static_cast<int>(y + range * along_y_[col])};
+    ++obstacle_points_[cell];
     seen_[cell] = 1;
   }
+}
+
+void DepthRing::EndSight(std::size_t col, float range) {
+  free_[col] = free_[col] == kNothingSeen ? range : std::min(free_[col], range);
 }
 
 /// Marks what lies between the body and the first obstacle of every column.

@@ -11,6 +11,8 @@ constexpr double kSlack = 0.3;        // metres that a way may be longer than st
 constexpr double kNearEnough = 0.8;   // metres to stop in where one cannot come nearer
 constexpr double kNowhereToGo = 0.1;  // metres to a waypoint
 constexpr double kVainly = 0.2;       // metres to a goal that is not there
+constexpr double kAsideRadius = 1.5;  // metres
+constexpr double kSeenMore = 6.0;     // m2 until what was set aside is tried again
 
 }  // namespace
 
@@ -27,11 +29,19 @@ void GoalApproach::Reset() {
   asked_ = false;
   stopped_ = false;
   was_vain_ = false;
+  was_stuck_ = false;
+  aside_.reset();
+}
+
+void GoalApproach::Reconsider() {
+  track_.Reconsider();
+  aside_.reset();
 }
 
 void GoalApproach::See(const std::optional<RelativeGoal>& goal, const MapNavigator& navigator) {
   was_vain_ = was_vain_ || std::exchange(stopped_, false);
   seen_ = goal;
+  if (navigator.seen_area() >= seen_then_ + kSeenMore) aside_.reset();
   if (!std::exchange(asked_, false) || goal) missed_ = 0;
   if (!goal) return;
   const bool is_elsewhere =
@@ -39,6 +49,7 @@ void GoalApproach::See(const std::optional<RelativeGoal>& goal, const MapNavigat
   if (!is_elsewhere) return;
   watch_.Forget(kGoal);
   was_vain_ = false;
+  was_stuck_ = false;
 }
 
 std::optional<sim::Action> GoalApproach::Act(MapNavigator* navigator) {
@@ -51,6 +62,7 @@ std::optional<sim::Action> GoalApproach::Act(MapNavigator* navigator) {
   const bool is_open = plan && plan->distance <= distance + kSlack;
   if (is_certain && distance <= spec_.stop_distance && is_open) return Stop();
   if (distance <= (was_vain_ ? kVainly : kAtGoal) && !is_certain) return Refute();
+  if (IsSetAside(*target)) return std::nullopt;
   if (IsNowhere(plan, *navigator)) {
     // Odometry may have smeared the map until it left no way.
     navigator->ForgetMap();
@@ -59,10 +71,12 @@ std::optional<sim::Action> GoalApproach::Act(MapNavigator* navigator) {
       return is_certain && distance <= kNearEnough ? Stop() : Refute();
     }
   }
-  if (watch_.IsStuck(kGoal, plan->distance)) {
+  if (watch_.IsStuck(kGoal, plan->distance, navigator->seen_area())) {
+    if (is_certain && distance <= kNearEnough) return Stop();
+    if (was_stuck_ && is_certain) return SetAside(*target, navigator->seen_area());
     navigator->ForgetMap();
     if (!is_certain) return Refute();
-    if (distance <= kNearEnough) return Stop();
+    was_stuck_ = true;
   }
   if (Misses(*target, plan->distance, *navigator)) return Refute();
   return navigator->Steer(plan->point);
@@ -95,7 +109,20 @@ std::optional<sim::Action> GoalApproach::Refute() {
   watch_.Forget(kGoal);
   missed_ = 0;
   was_vain_ = false;
+  was_stuck_ = false;
   return std::nullopt;
+}
+
+/// What is seen from everywhere around would be believed again at once if it were refuted.
+std::optional<sim::Action> GoalApproach::SetAside(const Point& target, double seen) {
+  aside_ = target;
+  seen_then_ = seen;
+  was_stuck_ = false;
+  return std::nullopt;
+}
+
+bool GoalApproach::IsSetAside(const Point& point) const {
+  return aside_ && Distance(*aside_, point) < kAsideRadius;
 }
 
 }  // namespace bulletnav::agent

@@ -30,7 +30,9 @@ ApproachSpec ApproachOf(const Config& config) {
   return spec;
 }
 
-/// Walks to where the goal was seen and stops there, or finds out that it is not there. The same
+/// Walks to where the goal was seen and stops there, or finds out that it is not there, or that it
+/// cannot be got to from here, as behind a counter: then it is set aside until more of the place is
+/// known. The same
 /// for all agents that look for the goal with F_L and F_R; what they differ in is how they explore.
 /// Source: the stop and the local policy of Neural Topological SLAM, section 4.1; what happens when
 /// a sighting was wrong is ours.
@@ -55,13 +57,13 @@ class GoalApproach {
   /// Whether the goal may be at a point that somebody claims, having seen it from `distance` away
   /// with this probability. Not where it was looked for in vain.
   bool MayBeAt(const Point& point, double distance, double certainty) const {
-    return track_.IsNews(point, distance, certainty);
+    return !IsSetAside(point) && track_.IsNews(point, distance, certainty);
   }
   /// It was looked for at this point, in vain.
   void RefuteAt(const Point& point) { track_.RefuteAt(point); }
   /// For when there is nothing left to explore: the goal may be anywhere but where a stop was in
   /// vain.
-  void Reconsider() { track_.Reconsider(); }
+  void Reconsider();
 
   /// Whether the goal would be seen from here if it were at `point`, `way` metres to walk from
   /// here, and has not been.
@@ -70,6 +72,8 @@ class GoalApproach {
  private:
   std::optional<sim::Action> Stop();
   std::optional<sim::Action> Refute();
+  std::optional<sim::Action> SetAside(const Point& target, double seen);
+  bool IsSetAside(const Point& point) const;
   bool IsNowhere(const std::optional<Waypoint>& plan, const MapNavigator& navigator) const;
 
   ApproachSpec spec_;
@@ -80,6 +84,9 @@ class GoalApproach {
   bool asked_ = false;                // in this step, whether it is missed
   bool stopped_ = false;              // in the last step
   bool was_vain_ = false;             // a stop at the present target
+  bool was_stuck_ = false;            // on the way there
+  std::optional<Point> aside_;        // where the goal is that cannot be got to
+  double seen_then_ = 0.0;            // m2
 };
 
 }  // namespace bulletnav::agent

@@ -14,7 +14,13 @@ namespace {
 constexpr double kAboutFace = sim::DegToRad(150.0);  // beyond it the last turn's sense is kept
 constexpr double kSameFrontier = 0.25;               // metres
 constexpr double kTooFar = 10.0;                     // metres in one step
-constexpr double kArrived = 0.3;  // metres from a frontier; what is still unseen there stays so
+constexpr double kArrived = 0.3;   // metres from a frontier; what is still unseen there stays so
+constexpr int kPatience = 30;      // steps in which a frontier does not come nearer
+constexpr double kNearer = 0.25;   // metres
+constexpr int kFrontiers = 8;      // looked at in one step
+constexpr double kTurned = 0.25;   // of the map's obstacles in sight looked through
+constexpr int kFewObstacles = 60;  // cells
+constexpr int kDoubts = 3;         // steps in a row
 
 }  // namespace
 
@@ -35,7 +41,9 @@ MapNavigator::MapNavigator(const Rig& rig, const NavigatorSpec& spec,
     : spec_(spec),
       map_(rig, spec.map, std::move(mapper)),
       planner_(spec.map, spec.ahead),
-      frontiers_(spec.map.cells(), spec.least_frontier) {}
+      frontiers_(spec.map.cells(), spec.least_frontier),
+      frontier_watch_(kPatience, kNearer),
+      can_doubt_(rig.has_depth) {}
 
 void MapNavigator::Reset() {
   pose_ = {};
@@ -44,6 +52,14 @@ void MapNavigator::Reset() {
   last_turn_ = sim::Action::kTurnLeft;
   wall_width_ = 1;
   frontier_.reset();
+  frontier_watch_.Reset();
+  doubts_ = 0;
+  seen_before_ = map_.seen_cells();
+}
+
+double MapNavigator::seen_area() const {
+  const double cell = spec_.map.cell;
+  return static_cast<double>(map_.seen_cells() - seen_before_) * cell * cell;
 }
 
 void MapNavigator::Observe(const Observation& observation) {
@@ -57,6 +73,17 @@ void MapNavigator::Observe(const Observation& observation) {
   map_.MarkTrack(before, pose_);
   FeelWalls(before);
   map_.Update(observation.panorama, pose_);
+  DoubtMap(observation.panorama);
+}
+
+void MapNavigator::DoubtMap(const Panorama& panorama) {
+  const MetricMap::Contradiction& found = map_.contradiction();
+  const bool is_doubtful = can_doubt_ && found.all >= kFewObstacles && found.share() >= kTurned;
+  doubts_ = is_doubtful ? doubts_ + 1 : 0;
+  if (doubts_ < kDoubts) return;
+  doubts_ = 0;
+  ForgetMap();
+  map_.Update(panorama, pose_);
 }
 
 void MapNavigator::FeelWalls(const sim::PlanarPose& before) {
@@ -87,14 +114,33 @@ sim::Action MapNavigator::Steer(const Point& point) {
 
 std::optional<Point> MapNavigator::Frontier() {
   if (frontier_ && Distance(here(), *frontier_) < kArrived) {
-    map_.MarkExplored(*frontier_, kArrived);
+    map_.MarkNoWay(*frontier_, kArrived);
     frontier_.reset();
   }
   if (frontier_ && HasFrontierNear(*frontier_, kSameFrontier)) return frontier_;
   frontier_.reset();
   const auto cell = frontiers_.Nearest(map_.states(), map_.CellAt(here()));
   if (cell) frontier_ = map_.Centre(*cell);
+  ++frontier_number_;
   return frontier_;
+}
+
+std::optional<Waypoint> MapNavigator::ToFrontier() {
+  for (int i = 0; i < kFrontiers && Frontier(); ++i) {
+    const std::optional<Waypoint> plan = Plan(*frontier_, false);
+    const bool is_stuck =
+        plan && frontier_watch_.IsStuck(frontier_number_, plan->distance, seen_area());
+    if (plan && !is_stuck) return plan;
+    GiveUpFrontier();
+  }
+  frontier_.reset();
+  return std::nullopt;
+}
+
+void MapNavigator::GiveUpFrontier() {
+  map_.MarkNoWay(*frontier_, kArrived);
+  frontier_watch_.Forget(frontier_number_);
+  frontier_.reset();
 }
 
 std::vector<Point> MapNavigator::Openings(double reach, double apart) {

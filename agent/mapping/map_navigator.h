@@ -7,6 +7,7 @@
 #include "agent/mapping/frontier.h"
 #include "agent/mapping/metric_map.h"
 #include "agent/mapping/path_planner.h"
+#include "agent/mapping/progress_watch.h"
 #include "agent/observation.h"
 #include "sim/base/action.h"
 
@@ -46,8 +47,9 @@ class MapNavigator {
                std::shared_ptr<FreeSpaceModel> mapper = nullptr);
 
   void Reset();
-  /// Moves the pose by the odometry, marks felt walls, adds what is seen to the map. Throws Error
-  /// if the odometry is broken.
+  /// Moves the pose by the odometry, marks felt walls, adds what is seen to the map. A map that
+  /// what is seen contradicts for some steps has been turned by drift: it is forgotten but for the
+  /// view. Throws Error if the odometry is broken.
   void Observe(const Observation& observation);
   /// The action chosen; the next observation shows what came of it.
   void Took(sim::Action action) { last_action_ = action; }
@@ -55,6 +57,8 @@ class MapNavigator {
   const sim::PlanarPose& pose() const { return pose_; }
   Point here() const { return {pose_.x, pose_.y}; }
   const MetricMap& map() const { return map_; }
+  /// Square metres of floor and walls seen since Reset; what was forgotten counts again.
+  double seen_area() const;
   /// For a map that leaves no way out: forgets felt walls, or everything.
   void ForgetFeltWalls() { map_.ForgetFeltWalls(); }
   void ForgetMap() { map_.Clear(pose_); }
@@ -68,6 +72,11 @@ class MapNavigator {
   /// The nearest frontier of the explored floor, kept until it is explored so that the body does
   /// not waver between two; absent if there is none.
   std::optional<Point> Frontier();
+  /// The way to it. One that no way leads to any more, or that does not come nearer, is given up
+  /// for another: something may be there that is not seen. Absent if there is none.
+  std::optional<Waypoint> ToFrontier();
+  /// What the last of the two found.
+  const std::optional<Point>& frontier() const { return frontier_; }
 
   /// Where known floor ends within `reach` metres of way, the nearest first, `apart` metres from
   /// each other.
@@ -78,6 +87,8 @@ class MapNavigator {
 
  private:
   void FeelWalls(const sim::PlanarPose& before);
+  void DoubtMap(const Panorama& panorama);
+  void GiveUpFrontier();
   bool HasFrontierNear(const Point& point, double radius) const;
 
   NavigatorSpec spec_;
@@ -89,6 +100,11 @@ class MapNavigator {
   sim::Action last_turn_ = sim::Action::kTurnLeft;
   int wall_width_ = 1;
   std::optional<Point> frontier_;
+  int frontier_number_ = 0;
+  ProgressWatch frontier_watch_;
+  bool can_doubt_;                // the map; a mapper from colour errs too often
+  int doubts_ = 0;                // steps in a row
+  std::int64_t seen_before_ = 0;  // Reset
 };
 
 }  // namespace bulletnav::agent

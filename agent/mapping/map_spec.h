@@ -13,6 +13,7 @@ struct MapSpec {
   double vision = 3.2;         // farther points are not mapped
   double obstacle_low = 0.25;  // points between these heights are in the body's way
   double obstacle_high = 1.5;
+  double drop = 0.25;  // floor deeper by this than the floor before it is not stepped down to; ours
   int obstacle_points = 2;  // pixels on a cell that make it an obstacle
   int dilation_cells = 1;   // obstacles grow by this for planning
   int clearance_cells = 2;  // ways avoid cells nearer to obstacles than this more; ours
@@ -24,6 +25,7 @@ struct MapSpec {
     v("vision", vision);
     v("obstacle_low", obstacle_low);
     v("obstacle_high", obstacle_high);
+    v("drop", drop);
     v("obstacle_points", obstacle_points);
     v("dilation_cells", dilation_cells);
     v("clearance_cells", clearance_cells);
@@ -38,6 +40,7 @@ struct MapSpec {
     if (!(obstacle_low < obstacle_high)) {
       throw sim::Error("obstacle_low must lie below obstacle_high");
     }
+    if (!(drop > 0.0)) throw sim::Error("a map's drop must be positive");
     const int grown = dilation_cells + clearance_cells;
     if (obstacle_points < 1 || dilation_cells < 0 || clearance_cells < 0 || grown > 20) {
       throw sim::Error("expected obstacle_points >= 1 and dilation_cells, clearance_cells >= 0");

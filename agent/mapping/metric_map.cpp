@@ -16,6 +16,7 @@ constexpr int kSeenObstacle = 3;     // added to the evidence each time, up to
 constexpr int kMostEvidence = 12;    // this; floor seen alone takes 1
 constexpr double kWallAhead = 0.15;  // metres
 constexpr int kWallThickness = 2;    // cells
+constexpr int kSameWall = 2;         // cells between a wall and where the map has it
 
 template <class T>
 sim::Grid<T> Moved(const sim::Grid<T>& grid, const sim::Cell& by, const T& fill) {
@@ -59,6 +60,7 @@ void MetricMap::Clear(const sim::PlanarPose& pose) {
   explored_.Fill(0);
   track_.Fill(0);
   felt_.Fill(0);
+  contradiction_ = {};
   low_ = {};
   const sim::Cell here = CellAt({pose.x, pose.y});
   low_ = {here.x - states_.size() / 2, here.y - states_.size() / 2};
@@ -93,15 +95,33 @@ void MetricMap::Update(const Panorama& panorama, const sim::PlanarPose& pose) {
 
 void MetricMap::Merge(const sim::Cell& middle) {
   const int n = view_->seen().size();
+  contradiction_ = {};
   for (int y = 0; y < n; ++y) {
     for (int x = 0; x < n; ++x) {
       if (view_->seen()[sim::Cell{x, y}] == 0) continue;
+      Contradict({x, y}, {middle.x + x - view_->reach(), middle.y + y - view_->reach()});
       MergeCell({x, y}, {middle.x + x - view_->reach(), middle.y + y - view_->reach()});
     }
   }
 }
 
+void MetricMap::Contradict(const sim::Cell& seen, const sim::Cell& cell) {
+  const bool is_hit = view_->floor_points()[seen] > 0 || view_->obstacle_points()[seen] > 0;
+  if (evidence_[cell] == 0 || !is_hit) return;
+  ++contradiction_.all;
+  for (int dy = -kSameWall; dy <= kSameWall; ++dy) {
+    for (int dx = -kSameWall; dx <= kSameWall; ++dx) {
+      const sim::Cell near{seen.x + dx, seen.y + dy};
+      const bool is_wall = view_->obstacle_points().Contains(near) &&
+                           view_->obstacle_points()[near] >= spec_.obstacle_points;
+      if (is_wall) return;
+    }
+  }
+  ++contradiction_.through;
+}
+
 void MetricMap::MergeCell(const sim::Cell& seen, const sim::Cell& cell) {
+  seen_cells_ += explored_[cell] == 0 ? 1 : 0;
   explored_[cell] = 1;
   std::uint8_t& evidence = evidence_[cell];
   if (view_->obstacle_points()[seen] >= spec_.obstacle_points) {
@@ -170,13 +190,14 @@ MapPicture MetricMap::Picture() const {
   return picture;
 }
 
-void MetricMap::MarkExplored(const Point& p, double radius) {
+void MetricMap::MarkNoWay(const Point& p, double radius) {
   const sim::Cell middle = CellAt(p);
   const int reach = static_cast<int>(radius / spec_.cell);
   for (int dy = -reach; dy <= reach; ++dy) {
     for (int dx = -reach; dx <= reach; ++dx) {
       const sim::Cell cell{middle.x + dx, middle.y + dy};
-      if (explored_.Contains(cell) && std::hypot(dx, dy) <= reach) explored_[cell] = 1;
+      if (!felt_.Contains(cell) || std::hypot(dx, dy) > reach) continue;
+      if (explored_[cell] == 0) felt_[cell] = 1;
     }
   }
   Refresh(middle, reach);

@@ -46,10 +46,9 @@ class MetricMap {
 
   /// Marks a felt wall, two cells thick and `width_cells` wide, 0.15 m ahead of `pose`.
   void MarkWall(const sim::PlanarPose& pose, int width_cells);
+  /// The same where cells near a point are unknown that no view reaches, or no way.
+  void MarkNoWay(const Point& p, double radius);
   void ForgetFeltWalls();
-
-  /// Declares what is near a point seen, for places that no view reaches.
-  void MarkExplored(const Point& p, double radius);
 
   sim::Cell CellAt(const Point& p) const;
   Point Centre(const sim::Cell& cell) const;
@@ -60,10 +59,22 @@ class MetricMap {
   bool IsExplored(const sim::Cell& c) const { return explored_[c] != 0; }
   bool IsTrack(const sim::Cell& c) const { return track_[c] != 0; }
   bool IsFeltWall(const sim::Cell& c) const { return felt_[c] != 0; }
+  /// How much of what the map has in the last view's sight is contradicted by it: the share of its
+  /// obstacles that were looked through, and how many cells these are. Obstacles that appear, fade
+  /// or move make a few; a map that drift has turned, most.
+  struct Contradiction {
+    int through = 0;
+    int all = 0;
+    double share() const { return all == 0 ? 0.0 : static_cast<double>(through) / all; }
+  };
+  const Contradiction& contradiction() const { return contradiction_; }
+  /// Cells seen for the first time, since the map was made; what was forgotten counts again.
+  std::int64_t seen_cells() const { return seen_cells_; }
   MapPicture Picture() const;
 
  private:
   void Merge(const sim::Cell& middle);
+  void Contradict(const sim::Cell& seen, const sim::Cell& cell);
   void MergeCell(const sim::Cell& seen, const sim::Cell& cell);
   void MoveTo(const sim::Cell& middle);
   /// Derives states_ again around a cell.
@@ -75,6 +86,8 @@ class MetricMap {
   MapSpec spec_;
   std::unique_ptr<ViewWindow> view_;
   sim::Cell low_;  // the corner cell, in cells of the plane
+  std::int64_t seen_cells_ = 0;
+  Contradiction contradiction_;
   sim::Grid<std::uint8_t> evidence_;
   sim::Grid<std::uint8_t> explored_;
   sim::Grid<std::uint8_t> track_;

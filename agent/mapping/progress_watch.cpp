@@ -5,19 +5,28 @@
 #include <utility>
 
 namespace bulletnav::agent {
+namespace {
+
+constexpr double kNews = 1.5;  // m2 of floor that count as progress
+
+}  // namespace
 
 void ProgressWatch::Forget(int target) {
   targets_.erase(target);
 }
 
-bool ProgressWatch::IsStuck(int target, double distance) {
+bool ProgressWatch::IsStuck(int target, double distance, double seen) {
   const bool is_resumed = std::exchange(last_, target) != target;
-  const auto [found, is_new] = targets_.try_emplace(target, Target{distance, 0});
+  const auto [found, is_new] = targets_.try_emplace(target, Target{distance, seen, 0});
   if (is_new) return false;
   // Meanwhile the body may have gone farther away; its steps back are steps towards the target.
   if (is_resumed) found->second.nearest = std::max(found->second.nearest, distance);
   if (distance <= found->second.nearest - least_) {
-    found->second = {distance, 0};
+    found->second = {distance, seen, 0};
+    return false;
+  }
+  if (seen >= found->second.seen + kNews) {
+    found->second = {std::max(found->second.nearest, distance), seen, 0};
     return false;
   }
   if (++found->second.steps < patience_) return false;

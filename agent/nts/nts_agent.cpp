@@ -221,7 +221,8 @@ std::optional<sim::Action> NtsAgent::Walk(const Subgoal& subgoal, std::optional<
   if (is_goal && approach_.Misses(subgoal.point, plan->distance, navigator_)) return std::nullopt;
   // Ways over the graph and over the map are not measured alike.
   const int number = 2 * subgoal.ghost.value_or(subgoal.path.back() + kFirstNode);
-  const bool is_stuck = subgoal.is_last() ? watch_.IsStuck(number, plan->distance)
+  const double seen = is_goal ? navigator_.seen_area() : 0.0;
+  const bool is_stuck = subgoal.is_last() ? watch_.IsStuck(number, plan->distance, seen)
                                           : watch_.IsStuck(number + 1, subgoal.way);
   if (is_stuck) return std::nullopt;
   return navigator_.Steer(plan->point);
@@ -241,10 +242,9 @@ void NtsAgent::GiveUp(const Subgoal& subgoal) {
 
 sim::Action NtsAgent::Wander() {
   subgoal_.reset();
-  target_ = navigator_.Frontier();
-  if (target_) {
-    if (const auto plan = navigator_.Plan(*target_, false)) return navigator_.Steer(plan->point);
-  }
+  const auto plan = navigator_.ToFrontier();
+  target_ = navigator_.frontier();
+  if (plan) return navigator_.Steer(plan->point);
   // Nothing is left to explore: something that was done away with on the way was wrong.
   target_.reset();
   navigator_.ForgetMap();

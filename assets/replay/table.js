@@ -18,7 +18,7 @@ function gainOf(row) {
   const twin = twinOf(row);
   return twin && row.spl !== null && twin.spl !== null ? row.spl - twin.spl : null;
 }
-const sceneName = scene => run.scenes[scene].replace(/^.*\//, "").replace(/\.[^.]*$/, "");
+const sceneName = scene => run.scene_names[scene];
 const numbered = (value, digits) => value === null ? "–" : value.toFixed(digits);
 
 const columns = [

@@ -10,6 +10,7 @@
 #include "benchmark/base/program_version.h"
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/progress.h"
+#include "benchmark/cli/shipped_config.h"
 #include "benchmark/training/supervised/data_config.h"
 #include "benchmark/training/supervised/dataset.h"
 #include "benchmark/training/supervised/gallery.h"
@@ -111,7 +112,7 @@ void AddDatasetCommand(CLI::App* program) {
       ->needs(gallery)
       ->check(CLI::Range(1, 200));
   command->callback([options] {
-    const DataConfig config = LoadDataConfig(options->config);
+    const DataConfig config = LoadDataConfig(ShippedConfig(options->config));
     MakeHousesOf(config, CommittedVersion(), options->workers, StartLine);
     if (!options->gallery.empty()) {
       WriteGallery(config, *options);

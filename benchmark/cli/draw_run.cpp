@@ -13,7 +13,9 @@
 
 #include "benchmark/base/counted.h"
 #include "benchmark/cli/progress.h"
+#include "benchmark/play/belief_reader.h"
 #include "benchmark/report/agent_title.h"
+#include "benchmark/report/animation.h"
 #include "benchmark/report/filmstrip.h"
 #include "benchmark/report/result_charts.h"
 #include "benchmark/report/run_scene.h"
@@ -21,6 +23,7 @@
 #include "benchmark/runs/result_store.h"
 #include "benchmark/runs/runner.h"
 #include "sim/base/error.h"
+#include "sim/base/files.h"
 #include "sim/image/image.h"
 
 namespace bulletnav::bench {
@@ -29,6 +32,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kFloorStep = 0.1;  // metres
+constexpr float kQuality = 70.0F;   // of moving pictures
 
 /// "nts, random".
 std::string AgentsOf(const std::vector<EpisodeResult>& results) {
@@ -42,7 +46,8 @@ std::vector<EpisodeResult> ChooseFrom(const DrawOptions& options) {
   const fs::path folder = options.run / "trajectories";
   std::vector<EpisodeResult> all = ResultsWithTrajectory(options.run);
   if (all.empty()) {
-    if (options.choice.is_default() && !options.belief && !options.film) return all;
+    const bool only_charts = !options.belief && !options.film && !options.animate;
+    if (options.choice.is_default() && only_charts) return all;
     throw sim::FileError(folder, "",
                          "holds no trajectories, so there are no episodes to draw; run with "
                          "'trajectories: true', or leave out the options for episodes to have "
@@ -134,11 +139,30 @@ class Drawer {
     plot.belief = options_.belief;
     plot.title = AgentTitle(key.agent, agents_);
     WriteFigure(TrajectoryPlot(map, trajectory, plot), stem);
-    if (!options_.film) return;
-    FilmstripSpec film;
-    film.title = plot.title;
-    film.belief = options_.belief;
-    sim::WritePng(fs::path(stem) += "_film.png", ToImage(Filmstrip(world, map, trajectory, film)));
+    if (options_.film) {
+      FilmstripSpec film;
+      film.title = plot.title;
+      film.belief = options_.belief;
+      sim::WritePng(fs::path(stem) += "_film.png",
+                    ToImage(Filmstrip(world, map, trajectory, film)));
+    }
+    if (options_.animate) Animate(world, map, trajectory, plot.title, fs::path(stem) += ".webp");
+  }
+
+  void Animate(const std::shared_ptr<const sim::World>& world, const SceneMap& map,
+               const EpisodeTrajectory& trajectory, const std::string& title,
+               const fs::path& file) const {
+    AnimationSpec spec;
+    spec.title = title;
+    const fs::path beliefs = BeliefPath(options_.run, trajectory.result.key);
+    if (options_.belief && fs::exists(beliefs)) {
+      const auto reader = std::make_shared<BeliefReader>(beliefs);
+      spec.belief = [reader](std::size_t action) {
+        return action < reader->size() ? reader->At(action) : agent::Belief();
+      };
+    }
+    sim::WriteFileAtomically(
+        file, ToAnimatedWebp(EpisodeAnimation(world, map, trajectory, spec), kQuality));
   }
 
   DrawOptions options_;

@@ -12,8 +12,9 @@ struct DrawOptions {
   std::filesystem::path run = {};
   std::filesystem::path out = {};  // RUN/plots if empty
   PlotChoice choice = {};
-  bool belief = false;  // add the agent's own map or graph
-  bool film = false;    // add filmstrips
+  bool belief = false;   // add the agent's own map or graph
+  bool film = false;     // add filmstrips
+  bool animate = false;  // add moving pictures
 };
 
 struct DrawnCount {

@@ -8,6 +8,7 @@
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/progress.h"
 #include "benchmark/cli/scene_options.h"
+#include "benchmark/cli/shipped_config.h"
 #include "benchmark/episodes/description.h"
 #include "benchmark/episodes/draw_record.h"
 #include "benchmark/episodes/episode_file.h"
@@ -33,7 +34,7 @@ struct ConvertOptions {
 };
 
 void Generate(const GenerateOptions& options) {
-  const auto spec = sim::LoadYaml<GeneratorSpec>(options.config);
+  const auto spec = sim::LoadYaml<GeneratorSpec>(ShippedConfig(options.config));
   const std::vector<std::string> scenes = ScenesOf(spec);
   EpisodeSet set;
   {

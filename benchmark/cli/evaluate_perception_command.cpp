@@ -14,6 +14,7 @@
 #include "benchmark/base/program_version.h"
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/progress.h"
+#include "benchmark/cli/shipped_config.h"
 #include "benchmark/evaluate_perception/perception_cases.h"
 #include "benchmark/evaluate_perception/perception_charts.h"
 #include "benchmark/evaluate_perception/perception_figures.h"
@@ -38,7 +39,7 @@ struct PerceptionOptions {
 };
 
 PerceptionConfig ConfigOf(const PerceptionOptions& options) {
-  auto config = sim::LoadYaml<PerceptionConfig>(options.config);
+  auto config = sim::LoadYaml<PerceptionConfig>(ShippedConfig(options.config));
   if (!options.weights.empty()) config.weights = options.weights;
   if (!options.out.empty()) config.out = options.out;
   return config;

@@ -46,6 +46,8 @@ void AddPlotCommand(CLI::App* program) {
   command->add_option("--agent", options->choice.agent, "Only this agent");
   command->add_flag("--belief", options->belief, "Add the agent's own map or graph");
   command->add_flag("--film", options->film, "Add filmstrips of panoramas beside the map");
+  command->add_flag("--animate", options->animate,
+                    "Add moving pictures (WebP): panoramas beside the map as the path grows");
   command->add_option("--out", options->out, "Folder for the pictures (default: RUN/plots)");
   command->callback([options] {
     Plot(*options);

@@ -13,6 +13,7 @@
 #include "benchmark/base/program_version.h"
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/progress.h"
+#include "benchmark/cli/shipped_config.h"
 #include "benchmark/evaluate_perception/perception_config.h"
 #include "benchmark/runs/agent_models.h"
 #include "benchmark/training/supervised/calibration.h"
@@ -30,7 +31,7 @@ struct QuantiseOptions {
 };
 
 void QuantiseFile(const QuantiseOptions& options) {
-  auto config = sim::LoadYaml<PerceptionConfig>(options.config);
+  auto config = sim::LoadYaml<PerceptionConfig>(ShippedConfig(options.config));
   if (!options.weights.empty()) config.weights = options.weights;
   const fs::path weights = FindWeights(config.weights);
   const fs::path out = options.out.empty() ? weights : fs::path(options.out);

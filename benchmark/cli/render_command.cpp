@@ -11,11 +11,12 @@
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/progress.h"
 #include "benchmark/cli/scene_options.h"
-#include "benchmark/report/scene_report.h"
+#include "benchmark/episodes/drawn_grey.h"
 #include "sim/base/error.h"
 #include "sim/base/files.h"
 #include "sim/image/image.h"
 #include "sim/math/rng.h"
+#include "sim/sensors/noise/picture_noise.h"
 #include "sim/simulated_body.h"
 
 namespace bulletnav::bench {
@@ -30,6 +31,7 @@ struct RenderOptions {
   SceneOptions scene;
   sim::Backend backend = sim::Backend::kAuto;
   CameraOptions camera;
+  std::string sensor_noise = "none";
   std::vector<double> pose;  // x, y, z, yaw in degrees
   int random = 0;
   std::uint64_t seed = 0;
@@ -100,11 +102,14 @@ void Render(const RenderOptions& options) {
   world_options.import = options.scene.import();
   world_options.backend = options.backend;
   const auto world = LoadWorld(options.scene.file, world_options);
-  fmt::print(stderr, "{}", TextureWarnings(options.scene.file.string(), world->report()));
+  const std::string grey = DrawnGrey(options.scene.file, world->report());
+  if (!grey.empty()) WarnLine(grey);
   const auto renderer = world->render_scene().MakeRenderer(spec);
   const std::vector<BodyPose> poses =
       options.pose.empty() ? RandomPoses(*world, std::max(1, options.random), options.seed)
                            : std::vector<BodyPose>{GivenPose(*world, options)};
+  sim::PictureNoise noise(sim::NamedSensorNoise(options.sensor_noise), spec);
+  const sim::Rng random(options.seed, "render");
   std::vector<std::uint8_t> color(3 * size.pixels());
   std::vector<float> depth(size.pixels());
   sim::MakeFolder(options.out);
@@ -116,6 +121,7 @@ void Render(const RenderOptions& options) {
         pose.position + Eigen::Vector3d(0, sim::BodySpec().camera_height, 0);
     const sim::CameraPose camera{eye.cast<float>(), static_cast<float>(pose.yaw)};
     renderer->Render({&camera, 1}, color, depth);
+    noise.Apply(random.Fork("picture", i), color, depth);
     const std::string stem = fmt::format("{:04}", i);
     WritePictures(options.out, stem, size, color, depth);
     list.push_back({{"name", stem},
@@ -143,10 +149,14 @@ void AddRenderCommand(CLI::App* program) {
   command->add_option("--random", options->random, "This many random free places (default 1)")
       ->check(CLI::Range(1, 1'000'000))
       ->excludes(pose);
-  command->add_option("--seed", options->seed, "Seed of the random places")
+  command->add_option("--seed", options->seed, "Seed of the random places and the noise")
       ->check(CLI::Range(0, 1'000'000'000));
   AddBackendOption(command, &options->backend);
   options->camera.AddTo(command);
+  command
+      ->add_option("--sensor-noise", options->sensor_noise,
+                   "Noise of the camera (default none); see docs/rendering.md")
+      ->check(CLI::IsMember(sim::SensorNoiseNames()));
   command->add_option("--out", options->out, "Folder for the pictures")->required();
   command->callback([options] {
     Render(*options);

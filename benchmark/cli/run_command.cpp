@@ -18,6 +18,7 @@
 #include "benchmark/cli/out_option.h"
 #include "benchmark/cli/progress.h"
 #include "benchmark/cli/run_progress.h"
+#include "benchmark/cli/shipped_config.h"
 #include "benchmark/cli/tell_outcome.h"
 #include "benchmark/report/run_tables.h"
 #include "benchmark/runs/runner.h"
@@ -64,6 +65,7 @@ void TellVersions(const fs::path& folder) {
 RunHooks MakeHooks(const fs::path& folder, RunProgress* progress) {
   RunHooks hooks;
   hooks.prepare = StartLine;
+  hooks.warn = WarnLine;
   hooks.missing = [](std::span<const std::string> missing) {
     for (const std::string& one : missing) {
       fmt::print(stderr, "bulletnav: warning: not played: {}\n", one);
@@ -109,7 +111,7 @@ void DrawWorst(const fs::path& folder) {
 
 void PlayConfig(RunCommandOptions options) {
   options.run.shard = ShardOf(options);
-  RunConfig config = LoadRunConfig(options.config, options.overrides);
+  RunConfig config = LoadRunConfig(ShippedConfig(options.config), options.overrides);
   const fs::path folder = options.out.empty() ? fs::path("results") / config.name : options.out;
   const fs::path place = options.run.shard ? ShardFolder(folder, *options.run.shard) : folder;
   RunProgress progress;
@@ -141,7 +143,9 @@ void AddRunCommand(CLI::App* program) {
       ->required();
   command->add_option("overrides", options->overrides,
                       "KEY=VALUE ...: set in the config, as max_steps=100 or agents.0.lanes=2");
-  command->add_option("--episodes", options->run.episodes, "Only the first so many")
+  command
+      ->add_option("--episodes", options->run.episodes,
+                   "Only so many, evenly over scenes and difficulties")
       ->check(CLI::Range(1, 100'000'000));
   command->add_option("--workers", options->run.workers, "Threads (default: one per processor)")
       ->check(CLI::Range(1, 1024));

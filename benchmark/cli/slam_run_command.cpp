@@ -12,6 +12,7 @@
 
 #include "benchmark/cli/out_option.h"
 #include "benchmark/cli/progress.h"
+#include "benchmark/cli/shipped_config.h"
 #include "benchmark/cli/slam_commands.h"
 #include "benchmark/slam/runs/slam_runner.h"
 #include "benchmark/slam/runs/slam_table.h"
@@ -38,7 +39,7 @@ void ShowTables(const SlamConfig& config, const std::vector<DriveResult>& result
 }
 
 void RunAndShow(SlamRunCommandOptions options) {
-  const SlamConfig config = LoadSlamConfig(options.config, options.overrides);
+  const SlamConfig config = LoadSlamConfig(ShippedConfig(options.config), options.overrides);
   const fs::path folder = options.out.empty() ? fs::path("results") / config.name : options.out;
   options.run.progress = StartLine;
   const std::vector<DriveResult> results = RunSlam(config, folder, options.run);

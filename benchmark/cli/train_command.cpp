@@ -11,6 +11,7 @@
 
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/progress.h"
+#include "benchmark/cli/shipped_config.h"
 #include "benchmark/training/core/registry.h"
 #include "benchmark/training/core/training_log.h"
 #include "sim/config/override.h"
@@ -43,7 +44,7 @@ void AddTrainCommand(CLI::App* program) {
   command->add_option("overrides", *overrides,
                       "KEY=VALUE ...: set in the config, as steps=100 or data.seed=2");
   command->callback([file, overrides] {
-    Train(*file, *overrides);
+    Train(ShippedConfig(*file), *overrides);
   });
 }
 

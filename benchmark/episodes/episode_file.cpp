@@ -5,7 +5,9 @@
 #include <charconv>
 #include <map>
 #include <optional>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "benchmark/base/gzip.h"
 #include "benchmark/episodes/episode_json.h"
@@ -73,6 +75,22 @@ Json ToJson(const EpisodeSet& set, EpisodeFormat format) {
   return whole;
 }
 
+/// What a scene's file may be called, the best first.
+std::vector<std::string> NamesOf(const std::string& scene) {
+  constexpr std::string_view kHabitatFolder = "data/scene_datasets/";
+  constexpr std::string_view kBasis = ".basis.glb";
+  std::vector<std::string> names;
+  if (scene.ends_with(kBasis)) {
+    names.push_back(scene.substr(0, scene.size() - kBasis.size()) + ".glb");
+  }
+  names.push_back(scene);
+  if (!scene.starts_with(kHabitatFolder)) return names;
+  for (const std::string& name : std::vector<std::string>(names)) {
+    names.push_back(name.substr(kHabitatFolder.size()));
+  }
+  return names;
+}
+
 }  // namespace
 
 EpisodeSet ReadEpisodes(const fs::path& file) {
@@ -116,11 +134,13 @@ void RequireUniqueIds(const std::vector<Episode>& episodes, const fs::path& file
 }
 
 fs::path FindScene(const std::string& scene, const std::vector<fs::path>& folders) {
-  if (fs::is_regular_file(scene)) return scene;
   std::string tried;
-  for (const fs::path& folder : folders) {
-    if (fs::is_regular_file(folder / scene)) return folder / scene;
-    tried += ", " + (folder / scene).string();
+  for (const std::string& name : NamesOf(scene)) {
+    if (fs::is_regular_file(name)) return name;
+    for (const fs::path& folder : folders) {
+      if (fs::is_regular_file(folder / name)) return folder / name;
+      tried += ", " + (folder / name).string();
+    }
   }
   throw Error("scene " + scene + ": no such file" +
               (tried.empty() ? "" : ", nor" + tried.substr(1)) +

@@ -31,8 +31,9 @@ void WriteEpisodes(const std::filesystem::path& file, const EpisodeSet& set,
 /// Throws sim::FileError if an id appears twice in a scene. `file` is for the message.
 void RequireUniqueIds(const std::vector<Episode>& episodes, const std::filesystem::path& file);
 
-/// The mesh file of a scene as an episode names it: as it is, or below one of `folders`. Throws
-/// sim::Error that names the places looked at.
+/// The mesh file of a scene as an episode names it: as it is, or below one of `folders`; there also
+/// without the "data/scene_datasets/" that Habitat's sets have before some, and for X.basis.glb
+/// rather X.glb, whose textures can be read. Throws sim::Error that names the places looked at.
 std::filesystem::path FindScene(const std::string& scene,
                                 const std::vector<std::filesystem::path>& folders);
 

@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <map>
+#include <string_view>
 
 #include "benchmark/base/json_cursor.h"
+#include "benchmark/base/scene_names.h"
 #include "benchmark/episodes/episode_drawer.h"
 #include "benchmark/episodes/scene_cache.h"
 #include "sim/base/error.h"
@@ -35,23 +38,32 @@ int Share(int count, std::size_t s, std::size_t n) {
   return count / scenes + (static_cast<int>(s) < count % scenes ? 1 : 0);
 }
 
-/// The beginnings of the scenes' ids: the name of the file, with its folder's where two would be
-/// alike.
+/// The beginnings of the episodes' ids, by scene.
 std::vector<std::string> Labels(const std::vector<std::string>& scenes) {
+  const std::map<std::string, std::string> names = SceneNames(scenes);
   std::vector<std::string> labels;
   for (const std::string& scene : scenes) {
-    const fs::path file = scene;
-    const auto alike = std::count_if(scenes.begin(), scenes.end(), [&](const fs::path& other) {
-      return other.stem() == file.stem();
-    });
-    const std::string stem = file.stem().string();
-    labels.push_back(alike == 1 ? stem : file.parent_path().filename().string() + "-" + stem);
-    if (std::count(labels.begin(), labels.end(), labels.back()) == 1) continue;
+    std::string label = names.at(scene);
+    std::replace(label.begin(), label.end(), '/', '-');
+    const bool is_new = std::find(labels.begin(), labels.end(), label) == labels.end();
+    labels.push_back(std::move(label));
+    if (is_new) continue;
     throw sim::FileError(scene, "",
                          "another scene's episodes would be called '" + labels.back() +
                              "' as well; name each scene once, or rename one");
   }
   return labels;
+}
+
+/// Whether a mesh is another form of a scan that lies beside it: labels instead of colours, or
+/// textures that are not read.
+bool IsOtherForm(const fs::path& mesh) {
+  const std::string name = mesh.filename().string();
+  if (name.ends_with(".semantic.glb") || name.ends_with("_semantic.ply")) return true;
+  constexpr std::string_view kBasis = ".basis.glb";
+  if (!name.ends_with(kBasis)) return false;
+  const std::string plain = name.substr(0, name.size() - kBasis.size()) + ".glb";
+  return fs::exists(mesh.parent_path() / plain);
 }
 
 /// In the order of their names.
@@ -63,6 +75,7 @@ std::vector<std::string> MeshesBelow(const fs::path& folder) {
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, options)) {
     const std::string extension = entry.path().extension().string();
     if (std::find(kMeshes.begin(), kMeshes.end(), extension) == kMeshes.end()) continue;
+    if (IsOtherForm(entry.path())) continue;
     meshes.push_back(entry.path().string());
   }
   if (meshes.empty()) {

@@ -76,7 +76,8 @@ struct GeneratorSpec {
   void Validate() const;
 };
 
-/// The mesh files that a spec names, all that lie below a folder that it names, houses last. Throws
+/// The mesh files that a spec names, all that lie below a folder that it names (of scans that are
+/// there in several forms, as HM3D's, the one with colours that can be read), houses last. Throws
 /// sim::FileError for a folder without meshes, sim::Error for an index that is damaged or
 /// has no house in the split.
 std::vector<std::string> ScenesOf(const GeneratorSpec& spec);

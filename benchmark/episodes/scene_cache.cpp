@@ -40,6 +40,11 @@ SceneCache::Imported SceneCache::Import(const fs::path& file, Entry* entry) {
   if (entry->hash != hash) {
     throw sim::FileError(file, "", "has changed since this run began; run the same command again");
   }
+  if (const std::string grey = DrawnGrey(file, imported->report);
+      warn_ && !grey.empty() && !std::exchange(entry->has_warned, true)) {
+    const std::lock_guard lock(warning_);
+    warn_(grey);
+  }
   const std::lock_guard lock(mutex_);
   ++imports_;
   return imported;

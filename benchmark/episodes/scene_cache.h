@@ -6,7 +6,9 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <utility>
 
+#include "benchmark/episodes/drawn_grey.h"
 #include "benchmark/episodes/ground.h"
 #include "sim/world.h"
 
@@ -22,6 +24,10 @@ class SceneCache {
   /// Imports over `most_bytes` together are not kept: those scenes are imported again when they are
   /// played.
   explicit SceneCache(const sim::WorldOptions& options, std::size_t most_bytes = kMostBytes);
+
+  /// From now on, `warn` is called once for each scene of which something is drawn grey, from any
+  /// thread, one call at a time. To be called before scenes are loaded.
+  void WarnOfGrey(Warn warn) { warn_ = std::move(warn); }
 
   /// FileHash of the file, which is read once.
   std::string HashOf(const std::filesystem::path& file);
@@ -51,6 +57,7 @@ class SceneCache {
     std::shared_ptr<const sim::World> world;
     std::size_t bytes = 0;  // of `imported`, while it is kept
     int expected = 0;
+    bool has_warned = false;
   };
   using Imported = std::shared_ptr<const sim::ImportedScene>;
 
@@ -62,6 +69,8 @@ class SceneCache {
 
   sim::WorldOptions options_;
   std::size_t most_bytes_;
+  Warn warn_;
+  std::mutex warning_;
   mutable std::mutex mutex_;  // of what follows, and of `bytes` and `expected` of entries
   std::size_t kept_bytes_ = 0;
   int imports_ = 0;

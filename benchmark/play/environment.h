@@ -12,6 +12,7 @@
 #include "benchmark/play/ground_truth.h"
 #include "benchmark/play/task_episode.h"
 #include "sim/batch_simulator.h"
+#include "sim/sensors/noise/picture_noise.h"
 
 namespace bulletnav::bench {
 
@@ -52,7 +53,8 @@ class Environment {
   /// Whether the goal has changed since this was last asked.
   bool TakeNewGoal(int lane);
   bool is_first_goal(int lane) const { return episode(lane).goal() == 0; }
-  /// The panorama of the present goal; lives until the goal changes.
+  /// The panorama of the present goal, or a picture as task().goal_camera says; lives until the
+  /// goal changes.
   agent::Panorama goal(int lane) const;
   /// For the agent's random choices on the way to the present goal.
   std::uint64_t agent_seed(int lane) const { return episode(lane).agent_seed(); }
@@ -88,7 +90,8 @@ class Environment {
     sim::Sensors sensors;
     std::vector<std::uint8_t> goal_color;
     std::vector<float> goal_depth;
-    std::vector<sim::ArrayView> arrays;  // in the memory below
+    std::unique_ptr<sim::Renderer> goal_camera;  // of its world; made when it is needed
+    std::vector<sim::ArrayView> arrays;          // in the memory below
   };
   Lane& at(int lane);
   const Lane& at(int lane) const;
@@ -96,7 +99,9 @@ class Environment {
   void Enter(int lane, const std::shared_ptr<const sim::World>& world);
   void StartGoals(int lane);
   void DrawGoal(int lane);
-  bool draws() const { return task_.color || task_.depth; }
+  void DrawGoalPicture(Lane* lane, const sim::CameraPose& eye);
+  sim::Rng GoalNoise(int lane) const;
+  bool draws() const { return task_.color || task_.depth || task_.goal_camera; }
   void MakeMemory();
 
   Task task_;
@@ -110,6 +115,7 @@ class Environment {
   std::vector<std::vector<std::byte>> bytes_;              // of those that are not the panorama's
   std::vector<std::span<std::byte>> memory_;               // of all arrays
   std::vector<sim::BatchArray> others_;                    // `bytes_`, as the simulator takes them
+  std::optional<sim::PictureNoise> goal_noise_;            // if there is any
   std::vector<sim::Sensors> read_;
   std::vector<StepOutcome> outcomes_;
 };

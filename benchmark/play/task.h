@@ -6,6 +6,7 @@
 #include "sim/noise/noise_model.h"
 #include "sim/physics/body_spec.h"
 #include "sim/render/projection.h"
+#include "sim/sensors/noise/sensor_noise.h"
 #include "sim/sensors/sensor_set.h"
 
 namespace bulletnav::bench {
@@ -33,13 +34,18 @@ struct RewardSpec {
 /// Source: Neural Topological SLAM, sections 5 and 6.1.
 struct Task {
   sim::BodySpec body;
-  sim::PanoramaSpec panorama;  // of goals, and of what bodies see
+  sim::PanoramaSpec panorama;  // of goals (but see goal_camera), and of what bodies see
   bool color = true;           // of the panoramas; nothing is drawn if neither is wanted
   bool depth = true;
   /// What bodies sense. Empty: the panorama as said above, odometry and bumper. Else its sensor
   /// `panorama` must draw what is said above.
   sim::SensorSet sensors = {};
+  /// What goals are pictures of, in colour, where they are no panoramas: from the goal's eye in its
+  /// heading. Source: habitat-lab's ImageGoalSensor.
+  std::optional<sim::PinholeSpec> goal_camera = {};
   sim::NoiseMode noise = sim::NoiseMode::kNone;
+  /// Of all cameras' pictures, goals' too: a goal is a picture that such a body has taken.
+  sim::SensorNoise sensor_noise = {};
   SuccessRule success;
   int max_steps = 500;               // a goal
   std::optional<RewardSpec> reward;  // absent: nobody learns, and rewards are 0

@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include "benchmark/base/scene_names.h"
 #include "benchmark/play/belief_json.h"
 #include "sim/base/files.h"
 
@@ -113,8 +114,11 @@ std::filesystem::path TrajectoryPath(const std::filesystem::path& run_folder,
                                      const ResultKey& key) {
   const std::string row =
       fmt::format("{}-{}-{}-{}", key.agent, key.setting, key.condition, key.seed);
+  const std::string stem = std::filesystem::path(key.scene).stem().string();
+  // Scans are all called alike, and their episodes 0, 1, 2.
+  const bool names_scene = key.episode.find(stem) != std::string::npos;
   const std::string episode =
-      fmt::format("{}-{}.json", std::filesystem::path(key.scene).stem().string(), key.episode);
+      fmt::format("{}-{}.json", names_scene ? stem : LongSceneName(key.scene), key.episode);
   return run_folder / "trajectories" / FileName(row) / FileName(episode);
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "benchmark/base/json_cursor.h"
+#include "benchmark/base/scene_names.h"
 #include "benchmark/report/agent_title.h"
 
 namespace bulletnav::bench {
@@ -38,6 +39,15 @@ class Numbers {
   std::map<std::string, std::size_t> numbers_;
   std::vector<std::string> names_;
 };
+
+/// What scenes are called.
+std::vector<std::string> InOrder(const std::vector<std::string>& scenes) {
+  const std::map<std::string, std::string> called = SceneNames(scenes);
+  std::vector<std::string> names;
+  names.reserve(scenes.size());
+  for (const std::string& scene : scenes) names.push_back(called.at(scene));
+  return names;
+}
 
 Json Values(const std::vector<GoalMetrics>& goals) {
   const auto value = [&](const char* measure) {
@@ -93,6 +103,7 @@ std::string RowsJson(const std::filesystem::path& folder, const RunConfig& confi
                      {"max_steps", config.max_steps},
                      {"agents", std::move(titles)},
                      {"scenes", scenes.names()},
+                     {"scene_names", InOrder(scenes.names())},
                      {"notes", notes},
                      {"columns", {"agent",          "setting",          "condition",   "seed",
                                   "scene",          "episode",          "difficulty",  "failure",

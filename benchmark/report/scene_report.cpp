@@ -99,18 +99,4 @@ std::string ToText(const SceneReport& report) {
   return text;
 }
 
-std::string TextureWarnings(const std::string& scene, const sim::ImportReport& import) {
-  constexpr std::size_t kMost = 3;
-  const std::vector<std::string>& missing = import.textures_missing;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(kMost, missing.size()); ++i) {
-    text += fmt::format("bulletnav: warning: {}: missing texture {}\n", scene, missing[i]);
-  }
-  if (missing.size() > kMost) {
-    text += fmt::format("bulletnav: warning: {}: and {} more; see scenes inspect\n", scene,
-                        missing.size() - kMost);
-  }
-  return text;
-}
-
 }  // namespace bulletnav::bench

@@ -26,8 +26,4 @@ std::string ToJson(const SceneReport& report);
 /// The same for people, a line each.
 std::string ToText(const SceneReport& report);
 
-/// Warnings, a line each, for the textures of a scene that are drawn grey: the first few, then how
-/// many more.
-std::string TextureWarnings(const std::string& scene, const sim::ImportReport& import);
-
 }  // namespace bulletnav::bench

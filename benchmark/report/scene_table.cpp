@@ -2,15 +2,14 @@
 #include "benchmark/report/scene_table.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
-#include <set>
 #include <utility>
 #include <vector>
 
 #include <fmt/core.h>
 
 #include "benchmark/base/counted.h"
+#include "benchmark/base/scene_names.h"
 #include "benchmark/play/condition.h"
 #include "benchmark/play/measure.h"
 #include "benchmark/play/metrics.h"
@@ -29,16 +28,6 @@ struct Sums {
 };
 using Cells = std::map<std::string, Sums>;                            // by agent
 using Places = std::map<std::pair<std::string, std::string>, Cells>;  // by setting and scene
-
-std::string LabelOf(const std::string& scene, const std::set<std::string>& scenes) {
-  const std::filesystem::path file = scene;
-  const auto alike = std::count_if(scenes.begin(), scenes.end(), [&](const std::string& other) {
-    return std::filesystem::path(other).stem() == file.stem();
-  });
-  const std::string stem = file.stem().string();
-  const std::string folder = file.parent_path().filename().string();
-  return alike == 1 || folder.empty() ? stem : folder + "/" + stem;
-}
 
 std::optional<std::string> FirstCondition(std::span<const EpisodeResult> results) {
   for (const auto& [name, condition] : sim::EnumNames<Condition>::kNames) {
@@ -94,10 +83,11 @@ ResultsTable::Row RowOf(const std::string& setting, const std::string& label, co
 
 std::optional<ResultsTable> SceneTable(std::span<const EpisodeResult> results,
                                        std::span<const AgentRow> agents) {
-  std::set<std::string> scenes;
-  for (const EpisodeResult& result : results) scenes.insert(result.key.scene);
+  std::vector<std::string> scenes;
+  for (const EpisodeResult& result : results) scenes.push_back(result.key.scene);
+  const std::map<std::string, std::string> called = SceneNames(scenes);
   const std::optional<std::string> condition = FirstCondition(results);
-  if (scenes.size() < 2 || scenes.size() > kMostScenes || !condition) return std::nullopt;
+  if (called.size() < 2 || called.size() > kMostScenes || !condition) return std::nullopt;
   const Places places = Gather(results, *condition);
   const std::vector<std::string> names = AgentsIn(places, agents);
   ResultsTable table;
@@ -106,7 +96,7 @@ std::optional<ResultsTable> SceneTable(std::span<const EpisodeResult> results,
     table.groups.push_back({AgentTitle(name, agents), {"Succ", "SPL"}});
   }
   for (const auto& [place, cells] : places) {
-    table.rows.push_back(RowOf(place.first, LabelOf(place.second, scenes), cells, names));
+    table.rows.push_back(RowOf(place.first, called.at(place.second), cells, names));
   }
   return table;
 }

@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include "benchmark/base/counted.h"
+#include "benchmark/base/scene_names.h"
 #include "benchmark/report/belief_layer.h"
 #include "benchmark/report/goal_ends.h"
 #include "benchmark/report/trajectory_layers.h"
@@ -79,11 +80,7 @@ std::vector<std::string> OutcomeLines(const EpisodeTrajectory& trajectory) {
   }
   const std::string difficulty =
       result.difficulty ? fmt::format(" ({})", DifficultyName(*result.difficulty)) : "";
-  // Generated episodes have their scene in their name.
-  const std::string scene = std::filesystem::path(result.key.scene).stem().string();
-  const std::string name = result.key.episode.starts_with(scene)
-                               ? result.key.episode
-                               : fmt::format("{}, episode {}", scene, result.key.episode);
+  const std::string name = EpisodeName(result.key.scene, result.key.episode);
   std::vector<std::string> lines = {
       fmt::format("{}, {}, seed {}", result.key.setting, result.key.condition, result.key.seed),
       name + difficulty, Verdict(trajectory),

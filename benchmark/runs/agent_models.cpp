@@ -11,6 +11,7 @@
 #include "agent/models/model_registry.h"
 #include "agent/models/usual_slots.h"
 #include "agent/registry.h"
+#include "benchmark/base/shipped_file.h"
 #include "benchmark/privileged/oracle_semantic_model.h"
 
 namespace bulletnav::bench {
@@ -18,23 +19,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// As FindWeights; absent if there is no such file.
-std::optional<fs::path> FindIfThere(const std::string& weights) {
-  if (fs::exists(weights)) return weights;
-  fs::path folder = fs::read_symlink("/proc/self/exe");
-  while (fs::path(weights).is_relative() && folder.has_relative_path()) {
-    folder = folder.parent_path();
-    if (fs::exists(folder / weights)) return folder / weights;
-  }
-  return std::nullopt;
-}
-
 /// The key of learned weights: a setting of the config's own that has none takes those for what its
 /// panoramas hold.
 std::string WeightsKey(const std::string& weights, const RunConfig& config,
                        const std::string& setting) {
   std::string own = weights + "_" + setting;
-  if (!config.sensors.contains(setting) || FindIfThere(config.weights_file(own))) return own;
+  if (!config.sensors.contains(setting) || FindShipped(config.weights_file(own))) return own;
   return weights + (RigOf(config, setting).has_depth ? "_rgbd" : "_rgb");
 }
 
@@ -49,7 +39,7 @@ SlotSource SourceOf(agent::ModelSlot slot, const std::string& given, const RunCo
     source.key = given;
     source.name = given;
   }
-  source.file = FindIfThere(source.name);
+  source.file = FindShipped(source.name);
   return source;
 }
 
@@ -148,7 +138,7 @@ bool ActsInFloats(const RunConfig& config) {
 }
 
 fs::path FindWeights(const std::string& weights) {
-  if (const auto file = FindIfThere(weights)) return *file;
+  if (const auto file = FindShipped(weights)) return *file;
   throw sim::FileError(weights, "",
                        "does not exist; train it: ./bulletnav train configs/train/...");
 }

@@ -39,8 +39,7 @@ void RequireKnownWeights(const RunConfig& config);
 /// integers are the same everywhere. Throws FileError if weights cannot be read.
 bool ActsInFloats(const RunConfig& config);
 
-/// The file itself or, where a relative path is not found from the current folder, the project's of
-/// that name. Throws FileError if there is none.
+/// As FindShipped. Throws FileError if there is none.
 std::filesystem::path FindWeights(const std::string& weights);
 
 /// The contexts of all lanes, one for each of `truths`, which oracles look at. Lanes share models

@@ -9,9 +9,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "agent/foreign_agent.h"
 #include "agent/models/model_registry.h"
 #include "benchmark/base/file_hash.h"
 #include "sim/base/check.h"
+#include "sim/base/files.h"
 #include "sim/config/yaml_writer.h"
 
 namespace bulletnav::bench {
@@ -78,16 +80,26 @@ bool HasWeights(std::span<const SlotSource> sources) {
   });
 }
 
+/// Of names and contents of the files of its code; empty if that is the program's.
+std::string SourceHash(const agent::BatchAgent& agent) {
+  const auto* const foreign = dynamic_cast<const agent::ForeignAgent*>(&agent);
+  if (foreign == nullptr) return "";
+  std::string facts;
+  for (const std::filesystem::path& file : foreign->sources()) {
+    facts += file.filename().string() + " " + FileHash(file) + "\n";
+  }
+  return fmt::format("{:016x}", sim::Hash64(facts));
+}
+
 /// Why the agent cannot be built; empty if it can. Weights that are there but cannot be used also
-/// go into `damage`.
-std::string WhyNot(const RunAgent& agent, const RunConfig& config, const std::string& setting,
-                   std::string* damage) {
+/// go into `damage`. Notes the hash of its code.
+std::string WhyNot(const RunConfig& config, const std::string& setting, RunAgent* agent) {
   const GroundTruth nowhere;
   const std::array<const GroundTruth*, 1> truths = {&nowhere};
   try {
-    Build(agent, config, setting, truths);
+    agent->source = SourceHash(*Build(*agent, config, setting, truths));
   } catch (const sim::FileError& e) {
-    if (!agent.is_privileged && HasWeights(agent.models.at(setting))) *damage = e.what();
+    if (!agent->is_privileged && HasWeights(agent->models.at(setting))) agent->damage = e.what();
     return e.what();
   } catch (const sim::Error& e) {
     return e.what();
@@ -114,7 +126,7 @@ RunAgent FindAgent(const RunConfig& config, const AgentEntry& entry) {
   const auto& wanted = entry.settings.empty() ? config.settings : entry.settings;
   for (const std::string& setting : wanted) {
     if (!agent.is_privileged) agent.models[setting] = SourcesOf(entry, config, setting);
-    const std::string why = WhyNot(agent, config, setting, &agent.damage);
+    const std::string why = WhyNot(config, setting, &agent);
     if (why.empty()) {
       agent.settings.push_back(setting);
       NoteFrames(config, setting, &agent);
@@ -180,6 +192,29 @@ void RequireAll(std::span<const RunAgent> agents) {
   throw sim::Error(fmt::format("not all agents can run: {}", fmt::join(missing, "; ")));
 }
 
+std::optional<std::map<std::string, std::string>> SourceHashes(std::span<const RunAgent> agents) {
+  std::map<std::string, std::string> hashes;
+  for (const RunAgent& agent : agents) {
+    if (!agent.source.empty()) hashes[agent.entry.name] = agent.source;
+  }
+  if (hashes.empty()) return std::nullopt;
+  return hashes;
+}
+
+void RequireSameSources(const std::optional<Fingerprints>& saved,
+                        std::span<const RunAgent> agents) {
+  if (!saved || !saved->sources) return;
+  for (const RunAgent& agent : agents) {
+    const auto before = saved->sources->find(agent.entry.name);
+    if (before == saved->sources->end() || agent.source.empty()) continue;
+    if (before->second == agent.source) continue;
+    throw sim::Error(fmt::format(
+        "the code of agent '{}' has changed since these results were played; give --out another "
+        "folder, or delete this one",
+        agent.entry.name));
+  }
+}
+
 Task TaskOf(const RunConfig& config, const std::string& setting, Condition condition, bool sees) {
   Task task;
   task.body = config.body;
@@ -188,7 +223,9 @@ Task TaskOf(const RunConfig& config, const std::string& setting, Condition condi
   task.color = sees && rig.has_color;
   task.depth = sees && rig.has_depth;
   if (sees) task.sensors = SensorsOf(config, setting);
+  if (sees) task.goal_camera = config.goal;
   task.noise = condition == Condition::kNoNoise ? sim::NoiseMode::kNone : config.noise;
+  task.sensor_noise = sim::NamedSensorNoise(config.sensor_noise.value_or("none"));
   task.success = {config.success_distance, condition == Condition::kNoStop};
   task.max_steps = config.max_steps;
   return task;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -28,6 +29,7 @@ struct RunAgent {
   agent::AgentMaker maker;  // of those that are not privileged
   std::map<std::string, std::vector<SlotSource>> models;
   std::map<std::string, std::int64_t> frames_trained;  // see AgentRow
+  std::string source;  // hash of the code of an agent::ForeignAgent; empty for others
 
   /// How tables speak of it.
   AgentRow row() const;
@@ -44,6 +46,12 @@ void RequireSome(std::span<const RunAgent> agents);
 
 /// Throws sim::Error that names every agent that cannot run in all of its settings.
 void RequireAll(std::span<const RunAgent> agents);
+
+/// What Fingerprints::sources are of these agents; absent if none is foreign.
+std::optional<std::map<std::string, std::string>> SourceHashes(std::span<const RunAgent> agents);
+
+/// Throws sim::Error, naming the agent, if `saved` tells of other code than there is now.
+void RequireSameSources(const std::optional<Fingerprints>& saved, std::span<const RunAgent> agents);
 
 /// What the episodes of a run ask for. `sees`: the agent is shown panoramas.
 Task TaskOf(const RunConfig& config, const std::string& setting, Condition condition, bool sees);

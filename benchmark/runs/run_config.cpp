@@ -11,6 +11,7 @@
 #include "benchmark/runs/published.h"
 #include "benchmark/runs/saved_config.h"
 #include "sim/config/override.h"
+#include "sim/sensors/noise/sensor_noise.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -54,7 +55,8 @@ std::vector<std::string> KnownAgents() {
 }
 
 std::vector<std::string> KnownSettings(const RunConfig& config) {
-  std::vector<std::string> known = {kColorSetting, kDepthSetting};
+  std::vector<std::string> known;
+  if (!config.goal) known = {kColorSetting, kDepthSetting};
   for (const auto& [name, sensors] : config.sensors) known.push_back(name);
   return known;
 }
@@ -140,14 +142,28 @@ RunConfig Parse(const YamlNode& root, const std::filesystem::path& file,
 namespace {
 
 /// What a setting of the config's own must be like.
-void RequireUsable(const std::string& setting, const sim::SensorSet& sensors) {
+void RequireUsable(const std::string& setting, const sim::SensorSet& sensors, bool has_goal) {
   if (setting == kColorSetting || setting == kDepthSetting) {
     throw KeyError("sensors", "'" + setting + "' is there already; give the set another name");
   }
-  if (!sensors.panorama()) {
+  if (has_goal && sensors.panorama()) {
+    throw KeyError("sensors", "the set '" + setting +
+                                  "' has a panorama, but goals are flat pictures, as 'goal' says; "
+                                  "give it a sensor of type pinhole");
+  }
+  if (!has_goal && !sensors.panorama()) {
     throw KeyError("sensors", "the set '" + setting +
                                   "' needs a sensor 'panorama' of type panorama: goals are "
-                                  "pictures of it");
+                                  "pictures of it, unless 'goal' gives another camera");
+  }
+}
+
+void RequireNoPanoramas(const std::vector<std::string>& settings) {
+  for (const char* name : {kColorSetting, kDepthSetting}) {
+    if (!Contains(settings, name)) continue;
+    throw KeyError("settings", std::string("'") + name +
+                                   "' shows panoramas, but goals are flat pictures, as 'goal' "
+                                   "says; name sets of 'sensors'");
   }
 }
 
@@ -181,7 +197,13 @@ void RunConfig::Validate() const {
     throw KeyError("max_steps", "max_steps must lie between 1 and 1000000");
   }
   panorama.Validate();
-  for (const auto& [setting, set] : sensors) RequireUsable(setting, set);
+  sim::RequireSensorNoise(sensor_noise.value_or("none"));
+  for (const auto& [setting, set] : sensors) RequireUsable(setting, set, goal.has_value());
+  if (goal) {
+    goal->Validate();
+    RequireNoPanoramas(settings);
+    for (const AgentEntry& entry : agents) RequireNoPanoramas(entry.settings);
+  }
   if (episodes.draw) generator().Validate();
 }
 
@@ -214,8 +236,14 @@ sim::SensorSet SensorsOf(const RunConfig& config, const std::string& setting) {
 agent::Rig RigOf(const RunConfig& config, const std::string& setting) {
   const sim::SensorSet sensors = SensorsOf(config, setting);
   agent::Rig rig;
-  rig.panorama = sensors.panorama().value();
+  rig.panorama = sensors.panorama().value_or(config.panorama);
   rig.arrays = sensors.arrays();
+  if (config.goal) {
+    rig.arrays.push_back({kGoalPicture,
+                          {config.goal->rows, config.goal->cols, 3},
+                          sim::Element::kUint8,
+                          "display value"});
+  }
   rig.has_color = rig.FindArray(sim::Observation::kColor) != nullptr;
   rig.has_depth = rig.FindArray(sim::Observation::kDepth) != nullptr;
   rig.camera_height = config.body.camera_height;

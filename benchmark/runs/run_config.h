@@ -40,12 +40,16 @@ struct EpisodeSource {
   std::string file;
   std::optional<DrawSpec> draw;
   std::vector<std::string> scene_folders;  // where the scenes that episodes name are looked for
+  /// True: episodes whose start or goal no body can stand at here are left out, with a warning;
+  /// for sets that others drew, with another physics.
+  std::optional<bool> skip_unplayable;
 
   template <class V>
   void Visit(V& v) {
     v.Required("file", file);
     v("draw", draw);
     v("scene_folders", scene_folders);
+    v("skip_unplayable", skip_unplayable);
   }
 };
 
@@ -87,12 +91,15 @@ struct Fingerprints {
   std::string episodes;
   std::map<std::string, std::string> scenes;
   std::map<std::string, std::string> weights;  // by key of `weights`, or file; of those in use
+  /// By name of the agent, of code that is not the program's; see agent::ForeignAgent.
+  std::optional<std::map<std::string, std::string>> sources = std::nullopt;
 
   template <class V>
   void Visit(V& v) {
     v("episodes", episodes);
     v("scenes", scenes);
     v("weights", weights);
+    v("sources", sources);
   }
   bool operator==(const Fingerprints&) const = default;
 };
@@ -108,7 +115,11 @@ struct RunConfig {
   sim::PanoramaSpec panorama;
   sim::Backend backend = sim::Backend::kAuto;
   sim::NoiseMode noise = sim::NoiseMode::kAnsReleased;  // where the condition has noise
-  std::map<std::string, sim::SensorSet> sensors;        // more settings, by name; see SensorsOf
+  std::optional<std::string> sensor_noise;  // of cameras, see sim::NamedSensorNoise; default: none
+  std::map<std::string, sim::SensorSet> sensors;  // more settings, by name; see SensorsOf
+  /// What goals are pictures of, where they are no panoramas; see Task::goal_camera. Settings are
+  /// then those of `sensors`, without a panorama.
+  std::optional<sim::PinholeSpec> goal;
   std::vector<std::string> settings = {"rgbd"};
   std::vector<Condition> conditions = {Condition::kNoise};
   std::vector<std::uint64_t> seeds = {0};
@@ -133,7 +144,9 @@ struct RunConfig {
     v("panorama", panorama);
     v("backend", backend);
     v("noise", noise);
+    v("sensor_noise", sensor_noise);
     v("sensors", sensors);
+    v("goal", goal);
     v("settings", settings);
     v("conditions", conditions);
     v("seeds", seeds);
@@ -157,6 +170,9 @@ struct RunConfig {
 /// What bodies sense in a setting: `rgb` (a panorama as `panorama` says, odometry, bumper), `rgbd`
 /// (with depth), or one of `sensors`.
 sim::SensorSet SensorsOf(const RunConfig& config, const std::string& setting);
+
+/// How agents are told, among the arrays of their rig, what goals are where they are no panoramas.
+inline constexpr const char* kGoalPicture = "goal.color";
 
 /// What an agent is told of the body that it steers in a setting.
 agent::Rig RigOf(const RunConfig& config, const std::string& setting);

@@ -2,6 +2,9 @@
 #include "benchmark/runs/run_episodes.h"
 
 #include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -29,12 +32,36 @@ std::vector<std::string> ScenesIn(const std::vector<Episode>& episodes) {
   return scenes;
 }
 
-void CheckOne(const Episode& episode, const Ground& ground, const RunConfig& config) {
+/// Why an episode cannot be played; empty if it can. Throws if that is not to be put up with.
+std::string FaultOf(const Episode& episode, const Ground& ground, const RunConfig& config) {
   try {
     CheckEpisode(episode, ground.physics, ground.navmesh, config.body);
+    return "";
   } catch (const sim::Error& e) {
+    if (config.episodes.skip_unplayable.value_or(false)) return e.what();
     throw sim::FileError(config.episodes.file, "", e.what());
   }
+}
+
+/// Leaves out the episodes with a fault, and says so in one line.
+void LeaveOut(const std::vector<std::string>& faults, const RunConfig& config, const Warn& warn,
+              std::vector<Episode>* episodes) {
+  const auto is_fault = [](const std::string& fault) {
+    return !fault.empty();
+  };
+  const auto first = std::find_if(faults.begin(), faults.end(), is_fault);
+  if (first == faults.end()) return;
+  const auto count = std::count_if(faults.begin(), faults.end(), is_fault);
+  if (count == static_cast<std::ptrdiff_t>(faults.size())) {
+    throw sim::FileError(config.episodes.file, "", "no episode can be played, as: " + *first);
+  }
+  std::size_t i = 0;
+  std::erase_if(*episodes, [&](const Episode& /*episode*/) {
+    return !faults[i++].empty();
+  });
+  if (!warn) return;
+  warn(fmt::format("{}: {} of {} episodes are left out (skip_unplayable), as {}",
+                   config.episodes.file, count, faults.size(), *first));
 }
 
 /// Expects a config that says how.
@@ -51,6 +78,45 @@ void Draw(const RunConfig& config, const RunTools& tools) {
 /// The folder that a file is in.
 fs::path FolderOf(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+/// A number for each value, in the order in which they come.
+template <class Value>
+std::size_t NumberOf(const Value& value, std::map<Value, std::size_t>* numbers) {
+  return numbers->try_emplace(value, numbers->size()).first->second;
+}
+
+/// Where episodes come in an order every beginning of which is spread over scenes and difficulties:
+/// rounds of one episode of each difficulty in each scene, in passes over the scenes, along which
+/// the difficulties take turns.
+std::vector<std::array<std::size_t, 3>> EvenPlaces(const std::vector<Episode>& episodes) {
+  std::map<std::string, std::size_t> scenes;
+  std::map<std::optional<Difficulty>, std::size_t> kinds;
+  std::vector<std::pair<std::size_t, std::size_t>> cells;
+  for (const Episode& episode : episodes) {
+    const auto kind = episode.difficulty ? episode.difficulty
+                                         : DifficultyAt(episode.goals.front().geodesic_distance);
+    cells.emplace_back(NumberOf(episode.scene, &scenes), NumberOf(kind, &kinds));
+  }
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> rounds;
+  std::vector<std::array<std::size_t, 3>> places;
+  for (const auto& cell : cells) {
+    const auto [scene, kind] = cell;
+    const std::size_t pass = (kind + kinds.size() - scene % kinds.size()) % kinds.size();
+    places.push_back({rounds[cell]++, pass, scene});
+  }
+  return places;
+}
+
+/// In the order of the file.
+void KeepEvenly(std::size_t count, std::vector<Episode>* episodes) {
+  const auto places = EvenPlaces(*episodes);
+  auto sorted = places;
+  std::sort(sorted.begin(), sorted.end());
+  std::size_t i = 0;
+  std::erase_if(*episodes, [&](const Episode& /*episode*/) {
+    return count == 0 || places[i++] > sorted[count - 1];
+  });
 }
 
 void KeepOnly(const std::vector<std::string>& names, std::vector<Episode>* episodes) {
@@ -138,23 +204,26 @@ void CheckFingerprints(const RunConfig& config, const Fingerprints& found) {
   }
 }
 
-void CheckRunEpisodes(const RunConfig& config, const RunEpisodes& episodes, const RunTools& tools) {
-  const std::vector<std::string> scenes = ScenesIn(episodes.episodes);
+void CheckRunEpisodes(const RunConfig& config, const RunTools& tools, RunEpisodes* episodes) {
+  const std::vector<std::string> scenes = ScenesIn(episodes->episodes);
   const auto advance = tools.start("checking episodes, scenes", static_cast<int>(scenes.size()));
+  std::vector<std::string> faults(episodes->episodes.size());
   sim::WorkerPool pool(tools.workers);
   pool.ForEach(static_cast<int>(scenes.size()), [&](int task, int /*worker*/) {
     const std::string& scene = scenes[static_cast<std::size_t>(task)];
-    const auto ground = tools.scenes.LoadGround(episodes.scene_files.at(scene));
-    for (const Episode& episode : episodes.episodes) {
-      if (episode.scene == scene) CheckOne(episode, *ground, config);
+    const auto ground = tools.scenes.LoadGround(episodes->scene_files.at(scene));
+    for (std::size_t i = 0; i < faults.size(); ++i) {
+      const Episode& episode = episodes->episodes[i];
+      if (episode.scene == scene) faults[i] = FaultOf(episode, *ground, config);
     }
     advance();
   });
+  LeaveOut(faults, config, tools.warn, &episodes->episodes);
 }
 
 std::vector<Episode> Choose(std::vector<Episode> episodes, const EpisodeChoice& choice) {
-  const auto count = static_cast<std::size_t>(choice.first.value_or(0));
-  if (choice.first && count < episodes.size()) episodes.resize(count);
+  const auto count = static_cast<std::size_t>(choice.count.value_or(0));
+  if (choice.count && count < episodes.size()) KeepEvenly(count, &episodes);
   KeepOnly(choice.only, &episodes);
   return choice.shard ? ShareOf(episodes, *choice.shard) : episodes;
 }
@@ -167,7 +236,7 @@ RunEpisodes PrepareEpisodes(RunConfig* config, const EpisodeChoice& choice, cons
   CheckFingerprints(*config, found);
   config->fingerprints = found;
   episodes.episodes = Choose(std::move(episodes.episodes), choice);
-  if (!drawn) CheckRunEpisodes(*config, episodes, tools);
+  if (!drawn) CheckRunEpisodes(*config, tools, &episodes);
   return episodes;
 }
 

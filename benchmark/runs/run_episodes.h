@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "benchmark/episodes/drawn_grey.h"
 #include "benchmark/episodes/episode.h"
 #include "benchmark/episodes/made_houses.h"
 #include "benchmark/episodes/scene_cache.h"
@@ -25,6 +26,7 @@ struct RunTools {
   SceneCache& scenes;
   int workers = 0;  // < 1: one per processor
   StartProgress start;
+  Warn warn = {};
 };
 
 /// Stage "houses": generates those that the config describes and that are not there yet.
@@ -42,13 +44,15 @@ Fingerprints TakeFingerprints(const RunConfig& config, const RunEpisodes& episod
                               SceneCache* scenes);
 /// Throws sim::Error if the config is a saved one, of other contents. New weights pass.
 void CheckFingerprints(const RunConfig& config, const Fingerprints& found);
-/// Throws sim::Error for starts and goals where no body can stand.
-void CheckRunEpisodes(const RunConfig& config, const RunEpisodes& episodes, const RunTools& tools);
+/// Throws sim::Error for starts and goals where no body can stand, or leaves out those episodes, as
+/// the config has it.
+void CheckRunEpisodes(const RunConfig& config, const RunTools& tools, RunEpisodes* episodes);
 
-/// What of the episodes a process plays: of the first so many, if that is given, those of a name,
-/// if names are given, a share.
+/// What of the episodes a process plays: of so many, if that is given, evenly over scenes and
+/// difficulties (those that a smaller number gives are among them), those of a name, if names are
+/// given, a share.
 struct EpisodeChoice {
-  std::optional<int> first;
+  std::optional<int> count;
   std::optional<Shard> shard;
   std::vector<std::string> only = {};
 };

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <exception>
 #include <optional>
 
 #include <fmt/core.h>
+#include <unistd.h>
 
 namespace bulletnav::bench {
 namespace {
@@ -24,6 +26,14 @@ std::size_t MostLanes(const RunPlan& plan) {
   int lanes = 1;
   for (const RunAgent& agent : plan.agents) lanes = std::max(lanes, agent.entry.lanes);
   return static_cast<std::size_t>(lanes);
+}
+
+/// Without destructors: some thread is in code that does not come back.
+[[noreturn]] void EndProcess(const std::string& why) {
+  std::fflush(stdout);
+  fmt::print(stderr, "bulletnav: error: {}\n", why);
+  std::fflush(stderr);
+  ::_exit(1);
 }
 
 }  // namespace
@@ -46,6 +56,12 @@ RunWorker::RunWorker(RunShared* shared)
       jobs_(truths_.size()),
       logs_(truths_.size()) {}
 
+RunWorker::~RunWorker() {
+  for (const auto& [row, built] : agents_) {
+    shared_.watch.Remove(dynamic_cast<agent::ForeignAgent*>(built.get()));
+  }
+}
+
 void RunWorker::Work() {
   try {
     while (const auto job = shared_.queue.Take()) PlayRow(*job);
@@ -64,6 +80,7 @@ agent::BatchAgent& RunWorker::AgentFor(std::size_t row) {
       truths.push_back(&truths_[static_cast<std::size_t>(i)]);
     }
     built = Build(agent_of(row), plan_.config, of.setting, truths);
+    Watch(built.get());
   }
   return *built;
 }
@@ -170,9 +187,53 @@ void RunWorker::Act(const std::vector<int>& lanes) {
   environment_->Step(moving, taken);
 }
 
-bool RunWorker::Call(const std::vector<int>& lanes, const std::function<void()>& call) {
+void RunWorker::Watch(agent::BatchAgent* agent) {
+  auto* const foreign = dynamic_cast<agent::ForeignAgent*>(agent);
+  if (foreign == nullptr) return;
+  shared_.watch.Add(foreign, [this, foreign](const agent::ForeignCall& call) {
+    GiveUp(*foreign, call);
+  });
+}
+
+/// In the watch's thread, while this worker's own is in the call: what it plays is not touched.
+void RunWorker::GiveUp(const agent::ForeignAgent& agent, const agent::ForeignCall& call) {
+  auto at_work = CallState::kAtWork;
+  if (!call_.compare_exchange_strong(at_work, CallState::kGivenUp)) return;  // it has come back
+  const auto lane = static_cast<std::size_t>(call.lane);
+  const ResultKey key = plan_.KeyOf(jobs_[lane]);
+  environment_->Fail(call.lane, fmt::format("gave no answer within {:g} s, and could not be "
+                                            "interrupted",
+                                            agent.time_limit_s()));
+  shared_.finish(environment_->Finish(call.lane, {}), logs_[lane]);
+  const auto sources = agent.sources();
+  EndProcess(fmt::format(
+      "agent '{}'{} gave no answer in episode '{}' of {} within {:g} s and could not be "
+      "interrupted: the episode has failed, all results are kept, and the same command plays the "
+      "others",
+      key.agent, sources.empty() ? "" : " (" + sources.front().string() + ")", key.episode,
+      key.scene, agent.time_limit_s()));
+}
+
+/// A call that the watch may give up.
+void RunWorker::Guarded(const std::function<void()>& call) {
+  const auto leave = [this] {
+    auto at_work = CallState::kAtWork;
+    if (call_.compare_exchange_strong(at_work, CallState::kNone)) return;
+    while (true) ::pause();  // the watch has this worker's episodes, and ends the process
+  };
+  call_ = CallState::kAtWork;
   try {
     call();
+  } catch (...) {
+    leave();
+    throw;
+  }
+  leave();
+}
+
+bool RunWorker::Call(const std::vector<int>& lanes, const std::function<void()>& call) {
+  try {
+    Guarded(call);
     return true;
   } catch (const std::exception& e) {
     FailLanes(lanes, std::string("threw: ") + e.what());

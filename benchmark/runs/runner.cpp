@@ -109,6 +109,15 @@ std::vector<std::string> TellFailures(std::span<const EpisodeResult> results) {
   return told;
 }
 
+/// The fingerprints of a saved config; absent if another version of the program saved it.
+std::optional<Fingerprints> SavedFingerprints(const std::string& config) {
+  try {
+    return ParseRunConfig(config, "config.yaml").fingerprints;
+  } catch (const sim::Error&) {
+    return std::nullopt;
+  }
+}
+
 }  // namespace
 
 bool LacksOnlyWeights(const std::string& saved, const RunConfig& config) {
@@ -117,6 +126,7 @@ bool LacksOnlyWeights(const std::string& saved, const RunConfig& config) {
     if (!old.fingerprints || !config.fingerprints) return false;
     auto& weights = old.fingerprints->weights;
     weights.insert(config.fingerprints->weights.begin(), config.fingerprints->weights.end());
+    if (!old.fingerprints->sources) old.fingerprints->sources = config.fingerprints->sources;
     return sim::ToYaml(old) == sim::ToYaml(config);
   } catch (const sim::Error&) {
     return false;  // of another version of the program
@@ -138,14 +148,18 @@ RunOutcome RunBenchmark(RunConfig config, const fs::path& folder, const RunOptio
   const bool beliefs = options.beliefs || config.beliefs.value_or(false);
   config.beliefs.reset();  // results do not depend on it, nor do the bytes of what is saved
   ResolvedRun run = ResolveRun(std::move(config), options.require_all);
+  RequireSameSources(run.config.fingerprints, run.agents);
   SceneCache scenes(run.config.world_options());
+  scenes.WarnOfGrey(hooks.warn);
   RunEpisodes episodes =
       PrepareEpisodes(&run.config, {options.episodes, options.shard, options.only},
-                      {scenes, options.workers, StartOf(hooks)});
+                      {scenes, options.workers, StartOf(hooks), hooks.warn});
+  run.config.fingerprints->sources = SourceHashes(run.agents);
   RunPlan plan = PlanRun(std::move(run), std::move(episodes));
   plan.beliefs = beliefs;
   const fs::path place = options.shard ? ShardFolder(folder, *options.shard) : folder;
   ResultStore store(place, sim::ToYaml(plan.config), [&](const std::string& saved) {
+    RequireSameSources(SavedFingerprints(saved), plan.agents);
     return LacksOnlyWeights(saved, plan.config);
   });
   if (options.shard) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "benchmark/episodes/drawn_grey.h"
 #include "benchmark/runs/run_agents.h"
 #include "benchmark/runs/run_config.h"
 #include "benchmark/runs/run_episodes.h"
@@ -15,7 +16,7 @@
 namespace bulletnav::bench {
 
 struct RunOptions {
-  std::optional<int> episodes;      // only the first so many
+  std::optional<int> episodes;      // only so many, evenly over scenes and difficulties
   int workers = 0;                  // < 1: one per processor
   bool require_all = false;         // agents that cannot run are errors, not remarks in the table
   bool retry_failed = false;        // play episodes that failed again
@@ -27,6 +28,9 @@ struct RunOptions {
 /// What a run tells while it goes on; all may be empty.
 struct RunHooks {
   StartProgress prepare;
+  /// Once for each scene of which something is drawn grey, from any thread, one call at a time; and
+  /// of episodes that are left out.
+  Warn warn;
   /// Once, before `begin`: agents that are not played, and why; see MissingAgents.
   std::function<void(std::span<const std::string>)> missing;
   /// Once, before the first episode: how many results there will be, and those there already are.
@@ -55,13 +59,14 @@ RunOutcome Summarise(const RunPlan& plan, std::filesystem::path folder,
 /// it was. Results depend on the config alone: not on workers, on other episodes, or on how often
 /// the run was killed and started again; at the end of a run, episodes.jsonl has the same bytes
 /// too. An agent that throws or answers with no action fails that episode, with the reason in its
-/// result; one that never answers is ended with the process. Throws sim::Error: see
+/// result; what becomes of one that never answers is told at RunWorker. Throws sim::Error: see
 /// PrepareEpisodes, RequireSome, RequireAll, ResultStore and BeginShard.
 RunOutcome RunBenchmark(RunConfig config, const std::filesystem::path& folder,
                         const RunOptions& options, const RunHooks& hooks = {});
 
 /// Whether results of a saved config, its YAML text, hold for this one: all but weights that were
-/// not there yet is the same, so that no agent that needs them has run.
+/// not there yet is the same, so that no agent that needs them has run. Hashes of code that were
+/// not kept yet pass too.
 bool LacksOnlyWeights(const std::string& saved, const RunConfig& config);
 
 /// How tables and charts speak of a run's agents.

@@ -17,7 +17,7 @@ inline constexpr const char* kAnyProcessor = "any";
 struct ShardRecord {
   int shard = 1;
   int of = 1;
-  std::optional<int> episodes;  // only the first so many of the run were split
+  std::optional<int> episodes;  // only so many of the run were split
   std::string program;          // ProgramVersion
   std::string processor;        // ProcessorKind, or kAnyProcessor
   std::string renderer;         // RendererName

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "python/agent/interpreter.h"
 
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
+
+#include <pthread.h>
+#include <sys/prctl.h>
 
 namespace bulletnav::python {
 namespace {
@@ -25,19 +29,34 @@ void Initialize() {
   }
 }
 
+const std::string& Version() {
+  static const std::string version =
+      std::to_string(PY_MAJOR_VERSION) + "." + std::to_string(PY_MINOR_VERSION);
+  return version;
+}
+
+/// Where the active virtual environment has modules for this interpreter; empty if none is active.
+std::filesystem::path SiteFolder() {
+  const char* const environment = std::getenv("VIRTUAL_ENV");
+  if (environment == nullptr || *environment == '\0') return {};
+  return std::filesystem::path(environment) / "lib" / ("python" + Version()) / "site-packages";
+}
+
 void FindModules() {
   const auto path = py::module_::import("sys").attr("path");
-  if (const char* environment = std::getenv("VIRTUAL_ENV")) {
-    const std::string folder = std::string(environment) + "/lib/python" +
-                               std::to_string(PY_MAJOR_VERSION) + "." +
-                               std::to_string(PY_MINOR_VERSION) + "/site-packages";
-    py::module_::import("site").attr("addsitedir")(folder);
-  }
+  const std::filesystem::path site = SiteFolder();
+  if (!site.empty()) py::module_::import("site").attr("addsitedir")(site.string());
   path.attr("insert")(0, std::filesystem::current_path().string());
+}
+
+/// A child of an agent's that never comes back would hold the lock of the folder of results.
+void EndWithParent() {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
 }
 
 bool Start() {
   Initialize();
+  ::pthread_atfork(nullptr, nullptr, &EndWithParent);
   FindModules();
   PyEval_SaveThread();
   return true;
@@ -48,6 +67,14 @@ bool Start() {
 void StartInterpreter() {
   static const bool is_started = Start();
   static_cast<void>(is_started);
+}
+
+std::string OtherPythonNote() {
+  const std::filesystem::path site = SiteFolder();
+  if (site.empty() || std::filesystem::exists(site)) return "";
+  return "; VIRTUAL_ENV is not of Python " + Version() +
+         ", which agents in Python run in: make one with " BULLETNAV_PYTHON_EXECUTABLE
+         " -m venv FOLDER";
 }
 
 std::string Traceback(const py::error_already_set& error) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "python/agent/guarded_call.h"
 #include "python/agent/interpreter.h"
 #include "python/agent/make_agent.h"
+#include "python/agent/module_sources.h"
 #include "python/core/array.h"
 
 #include <algorithm>
@@ -59,7 +61,7 @@ py::dict Told(const agent::Rig& rig) {
 
 /// An object of the user's class. Whatever it raises becomes a C++ exception; the interpreter's
 /// lock is held in here alone.
-class PythonAgent final : public agent::Agent {
+class PythonAgent final : public PythonLane {
  public:
   PythonAgent(const std::string& name, const std::string& options,
               const agent::AgentContext& context)
@@ -69,22 +71,30 @@ class PythonAgent final : public agent::Agent {
       throw sim::Error("module: '" + name + "' must be MODULE:CLASS, as in mine:MyAgent");
     }
     StartInterpreter();
+    const pid_t process = ::getpid();
     const py::gil_scoped_acquire lock;
     try {
       BindOnce();
-      const auto module = py::module_::import(name.substr(0, colon).c_str());
-      const py::object made = module.attr(name.substr(colon + 1).c_str());
+      const std::string module = name.substr(0, colon);
+      const py::object made =
+          py::module_::import(module.c_str()).attr(name.substr(colon + 1).c_str());
       own_ = made(Told(rig_), py::module_::import("json").attr("loads")(options));
+      EndChild(process);
       for (const char* call : {"reset", "act"}) py::getattr(own_, call);
+      sources_ = ModuleSources(module);
     } catch (const py::error_already_set& e) {
+      EndChild(process);
       own_.release().dec_ref();
-      throw sim::Error("the Python agent " + name + " cannot be built: " + LastLine(Traceback(e)));
+      throw sim::Error("the Python agent " + name + " cannot be built: " + LastLine(Traceback(e)) +
+                       OtherPythonNote());
     }
   }
 
   ~PythonAgent() override {  // NOLINT(bugprone-exception-escape): taking the lock throws nothing
+    const pid_t process = ::getpid();
     const py::gil_scoped_acquire lock;
     own_.release().dec_ref();
+    EndChild(process);
   }
   PythonAgent(const PythonAgent&) = delete;
   PythonAgent& operator=(const PythonAgent&) = delete;
@@ -92,20 +102,20 @@ class PythonAgent final : public agent::Agent {
   PythonAgent& operator=(PythonAgent&&) = delete;
 
   void Reset(const agent::Panorama& goal, std::uint64_t seed) override {
-    Call([&] {
+    call_.Run([&] {
       own_.attr("reset")(Seen(goal), seed);
     });
   }
 
   void NextGoal(const agent::Panorama& goal, std::uint64_t seed) override {
-    Call([&] {
+    call_.Run([&] {
       own_.attr(py::hasattr(own_, "next_goal") ? "next_goal" : "reset")(Seen(goal), seed);
     });
   }
 
   sim::Action Act(const agent::Observation& observation) override {
     auto action = sim::Action::kStop;
-    Call([&] {
+    call_.Run([&] {
       py::dict seen;
       for (const sim::ArrayView& array : observation.arrays) {
         seen[py::str(array.spec().name)] = Copy(array.spec(), array.bytes());
@@ -116,24 +126,11 @@ class PythonAgent final : public agent::Agent {
     return action;
   }
 
- private:
-  template <class Work>
-  void Call(const Work& work) {
-    const pid_t process = ::getpid();
-    std::string raised;
-    {
-      const py::gil_scoped_acquire lock;
-      try {
-        work();
-      } catch (const py::error_already_set& e) {
-        raised = Traceback(e);
-      }
-    }
-    // The agent forked, and its child came back to play the run a second time.
-    if (::getpid() != process) ::_exit(1);
-    if (!raised.empty()) throw std::runtime_error(raised);
-  }
+  std::optional<double> busy_s() const override { return call_.busy_s(); }
+  void Interrupt() override { call_.Interrupt(); }
+  std::vector<std::filesystem::path> sources() const override { return sources_; }
 
+ private:
   static sim::Action Read(const py::object& answer) {
     const auto number = py::reinterpret_steal<py::object>(PyNumber_Index(answer.ptr()));
     if (number) {
@@ -150,8 +147,10 @@ class PythonAgent final : public agent::Agent {
   }
 
   py::dict Seen(const agent::Panorama& goal) const {
-    const int rows = rig_.panorama.rows;
-    const int cols = rig_.panorama.cols;
+    // Goals are panoramas, unless the rig has a word of them.
+    const sim::ArraySpec* picture = rig_.FindArray("goal.color");
+    const int rows = picture == nullptr ? rig_.panorama.rows : picture->shape[0];
+    const int cols = picture == nullptr ? rig_.panorama.cols : picture->shape[1];
     py::dict told;
     if (!goal.color.empty()) {
       told["color"] = Copy({"goal.color", {rows, cols, 3}, sim::Element::kUint8, "display value"},
@@ -165,7 +164,9 @@ class PythonAgent final : public agent::Agent {
   }
 
   agent::Rig rig_;
+  GuardedCall call_;
   py::object own_;
+  std::vector<std::filesystem::path> sources_;
 };
 
 }  // namespace
@@ -173,6 +174,7 @@ class PythonAgent final : public agent::Agent {
 
 extern "C" __attribute__((visibility("default"))) void BulletnavMakePythonAgent(
     const std::string& module, const std::string& options,
-    const bulletnav::agent::AgentContext& context, std::unique_ptr<bulletnav::agent::Agent>* made) {
+    const bulletnav::agent::AgentContext& context,
+    std::unique_ptr<bulletnav::python::PythonLane>* made) {
   *made = std::make_unique<bulletnav::python::PythonAgent>(module, options, context);
 }

@@ -8,6 +8,10 @@
     for _ in range(100):
         observations, rewards, terminated, truncated, info = envs.step(envs.action_space.sample())
 """
+from bulletnav import built_for as _built_for
+
+_built_for.require()
+
 from bulletnav import spaces
 from bulletnav._core import Array, Error, FileError, PoseError, RenderError, __version__
 from bulletnav.actions import Action
@@ -33,7 +37,7 @@ def _register():
         return
     if "ImageNav-v0" not in registry:
         register("ImageNav-v0", entry_point="bulletnav.env:Env",
-                 vector_entry_point="bulletnav.vector_env:VectorEnv")
+                 vector_entry_point="bulletnav.vector_env:VectorEnv", kwargs={"copy": True})
 
 
 _register()

@@ -18,8 +18,13 @@ def copy(array):
     return array.tolist() if numpy is None else numpy.array(array)
 
 
+def copied(array):
+    """As view, of memory of its own."""
+    return array.copy() if numpy is None else numpy.array(array)
+
+
 def filled(count, value):
-    """`count` times `value`: a numpy array, or a list."""
+    """`count` times `value`: a numpy array (of objects where it is None), or a list."""
     return [value] * count if numpy is None else numpy.full(count, value)
 
 

@@ -3,7 +3,7 @@
 import json
 
 from bulletnav import _core, actions as _actions, arrays, spaces
-from bulletnav.lanes_owner import LanesOwner, require_render_mode, told
+from bulletnav.lanes_owner import RENDER_FPS, LanesOwner, read_seed, require_render_mode, told
 from bulletnav.vector_env import make_lanes, result
 
 try:
@@ -16,18 +16,19 @@ class Env(LanesOwner, _Base):
     """Image-goal navigation for one body: bulletnav.VectorEnv with one lane, without the first
     dimension and without autoreset. Its arguments are those, but num_envs and autoreset_mode.
 
-    Observations are views of one memory that the next step writes into: copy what you keep.
-    Raises bulletnav.Error, in one line with the remedy, for all misuse.
+    Observations are views of one memory that the next step writes into: copy what you keep, or say
+    copy=True. Raises bulletnav.Error, in one line with the remedy, for all misuse.
     """
 
-    metadata = {"render_modes": ["rgb_array"]}
+    metadata = {"render_modes": ["rgb_array"], "render_fps": RENDER_FPS}
     spec = None
 
-    def __init__(self, *, render_mode=None, **options):
+    def __init__(self, *, render_mode=None, copy=False, **options):
         for name in ("num_envs", "autoreset_mode"):
             if name in options:
                 raise _core.Error(f"{name} is an argument of bulletnav.VectorEnv, not of Env")
         require_render_mode(render_mode)
+        self._copies = bool(copy)
         self._lanes = make_lanes({"threads": 1, **options, "num_envs": 1,
                                   "autoreset_mode": "disabled"})
         self.render_mode = render_mode
@@ -44,22 +45,21 @@ class Env(LanesOwner, _Base):
         Returns (observation, {})."""
         if options:
             raise _core.Error(f"reset knows no options, but got {sorted(options)}")
-        if seed is not None and (not isinstance(seed, int) or seed < 0):
-            raise _core.Error(f"seed must be a whole number, not {seed!r}")
+        seed = read_seed(seed, "a whole number")
         if _Base is not object:
             super().reset(seed=seed)
         self._lanes.reset(seed)
-        return dict(self._views), {}
+        return self._observations(), {}
 
     def step(self, action):
-        """Returns (observation, reward, terminated, truncated, info); info["episode"] is what an
+        """Returns (observation, reward, terminated, truncated, info); info["measures"] is what an
         episode came to when it ended: {"success", "spl", ...}."""
         self._lanes.step(_actions.read([action.item() if hasattr(action, "item") else action]),
                          None)
         reward, terminated, truncated = (array[0] for array in self._outcome)
         finished = self._lanes.finished()
-        info = {"episode": result(finished[0][1])} if finished else {}
-        return dict(self._views), reward, terminated, truncated, info
+        info = {"measures": result(finished[0][1])} if finished else {}
+        return self._observations(), reward, terminated, truncated, info
 
     def episode(self):
         """The present episode: a dict in Habitat's form (see docs/python.md)."""

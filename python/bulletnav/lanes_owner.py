@@ -1,11 +1,28 @@
 # SPDX-License-Identifier: MIT
 """What the environments for one body and for many have in common."""
-from bulletnav import _core
+import operator
+
+from bulletnav import _core, arrays
+
+RENDER_FPS = 10  # for who makes films of what is rendered; time has no part in an episode
 
 
 def require_render_mode(render_mode):
     if render_mode not in (None, "rgb_array"):
         raise _core.Error(f"render_mode is 'rgb_array' or None, not {render_mode!r}")
+
+
+def read_seed(seed, what):
+    """None, or a whole number of any kind (numpy's too) as an int."""
+    if seed is None:
+        return None
+    try:
+        number = operator.index(seed)
+    except TypeError:
+        number = -1
+    if number < 0:
+        raise _core.Error(f"seed must be {what}, not {seed!r}")
+    return number
 
 
 def told(truth):
@@ -15,7 +32,13 @@ def told(truth):
 
 
 class LanesOwner:
-    """Has the extension's lanes in `_lanes`, and views of their memory."""
+    """Has the extension's lanes in `_lanes`, views of their memory in `_views`, and in `_copies`
+    whether observations are arrays of their own."""
+
+    def _observations(self):
+        if not self._copies:
+            return dict(self._views)
+        return {name: arrays.copied(array) for name, array in self.arrays.items()}
 
     def rendered(self):
         """The array of panoramas to copy from; None without a render_mode."""

@@ -2,6 +2,7 @@
 """A scene to look at and to ask the way in."""
 import json
 import os
+import warnings
 
 from bulletnav import _core, arrays
 
@@ -11,12 +12,16 @@ class Scene:
 
     Frame: metres, y up; yaw in radians about +y, 0 looks along -z, positive turns left.
     Arguments by name: import={"up": "y" | "z", "scale", "ground_plane"}, navmesh={...},
-    backend="auto" | "egl" | "embree". Raises FileError for what is no scene.
+    backend="auto" | "egl" | "embree". Raises FileError for what is no scene;
+    warns of what is drawn grey.
     """
 
     def __init__(self, file, **options):
         self.file = os.fspath(file)
         self._scene = _core.Scene(self.file, json.dumps(options))
+        grey = self._scene.grey()
+        if grey:
+            warnings.warn(grey, stacklevel=2)
 
     def render(self, poses, camera=None):
         """Pictures at `poses`: the eye's [x, y, z, yaw], one or a list of n.
@@ -60,14 +65,20 @@ class Scene:
         return self._scene.island(point)
 
     def random_points(self, count, seed=0, island=0):
-        """Points (x, y, z) drawn evenly from an island's area, -1: from all, furniture too. The
-        same for the same seed."""
+        """Points (x, y, z) drawn evenly from an island's area, -1: from all. The same
+        for the same seed."""
         return [tuple(point) for point in self._scene.random_points(count, seed, island)]
 
     @property
     def islands(self):
         """Connected parts of the floor, largest first: [{"area": m2, "radius": m}]."""
         return self._scene.islands()
+
+    @property
+    def objects(self):
+        """What the numbers of a camera's channel "semantic" stand for: [{"category", "name",
+        "room"}], the first for what is not known; empty for scenes that do not say."""
+        return self._scene.objects()
 
     @property
     def report(self):

@@ -5,7 +5,7 @@ import json
 import os
 
 from bulletnav import _core, actions as _actions, arrays, spaces
-from bulletnav.lanes_owner import LanesOwner, require_render_mode, told
+from bulletnav.lanes_owner import RENDER_FPS, LanesOwner, read_seed, require_render_mode, told
 
 try:
     from gymnasium.vector import VectorEnv as _Base
@@ -75,10 +75,12 @@ class VectorEnv(LanesOwner, _Base):
       autoreset_mode: "next_step", "same_step", "disabled" or Gymnasium's AutoresetMode
       sensors: "rgb", "rgbd", or {name: {type: panorama | pinhole | odometry | bumper, ...}}
       body: {radius, height, camera_height, max_climb, max_slope_deg, sliding}, metres
-      noise: "ans_released" (default), "none", "ans_radians", "physical"
+      noise: of motion: "ans_released" (default), "none", "ans_radians", "physical"
+      sensor_noise: of cameras: "none" (default), "depth_camera", "phone_camera", "stereo_camera"
       success_distance (m), no_stop, max_steps, reward: {success, progress, step}
       import: {up: y | z, scale, ground_plane}; navmesh: {...}; backend: auto | egl | embree
       render_mode: "rgb_array" or None
+      copy: True: observations are arrays of their own, as Gymnasium's wrappers expect
 
     Observations are a dict of arrays, lane first; views of one memory that the next step writes
     into: copy what you keep.
@@ -93,11 +95,13 @@ class VectorEnv(LanesOwner, _Base):
     Raises bulletnav.Error, in one line with the remedy, for all misuse.
     """
 
-    metadata = {"render_modes": ["rgb_array"], "autoreset_mode": AutoresetMode.NEXT_STEP}
+    metadata = {"render_modes": ["rgb_array"], "render_fps": RENDER_FPS,
+                "autoreset_mode": AutoresetMode.NEXT_STEP}
     spec = None
 
-    def __init__(self, *, num_envs=1, render_mode=None, **options):
+    def __init__(self, *, num_envs=1, render_mode=None, copy=False, **options):
         require_render_mode(render_mode)
+        self._copies = bool(copy)
         self._lanes = make_lanes({"num_envs": num_envs, **options})
         self.num_envs = self._lanes.num_envs
         self.render_mode = render_mode
@@ -122,8 +126,7 @@ class VectorEnv(LanesOwner, _Base):
         mask = options.pop("reset_mask", None)
         if options:
             raise _core.Error(f"reset knows no option {sorted(options)}; it knows 'reset_mask'")
-        if seed is not None and (not isinstance(seed, int) or seed < 0):
-            raise _core.Error(f"seed must be one whole number for all lanes, not {seed!r}")
+        seed = read_seed(seed, "one whole number for all lanes")
         if _Base is not object:
             super().reset(seed=seed)
         if mask is None:
@@ -132,7 +135,7 @@ class VectorEnv(LanesOwner, _Base):
             raise _core.Error("a seed begins all lanes anew; give it without a reset_mask")
         else:
             self._lanes.reset_lanes(self._chosen(mask))
-        return dict(self._views), {}
+        return self._observations(), {}
 
     def _chosen(self, mask):
         mask = list(mask)
@@ -144,8 +147,9 @@ class VectorEnv(LanesOwner, _Base):
         """One action for each lane.
         Returns (observations, rewards, terminated, truncated, info).
 
-        info["episode"] is there when episodes ended: {measure: [num_envs]}, such as "success" and
-        "spl", with the mask info["_episode"]; info["results"] tells all: {lane: facts}."""
+        info["measures"] is there when episodes ended: {measure: [num_envs]}, such as "success" and
+        "spl", with the mask info["_measures"]; info["results"] has all facts of these lanes, a dict
+        each, with the mask info["_results"]."""
         self._lanes.step(_actions.read(actions), None)
         return self._answer()
 
@@ -173,22 +177,21 @@ class VectorEnv(LanesOwner, _Base):
 
     def _answer(self):
         rewards, terminated, truncated = (arrays.copy(array) for array in self._outcome)
-        return dict(self._views), rewards, terminated, truncated, self._info()
+        return self._observations(), rewards, terminated, truncated, self._info()
 
     def _info(self):
         finished = self._lanes.finished()
         if not finished:
             return {}
-        results = {lane: result(text) for lane, text in finished}
-        mask = arrays.filled(self.num_envs, False)
-        episode = {}
-        for lane, facts in results.items():
-            mask[lane] = True
-            for name, value in facts.items():
+        mask, results = arrays.filled(self.num_envs, False), arrays.filled(self.num_envs, None)
+        measures = {}
+        for lane, text in finished:
+            mask[lane], results[lane] = True, result(text)
+            for name, value in results[lane].items():
                 if isinstance(value, (bool, int, float)):
-                    column = episode.setdefault(name, arrays.filled(self.num_envs, 0.0))
+                    column = measures.setdefault(name, arrays.filled(self.num_envs, 0.0))
                     column[lane] = value
-        return {"episode": episode, "_episode": mask, "results": results}
+        return {"measures": measures, "_measures": mask, "results": results, "_results": mask}
 
     def episode(self, lane):
         """The episode that a lane is in: a dict in Habitat's form (see docs/python.md)."""

@@ -73,7 +73,26 @@ void DropUnused(PyObject* capsule) {
   tensor->deleter(tensor);
 }
 
-py::capsule ToDlpack(const Array& array, const py::kwargs& /*of later versions*/) {
+/// The same numbers in memory of their own.
+Array CopyOf(const Array& array) {
+  const auto bytes = static_cast<std::size_t>(BytesOf(array));
+  auto memory = std::make_shared<std::vector<std::byte>>(array.data, array.data + bytes);
+  Array copy = array;
+  copy.data = memory->data();
+  copy.owner = std::move(memory);
+  return copy;
+}
+
+/// What the array API standard asks of a producer since 2023: memory of its own where `copy` is
+/// true, the device that is asked for. A capsule of version 0 is what every consumer takes,
+/// whatever `max_version`; a CPU has no `stream`.
+py::capsule ToDlpack(const Array& whole, const py::object& /*stream*/,
+                     const py::object& /*max_version*/, const py::object& dl_device,
+                     const py::object& copy) {
+  if (!dl_device.is_none() && !dl_device.equal(py::make_tuple(static_cast<int>(kDlCpu), 0))) {
+    throw py::buffer_error("the memory of a bulletnav.Array is the CPU's, (1, 0)");
+  }
+  const Array array = py::bool_(copy) ? CopyOf(whole) : whole;
   auto holder = std::make_unique<DlHolder>();
   holder->owner = array.owner;
   holder->shape.assign(array.shape.begin(), array.shape.end());
@@ -196,7 +215,10 @@ void BindArray(py::module_* module) {
                 .attr("tolist")();
           },
           "Nested lists, copied.")
-      .def("__dlpack__", &ToDlpack)
+      .def("copy", &CopyOf, "The same numbers in memory of their own.")
+      .def("__dlpack__", &ToDlpack, py::kw_only(), py::arg("stream") = py::none(),
+           py::arg("max_version") = py::none(), py::arg("dl_device") = py::none(),
+           py::arg("copy") = py::none())
       .def("__dlpack_device__",
            [](const Array& /*array*/) {
              return py::make_tuple(static_cast<int>(kDlCpu), 0);

@@ -31,8 +31,8 @@ Batch::Batch(const bench::VectorEnvironment& environment, const LanesConfig& con
   for (int lane = 0; lane < environment.lanes(); ++lane) {
     worlds.push_back(environment.truth(lane).world);
   }
-  const sim::SimulatorSpec spec{task.body,  task.panorama, task.noise,
-                                task.color, task.depth,    task.sensors};
+  const sim::SimulatorSpec spec{task.body,  task.panorama, task.noise,       task.color,
+                                task.depth, task.sensors,  task.sensor_noise};
   simulator = std::make_unique<sim::BatchSimulator>(std::move(worlds), spec, config.threads);
   for (int lane = 0; lane < environment.lanes(); ++lane) {
     simulator->Reset(lane, environment.truth(lane).pose);

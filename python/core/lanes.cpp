@@ -10,6 +10,7 @@
 #include "benchmark/episodes/episode_file.h"
 #include "sim/base/error.h"
 #include "sim/observation.h"
+#include "sim/sensors/noise/sensor_noise.h"
 
 namespace bulletnav::python {
 namespace {
@@ -55,6 +56,7 @@ void LanesConfig::Validate() const {
   if (num_envs < 1 || num_envs > 65536) {
     throw sim::KeyError("num_envs", "num_envs must lie between 1 and 65536");
   }
+  sim::RequireSensorNoise(sensor_noise);
   if (max_steps < 1) throw sim::KeyError("max_steps", "max_steps must be at least 1");
   if (!(success_distance >= 0.0)) {
     throw sim::KeyError("success_distance", "success_distance must not be negative");
@@ -74,19 +76,20 @@ bench::Task LanesConfig::task() const {
   task.depth = HasArray(sensors, sim::Observation::kDepth);
   task.sensors = sensors;
   task.noise = noise;
+  task.sensor_noise = sim::NamedSensorNoise(sensor_noise);
   task.success = {success_distance, no_stop};
   task.max_steps = max_steps;
   task.reward = reward;
   return task;
 }
 
-Lanes::Lanes(const std::string& config)
+Lanes::Lanes(const std::string& config, bench::Warn warn)
     : config_(sim::LoadYamlText<LanesConfig>(config, "arguments")), process_(::getpid()) {
-  worlds_ =
-      std::make_unique<WorldShelf>(config_.world_options(),
-                                   std::vector<std::filesystem::path>(config_.scene_folders.begin(),
-                                                                      config_.scene_folders.end()),
-                                   static_cast<std::size_t>(config_.num_envs) + kWorldsBesideLanes);
+  worlds_ = std::make_unique<WorldShelf>(
+      config_.world_options(),
+      std::vector<std::filesystem::path>(config_.scene_folders.begin(),
+                                         config_.scene_folders.end()),
+      static_cast<std::size_t>(config_.num_envs) + kWorldsBesideLanes, std::move(warn));
   bench::VectorSpec spec;
   spec.task = config_.task();
   spec.episodes = Episodes();

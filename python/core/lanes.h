@@ -28,7 +28,8 @@ class Lanes {
  public:
   /// `config`: a LanesConfig as YAML or JSON. Throws sim::Error for what is wrong in it, and for
   /// scenes and episodes that cannot be had.
-  explicit Lanes(const std::string& config);
+  /// `warn` is called once for each scene that is drawn grey; see bench::SceneCache.
+  explicit Lanes(const std::string& config, bench::Warn warn = {});
   ~Lanes();
   Lanes(const Lanes&) = delete;
   Lanes& operator=(const Lanes&) = delete;

@@ -93,12 +93,21 @@ std::tuple<std::array<double, 4>, std::array<double, 4>, double> Truth(Lanes& la
   });
 }
 
+/// A UserWarning; what filters make an error of is shown and does not end the episode.
+void WarnInPython(const std::string& line) {
+  const py::gil_scoped_acquire locked;
+  if (PyErr_WarnEx(PyExc_UserWarning, line.c_str(), 1) != 0) PyErr_WriteUnraisable(nullptr);
+}
+
 }  // namespace
 
 void BindLanes(py::module_* module) {
   const auto unlocked = py::call_guard<py::gil_scoped_release>();
   py::class_<Lanes>(*module, "Lanes")
-      .def(py::init<const std::string&>(), unlocked)
+      .def(py::init([](const std::string& config) {
+             return std::make_unique<Lanes>(config, WarnInPython);
+           }),
+           unlocked)
       .def("reset", &Lanes::Reset, unlocked)
       .def("reset_lanes", &Lanes::ResetLanes, unlocked)
       .def("step", &Lanes::Step, unlocked)

@@ -39,9 +39,10 @@ struct LanesConfig {
   sim::SensorSet sensors = sim::SensorSet::Named("rgbd");
   sim::BodySpec body;
   sim::NoiseMode noise = sim::NoiseMode::kAnsReleased;
-  double success_distance = 1.0;  // metres
-  bool no_stop = false;           // near is enough
-  int max_steps = 500;            // a goal
+  std::string sensor_noise = "none";  // see sim::NamedSensorNoise
+  double success_distance = 1.0;      // metres
+  bool no_stop = false;               // near is enough
+  int max_steps = 500;                // a goal
   bench::RewardSpec reward;
 
   bench::ImportSpec scene_import;
@@ -64,6 +65,7 @@ struct LanesConfig {
     v("sensors", sensors);
     v("body", body);
     v("noise", noise);
+    v("sensor_noise", sensor_noise);
     v("success_distance", success_distance);
     v("no_stop", no_stop);
     v("max_steps", max_steps);

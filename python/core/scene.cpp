@@ -21,7 +21,8 @@ std::string TextOf(const sim::CameraSpec& camera) {
 
 }  // namespace
 
-Scene::Scene(const std::filesystem::path& file, const std::string& config) : process_(::getpid()) {
+Scene::Scene(const std::filesystem::path& file, const std::string& config)
+    : file_(file), process_(::getpid()) {
   const auto read = sim::LoadYamlText<SceneConfig>(config, "arguments");
   world_ = sim::World::Load(file, {read.scene_import.options(), read.navmesh, read.backend});
 }

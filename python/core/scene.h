@@ -10,6 +10,7 @@
 
 #include <sys/types.h>
 
+#include "benchmark/episodes/drawn_grey.h"
 #include "benchmark/episodes/import_spec.h"
 #include "sim/navmesh/navmesh.h"
 #include "sim/world.h"
@@ -44,6 +45,8 @@ class Scene {
 
   /// Throws in another process than the one that made it.
   const sim::World& world() const;
+  /// What of it is drawn grey; see bench::DrawnGrey.
+  std::string grey() const { return bench::DrawnGrey(file_, world().report()); }
   sim::NavmeshQuery Query() const { return sim::NavmeshQuery(world().navmesh()); }
   /// Points drawn evenly from an island's area. Throws sim::Error for one that is not there.
   std::vector<Eigen::Vector3f> RandomPoints(int count, std::uint64_t seed, int island) const;
@@ -52,6 +55,7 @@ class Scene {
               std::span<std::uint8_t> color, std::span<float> depth);
 
  private:
+  std::filesystem::path file_;
   pid_t process_;
   std::shared_ptr<const sim::World> world_;
   std::mutex mutex_;  // of the renderer

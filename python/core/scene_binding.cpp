@@ -99,6 +99,18 @@ py::dict Report(const Scene& scene) {
   return facts;
 }
 
+py::list Objects(const Scene& scene) {
+  py::list objects;
+  for (const sim::SceneObject& object : scene.world().objects()) {
+    py::dict facts;
+    facts["category"] = object.category;
+    facts["name"] = object.name;
+    facts["room"] = object.room;
+    objects.append(facts);
+  }
+  return objects;
+}
+
 }  // namespace
 
 void BindScene(py::module_* module) {
@@ -126,7 +138,9 @@ void BindScene(py::module_* module) {
           },
           unlocked)
       .def("render", &Render)
+      .def("grey", &Scene::grey)
       .def("islands", &Islands)
+      .def("objects", &Objects)
       .def("report", &Report)
       .def("renderer", [](const Scene& scene) {
         return scene.world().render_scene().description();

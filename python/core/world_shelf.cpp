@@ -8,8 +8,10 @@
 namespace bulletnav::python {
 
 WorldShelf::WorldShelf(const sim::WorldOptions& options, std::vector<std::filesystem::path> folders,
-                       std::size_t most)
-    : cache_(options), folders_(std::move(folders)), most_(most) {}
+                       std::size_t most, bench::Warn warn)
+    : cache_(options), folders_(std::move(folders)), most_(most) {
+  cache_.WarnOfGrey(std::move(warn));
+}
 
 std::shared_ptr<const sim::World> WorldShelf::Get(const std::string& scene) {
   const std::filesystem::path file = bench::FindScene(scene, folders_);

@@ -17,7 +17,7 @@ namespace bulletnav::python {
 class WorldShelf {
  public:
   WorldShelf(const sim::WorldOptions& options, std::vector<std::filesystem::path> folders,
-             std::size_t most);
+             std::size_t most, bench::Warn warn = {});
 
   /// Throws sim::Error for a scene that is nowhere or cannot be loaded.
   std::shared_ptr<const sim::World> Get(const std::string& scene);

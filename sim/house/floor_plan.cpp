@@ -46,6 +46,12 @@ std::array<PlanPoint, 4> LeafOutline(const Opening& door) {
   return {hinge, tip, tip + back, hinge + back};
 }
 
+std::array<PlanPoint, 4> Pit::Outline() const {
+  const PlanPoint aside = width * across;
+  const PlanPoint far = length * into;
+  return {corner, corner + aside, corner + aside + far, corner + far};
+}
+
 float FloorPlan::area() const {
   float sum = 0.0f;
   for (const Room& room : rooms) sum += room.area();

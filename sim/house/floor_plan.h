@@ -47,7 +47,11 @@ enum class RoomType {
   kHotelRoom,
   kLobby,
   kWorkshop,
-  kWarehouse
+  kWarehouse,
+  kAssemblyHall,
+  kPaintRoom,
+  kStairwell,
+  kStudio
 };
 
 template <>
@@ -83,7 +87,11 @@ struct EnumNames<RoomType> {
                                         std::pair{"hotel_room", RoomType::kHotelRoom},
                                         std::pair{"lobby", RoomType::kLobby},
                                         std::pair{"workshop", RoomType::kWorkshop},
-                                        std::pair{"warehouse", RoomType::kWarehouse}};
+                                        std::pair{"warehouse", RoomType::kWarehouse},
+                                        std::pair{"assembly_hall", RoomType::kAssemblyHall},
+                                        std::pair{"paint_room", RoomType::kPaintRoom},
+                                        std::pair{"stairwell", RoomType::kStairwell},
+                                        std::pair{"studio", RoomType::kStudio}};
 };
 
 /// Plan coordinates are the world's (x, z) in metres, seen from above with x right and z down.
@@ -153,6 +161,36 @@ struct Wall {
   bool is_outer = false;
 };
 
+enum class Rail { kBars, kGlass, kBoards };
+
+template <>
+struct EnumNames<Rail> {
+  static constexpr std::array kNames = {std::pair{"bars", Rail::kBars},
+                                        std::pair{"glass", Rail::kGlass},
+                                        std::pair{"boards", Rail::kBoards}};
+};
+
+/// A rectangular hole in a room's floor, closed below: where it has no rail the floor just ends.
+/// Its edges: 0 near (from `corner` along `across`), 1 far, 2 at `corner`'s side, 3 opposite.
+struct Pit {
+  int room = -1;  // index into FloorPlan::rooms
+  PlanPoint corner = PlanPoint::Zero();
+  PlanPoint into = PlanPoint::Zero();    // unit, along `length`
+  PlanPoint across = PlanPoint::Zero();  // unit, along `width`
+  float length = 3.0f;
+  float width = 2.0f;
+  float depth = 2.0f;       // of its floor below the room's
+  float first_drop = 0.0f;  // from the near edge down to the first step; 0: no flight goes down
+  bool goes_up = false;     // a flight rises from the near edge, at the side of edge 3
+  std::array<bool, 4> rails = {};  // where one stands
+  Rail rail = Rail::kBars;
+
+  /// Its corners in the plan.
+  PlanPoint low() const { return corner.cwiseMin(corner + length * into + width * across); }
+  PlanPoint high() const { return corner.cwiseMax(corner + length * into + width * across); }
+  std::array<PlanPoint, 4> Outline() const;
+};
+
 /// The layout of one storey.
 struct FloorPlan {
   std::vector<Room> rooms;
@@ -161,8 +199,9 @@ struct FloorPlan {
   std::vector<PlanPoint>
       footprint;  // outer faces of the outer walls, ordered like a room's outline
   float ceiling = 2.6f;
+  std::vector<Pit> pits = {};  // none in homes
 
-  float area() const;  // of the rooms together
+  float area() const;  // of the rooms together, pits too
 };
 
 }  // namespace bulletnav::sim

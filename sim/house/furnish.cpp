@@ -37,6 +37,7 @@ Furnishing Told(const placing::Placed& placed, int room) {
   furnishing.position = placed.pose.translation();
   furnishing.low = placed.bounds.min();
   furnishing.high = placed.bounds.max();
+  furnishing.name = placed.name;
   return furnishing;
 }
 
@@ -59,6 +60,7 @@ std::vector<Furnishing> FurnishRooms(const FloorPlan& plan, const HouseStyle& st
     const int room = static_cast<int>(i);
     placing::RoomSpace space(plan, style, room);
     placing::RoomFurnisher furnisher(&space, style.rooms[i], rng.Fork("room", i), builder);
+    furnisher.SetCommonRng(rng.Fork("common"));
     furnish(plan.rooms[i].type, &furnisher);
     for (const placing::Placed& placed : furnisher.placed()) {
       furniture.push_back(Told(placed, room));

@@ -14,7 +14,8 @@ struct Furnishing {
   Eigen::Vector3f low = Eigen::Vector3f::Zero();  // its box along its own axes, in its frame
   Eigen::Vector3f high = Eigen::Vector3f::Zero();
   Eigen::Vector3f position = Eigen::Vector3f::Zero();  // of its frame in the world
-  float yaw = 0.0f;  // of its frame about y, radians: 0 looks along +z
+  float yaw = 0.0f;       // of its frame about y, radians: 0 looks along +z
+  std::string name = {};  // of its SceneObject: "office_chair_3"; empty if that is not known
 };
 
 }  // namespace bulletnav::sim

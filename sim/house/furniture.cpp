@@ -33,7 +33,11 @@ std::vector<FurnitureKind> Collect() {
                              Tables(),         Toys(),
                              WallArt(),        Windows(),
                              Fixtures(),       Industry(),
-                             Workplaces()}) {
+                             Workplaces(),     Clinic(),
+                             ClinicBeds(),     Hotel(),
+                             Laboratory(),     School(),
+                             ShopDisplays(),   ShopFittings(),
+                             Tools(),          Vehicles()}) {
     all.insert(all.end(), family.begin(), family.end());
   }
   std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) {

@@ -105,11 +105,13 @@ std::size_t RemoveHidden(SceneMesh* mesh, std::vector<Glow>* glows) {
     if (hidden[t] != 0) continue;
     mesh->triangles[kept] = mesh->triangles[t];
     mesh->triangle_materials[kept] = mesh->triangle_materials[t];
+    if (mesh->has_objects()) mesh->triangle_objects[kept] = mesh->triangle_objects[t];
     (*glows)[kept] = (*glows)[t];
     ++kept;
   }
   mesh->triangles.resize(kept);
   mesh->triangle_materials.resize(kept);
+  if (mesh->has_objects()) mesh->triangle_objects.resize(kept);
   glows->resize(kept);
   Compact(mesh);
   return hidden.size() - kept;

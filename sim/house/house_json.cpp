@@ -89,6 +89,24 @@ Json WallsJson(const FloorPlan& plan) {
   return json;
 }
 
+Json PitsJson(const FloorPlan& plan) {
+  Json json = Json::array();
+  for (const Pit& pit : plan.pits) {
+    json.push_back({{"room", pit.room},
+                    {"corner", PointJson(pit.corner)},
+                    {"into", PointJson(pit.into)},
+                    {"across", PointJson(pit.across)},
+                    {"length", pit.length},
+                    {"width", pit.width},
+                    {"depth", pit.depth},
+                    {"first_drop", pit.first_drop},
+                    {"goes_up", pit.goes_up},
+                    {"rails", pit.rails},
+                    {"rail", NameOf(pit.rail)}});
+  }
+  return json;
+}
+
 Json VectorJson(const Eigen::Vector3f& v) {
   return {v.x(), v.y(), v.z()};
 }
@@ -102,6 +120,7 @@ Json FurnitureJson(const std::vector<Furnishing>& furniture) {
                     {"yaw", piece.yaw},
                     {"low", VectorJson(piece.low)},
                     {"high", VectorJson(piece.high)}});
+    if (!piece.name.empty()) json.back()["name"] = piece.name;
   }
   return json;
 }
@@ -221,6 +240,30 @@ std::vector<Wall> ReadWalls(const Node& node) {
   return walls;
 }
 
+std::vector<Pit> ReadPits(const Node& node, std::size_t rooms) {
+  std::vector<Pit> pits;
+  const std::size_t n = node.Size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Node item = node.Item(i);
+    Pit pit;
+    pit.room = item.At("room").Index(rooms, "rooms");
+    pit.corner = ReadPoint(item.At("corner"));
+    pit.into = ReadPoint(item.At("into"));
+    pit.across = ReadPoint(item.At("across"));
+    pit.length = item.At("length").Positive();
+    pit.width = item.At("width").Positive();
+    pit.depth = item.At("depth").Positive();
+    pit.first_drop = item.At("first_drop").Number();
+    pit.goes_up = item.At("goes_up").Truth();
+    const Node rails = item.At("rails");
+    if (rails.Size() != pit.rails.size()) rails.Fail("are not four, one an edge");
+    for (std::size_t k = 0; k < pit.rails.size(); ++k) pit.rails[k] = rails.Item(k).Truth();
+    pit.rail = item.At("rail").Enum<Rail>();
+    pits.push_back(pit);
+  }
+  return pits;
+}
+
 Eigen::Vector3f ReadVector(const Node& node) {
   if (node.Size() != 3) node.Fail("is not a place [x, y, z]");
   return {node.Item(0).Number(), node.Item(1).Number(), node.Item(2).Number()};
@@ -240,6 +283,7 @@ std::vector<Furnishing> ReadFurniture(const Node& node, std::size_t rooms) {
     piece.low = ReadVector(item.At("low"));
     piece.high = ReadVector(item.At("high"));
     if ((piece.high - piece.low).minCoeff() < 0.0f) item.At("high").Fail("is below low");
+    if (item.Has("name")) piece.name = item.At("name").Text();
     furniture.push_back(std::move(piece));
   }
   return furniture;
@@ -269,6 +313,7 @@ std::string ToJson(const HouseDescription& house) {
                {"rooms", RoomsJson(plan)}, {"openings", OpeningsJson(plan)},
                {"walls", WallsJson(plan)}, {"footprint", PolygonJson(plan.footprint)}};
   if (!house.kind.empty()) json["kind"] = house.kind;
+  if (!plan.pits.empty()) json["pits"] = PitsJson(plan);
   if (!house.furniture.empty()) json["furniture"] = FurnitureJson(house.furniture);
   return Lines(json);
 }
@@ -287,6 +332,7 @@ HouseDescription ReadHouseJson(const std::filesystem::path& file) {
   CheckDoors(root.At("rooms"), house.plan);
   house.plan.walls = ReadWalls(root.At("walls"));
   house.plan.footprint = ReadPolygon(root.At("footprint"));
+  if (root.Has("pits")) house.plan.pits = ReadPits(root.At("pits"), house.plan.rooms.size());
   if (root.Has("kind")) house.kind = root.At("kind").Text();
   if (root.Has("furniture")) {
     house.furniture = ReadFurniture(root.At("furniture"), house.plan.rooms.size());

@@ -26,10 +26,10 @@ struct HouseDescription {
 ///   the way from a to b, room to the right or null for outside], leaf: null or {angle, hinge: "a"
 ///   or "b", opens_into: index of a room or null for outside};
 ///   walls [{a, b, thickness, is_outer}]; footprint;
-///   where they are known, kind, and furniture [{kind, room, position, yaw, low, high}]: the
+///   where they are known, kind, and furniture [{kind, room, position, yaw, low, high, name}]: the
 ///   piece's frame stands at position [x, y, z], turned by yaw about y (0: its z is the world's);
-///   low and high are its box's corners in that frame. Small things on tops, rugs and lamps are
-///   left out.
+///   low and high are its box's corners in that frame; name is its object's in the mesh, if known.
+///   Small things on tops, rugs and lamps are left out.
 /// Everything reads back equal; of openings without a leaf nothing about a leaf is kept.
 std::string ToJson(const HouseDescription& house);
 

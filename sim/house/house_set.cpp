@@ -56,10 +56,8 @@ HouseEntry WriteHouse(const std::filesystem::path& folder, const PlannedHouse& p
   std::filesystem::path json = glb;
   json.replace_extension(".json");
   HouseDescription description{house.seed, std::string(NameOf(house.style.kind)), house.plan};
-  if (!entry.kind.empty()) {
-    description.kind = entry.kind;
-    description.furniture = house.furniture;
-  }
+  description.kind = entry.kind;
+  description.furniture = house.furniture;
   WriteFileAtomically(glb, EncodeGlb(house.mesh));
   WriteFileAtomically(json, ToJson(description));
   return entry;

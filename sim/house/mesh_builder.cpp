@@ -107,6 +107,7 @@ void MeshBuilder::AddTriangle(std::uint32_t material, std::uint32_t a, std::uint
   if (u.cross(v).norm() < 1e-9f) return;  // the tip of a cone, the pole of a ball
   mesh_.triangles.push_back({a, b, c});
   mesh_.triangle_materials.push_back(material);
+  mesh_.triangle_objects.push_back(Object());
   glows_.push_back(glow_);
 }
 
@@ -371,12 +372,26 @@ void MeshBuilder::Append(const MeshBuilder& part) {
     const auto& [a, b, c] = part.mesh_.triangles[t];
     mesh_.triangles.push_back({base + a, base + b, base + c});
     mesh_.triangle_materials.push_back(material[part.mesh_.triangle_materials[t]]);
+    mesh_.triangle_objects.push_back(Object());
     glows_.push_back(part.glows_[t]);
   }
 }
 
+std::uint32_t MeshBuilder::Object() const {
+  return mesh_.objects.empty() ? 0 : static_cast<std::uint32_t>(mesh_.objects.size()) - 1;
+}
+
+const SceneObject& MeshBuilder::BeginObject(std::string_view category, std::string_view room) {
+  if (mesh_.objects.empty()) mesh_.objects.emplace_back();
+  const std::string text(category);
+  const int number = ++objects_of_category_[text];
+  mesh_.objects.push_back({text, text + "_" + std::to_string(number), std::string(room)});
+  return mesh_.objects.back();
+}
+
 SceneMesh MeshBuilder::Finish(TextureCache* cache) {
   SceneMesh mesh = mesh_;
+  if (mesh.objects.empty()) mesh.triangle_objects.clear();
   std::map<std::string, int> texture_of_name;
   for (Material& material : mesh.materials) {
     const auto next = static_cast<int>(mesh.textures.size());

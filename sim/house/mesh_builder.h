@@ -3,6 +3,7 @@
 #include <map>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -96,7 +97,11 @@ class MeshBuilder {
   /// Parts added from now on give light.
   void SetGlow(Glow glow) { glow_ = glow; }
 
-  /// Adds everything `part` holds, through the current frame.
+  /// Parts added from now on belong to a new object, which is returned: named by its category and
+  /// a number from 1 on.
+  const SceneObject& BeginObject(std::string_view category, std::string_view room);
+
+  /// Adds everything `part` holds, through the current frame, to the current object.
   void Append(const MeshBuilder& part);
 
   std::size_t triangles() const { return mesh_.triangles.size(); }
@@ -105,10 +110,13 @@ class MeshBuilder {
   /// One a triangle, in step with the mesh's triangles.
   const std::vector<Glow>& glows() const { return glows_; }
   /// The mesh so far, its textures drawn through the cache. Vertices are not shared between faces.
+  /// Without objects if none was begun.
   SceneMesh Finish(TextureCache* cache);
 
  private:
   std::uint32_t MaterialOf(const Surface& surface);
+  /// The current object's number.
+  std::uint32_t Object() const;
   std::uint32_t AddVertex(const Vec& local, const Vec2& uv);
   void AddTriangle(std::uint32_t material, std::uint32_t a, std::uint32_t b, std::uint32_t c);
   /// Corners in order around a convex face, with texture coordinates in metres.
@@ -129,6 +137,7 @@ class MeshBuilder {
   Glow glow_ = Glow::kNone;
   Eigen::Affine3f X_WL_ = Eigen::Affine3f::Identity();
   std::map<std::pair<std::string, Rgb8>, std::uint32_t> materials_;
+  std::map<std::string, int, std::less<>> objects_of_category_;
 };
 
 }  // namespace bulletnav::sim

@@ -67,6 +67,7 @@ void RefineEdges(SceneMesh* mesh, std::vector<int>* tag, int rounds,
     bool changed = false;
     const std::vector<Triangle> before = std::exchange(mesh->triangles, {});
     const std::vector<std::uint32_t> materials = std::exchange(mesh->triangle_materials, {});
+    const std::vector<std::uint32_t> objects = std::exchange(mesh->triangle_objects, {});
     const std::vector<int> tags = std::exchange(*tag, {});
     for (std::size_t i = 0; i < before.size(); ++i) {
       Triangle m{};
@@ -81,6 +82,7 @@ void RefineEdges(SceneMesh* mesh, std::vector<int>* tag, int rounds,
       ForParts(before[i], m, [&](const Triangle& part) {
         mesh->triangles.push_back(part);
         mesh->triangle_materials.push_back(materials[i]);
+        if (!objects.empty()) mesh->triangle_objects.push_back(objects[i]);
         tag->push_back(tags[i]);
       });
     }

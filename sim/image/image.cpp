@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "sim/base/error.h"
 #include "sim/base/files.h"
 #include "sim/image/codecs.h"
+#include "sim/image/decode.h"
 
 namespace bulletnav::sim {
 namespace {
@@ -77,12 +79,34 @@ void NarrowRow(const Image& image, int y, std::span<const Taps> columns, float* 
   }
 }
 
+bool HasText(std::span<const std::uint8_t> bytes, std::size_t at, std::string_view text) {
+  return bytes.size() >= at + text.size() &&
+         std::equal(text.begin(), text.end(), bytes.begin() + static_cast<std::ptrdiff_t>(at),
+                    [](char a, std::uint8_t b) {
+                      return static_cast<std::uint8_t>(a) == b;
+                    });
+}
+
 }  // namespace
 
+bool IsKtx(std::span<const std::uint8_t> bytes) {
+  return HasText(bytes, 0, "\xabKTX ");
+}
+
 Image DecodeImage(std::span<const std::uint8_t> bytes) {
-  if (bytes.size() >= 8 && bytes[0] == 0x89 && bytes[1] == 'P') return DecodePng(bytes);
-  if (bytes.size() >= 3 && bytes[0] == 0xff && bytes[1] == 0xd8) return DecodeJpeg(bytes);
-  return DecodeWithStb(bytes);
+  return DecodeImage(bytes, kMostKeptPixels);
+}
+
+Image DecodeImage(std::span<const std::uint8_t> bytes, std::uint64_t most_pixels) {
+  if (HasText(bytes, 0, "\x89P")) return DecodePng(bytes, most_pixels);
+  if (HasText(bytes, 0, "\xff\xd8")) return DecodeJpeg(bytes, most_pixels);
+  if (HasText(bytes, 0, "RIFF") && HasText(bytes, 8, "WEBP")) {
+    return DecodeWebp(bytes, most_pixels);
+  }
+  if (IsKtx(bytes)) {
+    throw ImageError("KTX textures (Basis Universal) are not read; convert it to PNG or JPEG");
+  }
+  return DecodeWithStb(bytes, most_pixels);
 }
 
 void WritePng(const std::filesystem::path& file, const Image& image) {

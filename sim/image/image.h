@@ -39,8 +39,8 @@ class ImageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Decodes PNG, JPEG, BMP or TGA into RGBA.
-/// Throws ImageError: unknown or damaged format, or more than 64 million pixels.
+/// Decodes PNG, JPEG, WebP, BMP or TGA into RGBA, large pictures as sim/image/decode.h says.
+/// Throws ImageError: unknown or damaged format, or more than 16,384 x 16,384 pixels.
 Image DecodeImage(std::span<const std::uint8_t> bytes);
 
 /// PNG of a 1, 3 or 4 channel picture.

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <cstdio>
 // jpeglib.h uses FILE and size_t without including them.
+#include <algorithm>
 #include <csetjmp>
 #include <cstdlib>
+#include <optional>
 
 #include <jpeglib.h>
 
@@ -46,28 +48,38 @@ class JpegDecoder {
   JpegDecoder(JpegDecoder&&) = delete;
   JpegDecoder& operator=(JpegDecoder&&) = delete;
 
-  Image Decode(std::span<const std::uint8_t> bytes) {
+  Image Decode(std::span<const std::uint8_t> bytes, std::uint64_t most_pixels) {
     if (setjmp(error_.jump) != 0) throw ImageError(std::string("damaged JPEG: ") + error_.message);
     jpeg_mem_src(&info_, bytes.data(), bytes.size());
     jpeg_read_header(&info_, TRUE);
-    if (std::uint64_t{info_.image_width} * info_.image_height > kMaxImagePixels) {
-      throw ImageError("more than 64 million pixels");
-    }
+    shrink_ = ShrinkOf(info_.image_width, info_.image_height, most_pixels);
+    // The inverse transform gives blocks of 4 x 4, 2 x 2 or 1 pixels at next to no cost; sides are
+    // rounded up, as ours.
+    info_.scale_num = 1;
+    info_.scale_denom = static_cast<unsigned>(std::min(shrink_, kMostByTransform));
     info_.out_color_space = JCS_EXT_RGBA;
     jpeg_start_decompress(&info_);
-    image_ = Image(static_cast<int>(info_.output_width), static_cast<int>(info_.output_height), 4);
+    rows_.emplace(static_cast<int>(info_.output_width), static_cast<int>(info_.output_height),
+                  std::max(1, shrink_ / kMostByTransform));
+    row_.resize(std::size_t{4} * info_.output_width);
     while (info_.output_scanline < info_.output_height) {
-      JSAMPROW row = image_.at(0, static_cast<int>(info_.output_scanline));
+      JSAMPROW row = row_.data();
       jpeg_read_scanlines(&info_, &row, 1);
+      rows_->Add(row_);
     }
     if (error_.manager.num_warnings > 0) throw ImageError("damaged JPEG: file ends early");
     jpeg_finish_decompress(&info_);
-    return std::move(image_);
+    return rows_->Take();
   }
 
  private:
+  static constexpr int kMostByTransform = 8;
+
   JpegError error_{};
-  Image image_;  // a member: a longjmp out of libjpeg leaves locals undefined
+  // Members: a longjmp out of libjpeg leaves locals undefined.
+  int shrink_ = 1;
+  std::vector<std::uint8_t> row_;
+  std::optional<RowAverager> rows_;
   jpeg_decompress_struct info_{};
 };
 
@@ -116,8 +128,8 @@ class JpegEncoder {
 
 }  // namespace
 
-Image DecodeJpeg(std::span<const std::uint8_t> bytes) {
-  return JpegDecoder().Decode(bytes);
+Image DecodeJpeg(std::span<const std::uint8_t> bytes, std::uint64_t most_pixels) {
+  return JpegDecoder().Decode(bytes, most_pixels);
 }
 
 std::vector<std::uint8_t> EncodeJpeg(const Image& image, int quality) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <csetjmp>
 #include <cstring>
+#include <optional>
 
 #include <png.h>
 
@@ -30,7 +31,7 @@ class PngReader {
     png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, &error_, OnError, OnWarning);
     info_ = png_create_info_struct(png_);
     png_set_read_fn(png_, this, Read);
-    png_set_user_limits(png_, kMaxImagePixels, kMaxImagePixels);
+    png_set_user_limits(png_, kMostPixels, kMostPixels);
   }
   ~PngReader() { png_destroy_read_struct(&png_, &info_, nullptr); }
   PngReader(const PngReader&) = delete;
@@ -38,22 +39,27 @@ class PngReader {
   PngReader(PngReader&&) = delete;
   PngReader& operator=(PngReader&&) = delete;
 
-  Image ReadRgba() {
+  Image ReadRgba(std::uint64_t most_pixels) {
     if (setjmp(png_jmpbuf(png_)) != 0) throw ImageError("damaged PNG: " + error_.message);
     ReadHeader();
+    const auto width = static_cast<std::uint64_t>(width_);
+    averager_.emplace(width_, height_,
+                      ShrinkOf(width, static_cast<std::uint64_t>(height_), most_pixels));
     png_set_expand(png_);
     png_set_scale_16(png_);
     png_set_gray_to_rgb(png_);
     png_set_add_alpha(png_, 0xff, PNG_FILLER_AFTER);
-    png_set_interlace_handling(png_);
+    const bool is_interlaced = png_set_interlace_handling(png_) > 1;
     png_read_update_info(png_, info_);
-    image_ = Image(width_, height_, 4);
-    if (png_get_rowbytes(png_, info_) != static_cast<std::size_t>(width_) * 4) {
-      png_error(png_, "unknown pixel layout");
+    row_.resize(4 * width);
+    if (png_get_rowbytes(png_, info_) != row_.size()) png_error(png_, "unknown pixel layout");
+    if (is_interlaced) ReadInterlaced();
+    for (int y = 0; y < height_; ++y) {
+      if (!is_interlaced) png_read_row(png_, row_.data(), nullptr);
+      averager_->Add(is_interlaced ? std::span<const std::uint8_t>(image_.at(0, y), row_.size())
+                                   : std::span<const std::uint8_t>(row_));
     }
-    for (int y = 0; y < height_; ++y) rows_.push_back(image_.at(0, y));
-    png_read_image(png_, rows_.data());
-    return std::move(image_);
+    return averager_->Take();
   }
 
   std::vector<std::uint16_t> ReadGrey16() {
@@ -88,9 +94,16 @@ class PngReader {
     png_read_info(png_, info_);
     const std::uint64_t w = png_get_image_width(png_, info_);
     const std::uint64_t h = png_get_image_height(png_, info_);
-    if (w * h > kMaxImagePixels) png_error(png_, "more than 64 million pixels");
+    ShrinkOf(w, h, kMostPixels);
     width_ = static_cast<int>(w);
     height_ = static_cast<int>(h);
+  }
+
+  /// Rows come again and again, a few more pixels each time.
+  void ReadInterlaced() {
+    image_ = Image(width_, height_, 4);
+    for (int y = 0; y < height_; ++y) rows_.push_back(image_.at(0, y));
+    png_read_image(png_, rows_.data());
   }
 
   // Members, not locals: a longjmp out of libpng leaves locals undefined.
@@ -99,6 +112,8 @@ class PngReader {
   int width_ = 0;
   int height_ = 0;
   Image image_;
+  std::vector<std::uint8_t> row_;
+  std::optional<RowAverager> averager_;
   std::vector<std::uint16_t> values_;
   std::vector<png_bytep> rows_;
   png_structp png_ = nullptr;
@@ -146,8 +161,8 @@ class PngWriter {
 
 }  // namespace
 
-Image DecodePng(std::span<const std::uint8_t> bytes) {
-  return PngReader(bytes).ReadRgba();
+Image DecodePng(std::span<const std::uint8_t> bytes, std::uint64_t most_pixels) {
+  return PngReader(bytes).ReadRgba(most_pixels);
 }
 
 std::vector<std::uint16_t> DecodePng16(std::span<const std::uint8_t> bytes, int* width,

@@ -20,24 +20,26 @@
 
 namespace bulletnav::sim {
 
-Image DecodeWithStb(std::span<const std::uint8_t> bytes) {
+Image DecodeWithStb(std::span<const std::uint8_t> bytes, std::uint64_t most_pixels) {
   if (bytes.size() > INT_MAX) throw ImageError("picture file over 2 GB");
   const int size = static_cast<int>(bytes.size());
   int width = 0;
   int height = 0;
   int channels = 0;
   if (stbi_info_from_memory(bytes.data(), size, &width, &height, &channels) == 0) {
-    throw ImageError("not a PNG, JPEG, BMP or TGA picture");
+    throw ImageError("not a PNG, JPEG, WebP, BMP or TGA picture");
   }
-  if (width <= 0 || height <= 0 || std::uint64_t(width) * std::uint64_t(height) > kMaxImagePixels) {
-    throw ImageError("more than 64 million pixels");
-  }
+  const int shrink = ShrinkOf(static_cast<std::uint64_t>(std::max(0, width)),
+                              static_cast<std::uint64_t>(std::max(0, height)), most_pixels);
   const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> pixels(
       stbi_load_from_memory(bytes.data(), size, &width, &height, &channels, 4), stbi_image_free);
   if (!pixels) throw ImageError(std::string("damaged picture: ") + stbi_failure_reason());
-  Image image(width, height, 4);
-  std::copy_n(pixels.get(), image.pixels.size(), image.pixels.begin());
-  return image;
+  const std::size_t row_size = 4 * static_cast<std::size_t>(width);
+  RowAverager rows(width, height, shrink);
+  for (int y = 0; y < height; ++y) {
+    rows.Add({pixels.get() + row_size * static_cast<std::size_t>(y), row_size});
+  }
+  return rows.Take();
 }
 
 }  // namespace bulletnav::sim

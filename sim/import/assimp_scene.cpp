@@ -5,6 +5,8 @@
 #include <map>
 #include <new>
 #include <optional>
+#include <span>
+#include <string_view>
 
 #include <assimp/Importer.hpp>
 #include <assimp/material.h>
@@ -14,6 +16,7 @@
 #include "sim/base/elementary.h"
 #include "sim/base/error.h"
 #include "sim/base/files.h"
+#include "sim/image/decode.h"
 #include "sim/import/cpu_time.h"
 #include "sim/import/mesh_file_check.h"
 #include "sim/import/mesh_io.h"
@@ -25,6 +28,7 @@ namespace {
 constexpr const char* kNoTriangles =
     "holds no triangles; is it a point cloud? Export the scene's surfaces as a mesh";
 constexpr std::size_t kMaxTriangles = 100'000'000;
+constexpr int kSecondsAPicture = 9;  // one of 16,384 x 16,384 pixels may be a small file
 
 std::uint8_t ToByte(float value) {
   return static_cast<std::uint8_t>(std::lround(255.0f * std::min(std::max(value, 0.0f), 1.0f)));
@@ -36,7 +40,7 @@ std::uint8_t EncodeSrgb(float linear) {
   return ToByte(x <= 0.0031308f ? 12.92f * x : 1.055f * Pow(x, 1.0f / 2.4f) - 0.055f);
 }
 
-/// Converts one assimp scene; materials and textures first, then the meshes node by node.
+/// Converts one assimp scene; materials first, then the meshes node by node.
 class Converter {
  public:
   Converter(const aiScene& scene, const std::filesystem::path& file, ImportReport* report)
@@ -45,7 +49,6 @@ class Converter {
   SceneMesh Convert() {
     for (unsigned i = 0; i < scene_.mNumMaterials; ++i) AddMaterial(*scene_.mMaterials[i]);
     if (mesh_.materials.empty()) mesh_.materials.push_back({"default", kWhite, -1});
-    report_.textures_found = mesh_.textures.size();
     AddNode(*scene_.mRootNode, aiMatrix4x4(), 0);
     if (other_primitives_ > 0) {
       report_.skipped.push_back(std::to_string(other_primitives_) + " points or lines");
@@ -71,53 +74,18 @@ class Converter {
       aiString name;
       if (source.GetTexture(type, 0, &name) != AI_SUCCESS || name.length == 0) continue;
       material.texture = AddTexture(name.C_Str());
-      // A black factor under a picture is an exporter's habit, not a wish; and where the picture is
-      // missing, grey is easier to live with than a white hole.
-      const bool is_black = material.base_color == Rgb8{0, 0, 0};
-      if (material.texture >= 0 && is_black) material.base_color = kWhite;
-      if (material.texture < 0) material.base_color = {160, 160, 160};
+      // A black factor under a picture is an exporter's habit, not a wish.
+      if (material.base_color == Rgb8{0, 0, 0}) material.base_color = kWhite;
       break;
     }
     mesh_.materials.push_back(material);
   }
 
   int AddTexture(const std::string& name) {
-    const auto [place, is_new] = texture_of_name_.try_emplace(name, -1);
-    if (!is_new) return place->second;
-    try {
-      Texture texture{name, LoadTexture(name)};
-      place->second = static_cast<int>(mesh_.textures.size());
-      mesh_.textures.push_back(std::move(texture));
-    } catch (const std::runtime_error& e) {
-      report_.textures_missing.push_back(name + ": " + e.what());
-    }
+    const auto next = static_cast<int>(mesh_.textures.size());
+    const auto [place, is_new] = texture_of_name_.try_emplace(name, next);
+    if (is_new) mesh_.textures.push_back({name, {}});
     return place->second;
-  }
-
-  Image LoadTexture(const std::string& name) const {
-    if (const aiTexture* embedded = scene_.GetEmbeddedTexture(name.c_str())) {
-      return DecodeEmbedded(*embedded);
-    }
-    const auto path = FindTextureFile(file_, name);
-    if (!path) throw ImageError("file not found");
-    AllowCpuSeconds(SecondsToRead(*path));
-    return DecodeImage(ReadFile(*path));
-  }
-
-  static Image DecodeEmbedded(const aiTexture& texture) {
-    if (texture.mHeight == 0) {
-      const auto* bytes = reinterpret_cast<const std::uint8_t*>(texture.pcData);
-      return DecodeImage(std::span(bytes, texture.mWidth));
-    }
-    const std::size_t pixels = static_cast<std::size_t>(texture.mWidth) * texture.mHeight;
-    if (pixels > 64'000'000) throw ImageError("more than 64 million pixels");
-    Image image(static_cast<int>(texture.mWidth), static_cast<int>(texture.mHeight), 4);
-    for (std::size_t i = 0; i < pixels; ++i) {
-      const aiTexel& t = texture.pcData[i];
-      const std::array<std::uint8_t, 4> rgba = {t.r, t.g, t.b, t.a};
-      std::copy(rgba.begin(), rgba.end(), &image.pixels[4 * i]);
-    }
-    return image;
   }
 
   void AddNode(const aiNode& node, const aiMatrix4x4& parent, int depth) {
@@ -182,6 +150,46 @@ class Converter {
   std::size_t other_primitives_ = 0;
 };
 
+/// Where the same textures are in a format that is read.
+std::string BasisRemedy(const std::filesystem::path& mesh) {
+  constexpr std::string_view kBasis = ".basis";
+  std::string stem = mesh.stem().string();
+  if (!stem.ends_with(kBasis)) {
+    return "convert the mesh: gltf-transform ktxdecompress " + mesh.filename().string() + " " +
+           stem + ".png.glb";
+  }
+  stem.resize(stem.size() - kBasis.size());
+  const std::string plain = stem + ".glb";
+  std::error_code ignored;
+  if (std::filesystem::exists(mesh.parent_path() / plain, ignored)) {
+    return "take " + plain + ", which lies beside it";
+  }
+  return "take " + plain + ", which HM3D's archives called hm3d-...-glb hold";
+}
+
+Image DecodeTexture(std::span<const std::uint8_t> bytes, const std::filesystem::path& mesh) {
+  if (IsKtx(bytes)) {
+    throw ImageError("is in Basis Universal (KTX2), which is not read; " + BasisRemedy(mesh));
+  }
+  return DecodeImage(bytes);
+}
+
+Image DecodeEmbedded(const aiTexture& texture, const std::filesystem::path& mesh) {
+  if (texture.mHeight == 0) {
+    const auto* bytes = reinterpret_cast<const std::uint8_t*>(texture.pcData);
+    return DecodeTexture(std::span(bytes, texture.mWidth), mesh);
+  }
+  const std::size_t pixels = static_cast<std::size_t>(texture.mWidth) * texture.mHeight;
+  if (pixels > kMostKeptPixels) throw ImageError("has more than 8192 x 8192 pixels");
+  Image image(static_cast<int>(texture.mWidth), static_cast<int>(texture.mHeight), 4);
+  for (std::size_t i = 0; i < pixels; ++i) {
+    const aiTexel& t = texture.pcData[i];
+    const std::array<std::uint8_t, 4> rgba = {t.r, t.g, t.b, t.a};
+    std::copy(rgba.begin(), rgba.end(), &image.pixels[4 * i]);
+  }
+  return image;
+}
+
 /// assimp's reason, with a remedy.
 std::string WhyNoScene(std::string reason) {
   if (reason.find("No meshes remaining") != std::string::npos) return kNoTriangles;
@@ -192,28 +200,42 @@ std::string WhyNoScene(std::string reason) {
 
 }  // namespace
 
-SceneMesh ReadWithAssimp(const std::filesystem::path& file, std::span<const std::uint8_t> content,
-                         ImportReport* report) {
-  Assimp::Importer importer;
-  importer.SetIOHandler(
-      new MeshIo(file, content));  // NOLINT(cppcoreguidelines-owning-memory): it takes it
-  importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
-                              aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-  const aiScene* scene = nullptr;
+AssimpScene::AssimpScene(const std::filesystem::path& file, const CheckedMeshFile& checked)
+    : file_(file), importer_(std::make_unique<Assimp::Importer>()) {
+  importer_->SetIOHandler(
+      new MeshIo(file, checked));  // NOLINT(cppcoreguidelines-owning-memory): it takes it
+  importer_->SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
+                                aiPrimitiveType_POINT | aiPrimitiveType_LINE);
   try {
-    scene = importer.ReadFile(file.string(), aiProcess_Triangulate | aiProcess_SortByPType);
+    scene_ = importer_->ReadFile(file.string(), aiProcess_Triangulate | aiProcess_SortByPType);
   } catch (const std::bad_alloc&) {
     throw FileError(file, "", "asks for more memory than there is; the file is damaged");
   } catch (const std::exception& e) {
     throw FileError(file, "", std::string("is damaged: ") + e.what());
   }
-  if (scene == nullptr) {
-    throw FileError(file, "", WhyNoScene(importer.GetErrorString()));
+  if (scene_ == nullptr) {
+    throw FileError(file, "", WhyNoScene(importer_->GetErrorString()));
   }
-  if (scene->mRootNode == nullptr || scene->mNumMeshes == 0) {
+  if (scene_->mRootNode == nullptr || scene_->mNumMeshes == 0) {
     throw FileError(file, "", kNoTriangles);
   }
-  return Converter(*scene, file, report).Convert();
+}
+
+AssimpScene::~AssimpScene() = default;
+
+SceneMesh AssimpScene::Convert(ImportReport* report) const {
+  return Converter(*scene_, file_, report).Convert();
+}
+
+Image AssimpScene::LoadTexture(const std::string& name) const {
+  AllowCpuSeconds(kSecondsAPicture);
+  if (const aiTexture* embedded = scene_->GetEmbeddedTexture(name.c_str())) {
+    return DecodeEmbedded(*embedded, file_);
+  }
+  const auto path = FindTextureFile(file_, name);
+  if (!path) throw ImageError("file not found");
+  AllowCpuSeconds(SecondsToRead(*path));
+  return DecodeTexture(ReadFile(*path), file_);
 }
 
 }  // namespace bulletnav::sim

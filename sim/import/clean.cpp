@@ -33,11 +33,13 @@ std::size_t Filter(SceneMesh* mesh, const std::function<bool(const Triangle&)>& 
     if (!keep(mesh->triangles[i])) continue;
     mesh->triangles[kept] = mesh->triangles[i];
     mesh->triangle_materials[kept] = mesh->triangle_materials[i];
+    if (mesh->has_objects()) mesh->triangle_objects[kept] = mesh->triangle_objects[i];
     ++kept;
   }
   const std::size_t dropped = mesh->triangles.size() - kept;
   mesh->triangles.resize(kept);
   mesh->triangle_materials.resize(kept);
+  if (mesh->has_objects()) mesh->triangle_objects.resize(kept);
   return dropped;
 }
 
@@ -172,7 +174,7 @@ void CheckExtent(const std::filesystem::path& file, const SceneMesh& mesh) {
     throw FileError(
         file, "",
         fmt::format("is {:.3g} m wide, which no building is; if it is not in metres, give "
-                    "--scale (0.001 for millimetres)",
+                    "--scale (0.001 for millimetres; in a config: import.scale)",
                     extent));
   }
   if (offset <= kMaxOffset) return;

@@ -3,15 +3,17 @@
 
 #include <deque>
 #include <limits>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "sim/base/error.h"
 #include "sim/base/files.h"
+#include "sim/import/gltf_decode.h"
 #include "sim/import/gltf_document.h"
+#include "sim/import/gltf_objects.h"
 #include "sim/import/mesh_file_check.h"
+#include "sim/import/meshopt.h"
 #include "sim/import/uri.h"
 
 namespace bulletnav::sim {
@@ -36,8 +38,13 @@ class GltfChecker {
     for (std::size_t i = 0; i < gltf_.Array("images").size(); ++i) CheckImage(i);
     CheckReferences();
     CheckNodes();
-    CheckMaterials(&checked->ignored);
-    checked->content = gltf_.WithIntegers();
+    CheckMaterials();
+    TellIgnored(&checked->ignored);
+    checked->objects = ReadGltfObjects(gltf_, view_data_);
+    DecodedGltf decoded = DecodeGltf(gltf_, view_data_, decompressed_);
+    if (!decoded.is_changed && !gltf_.counts_in_floats()) return;
+    checked->content = gltf_.With(std::move(decoded.json));
+    checked->decoded = std::move(decoded.buffer);
   }
 
  private:
@@ -46,11 +53,20 @@ class GltfChecker {
     const std::string place = Place("buffers", i);
     const std::uint64_t length = gltf_.Count(buffer, "byteLength", place);
     const Bytes data = BufferData(buffer, i, place);
+    if (data.empty() && IsFallback(buffer)) {
+      buffer_data_.emplace_back();
+      return;
+    }
     if (length > data.size()) {
       gltf_.Fail(place, "needs " + std::to_string(length) + " bytes of which " + Holder(buffer) +
                             " holds " + std::to_string(data.size()));
     }
     buffer_data_.push_back(data.first(length));
+  }
+
+  /// A buffer that is there only in name, for readers that do not know the extension.
+  static bool IsFallback(const Json& buffer) {
+    return !buffer.contains("uri") && ExtensionOf(buffer, kMeshopt) != nullptr;
   }
 
   Bytes BufferData(const Json& buffer, std::size_t i, const std::string& place) {
@@ -79,6 +95,14 @@ class GltfChecker {
   void CheckBufferView(std::size_t i) {
     const Json& view = gltf_.Item("bufferViews", i);
     const std::string place = Place("bufferViews", i);
+    decompressed_.push_back(false);
+    if (const Json* packed = ExtensionOf(view, kMeshopt)) {
+      const auto& data = loaded_.emplace_back(
+          DecodeMeshopt(gltf_, *packed, buffer_data_, place + ".extensions." + kMeshopt));
+      view_data_.push_back(*data);
+      decompressed_.back() = true;
+      return;
+    }
     const auto buffer = gltf_.Reference(view, "buffer", "buffers", place);
     if (!buffer) gltf_.Fail(place, "has no 'buffer'");
     const std::uint64_t offset = gltf_.Count(view, "byteOffset", place, 0);
@@ -88,38 +112,12 @@ class GltfChecker {
     view_data_.push_back(data.subspan(offset, length));
   }
 
-  std::size_t ComponentSize(const Json& accessor, const std::string& place) const {
-    switch (gltf_.Count(accessor, "componentType", place)) {
-      case 5120:
-      case 5121:
-        return 1;
-      case 5122:
-      case 5123:
-        return 2;
-      case 5125:
-      case 5126:
-        return 4;
-      default:
-        gltf_.Fail(place + ".componentType", "is not one of glTF's");
-    }
-  }
-
-  std::size_t Components(const Json& accessor, const std::string& place) const {
-    static const std::map<std::string, std::size_t> components = {
-        {"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4},
-        {"MAT2", 4},   {"MAT3", 9}, {"MAT4", 16}};
-    const auto type = accessor.find("type");
-    if (type == accessor.end() || !type->is_string()) gltf_.Fail(place, "has no 'type'");
-    const auto found = components.find(type->get<std::string>());
-    if (found == components.end()) gltf_.Fail(place + ".type", "is not one of glTF's");
-    return found->second;
-  }
-
   void CheckAccessor(std::size_t i) {
     const Json& accessor = gltf_.Item("accessors", i);
     const std::string place = Place("accessors", i);
     const std::uint64_t count = gltf_.Count(accessor, "count", place);
-    const std::size_t size = ComponentSize(accessor, place) * Components(accessor, place);
+    const std::size_t size =
+        gltf_.ComponentSize(accessor, place) * gltf_.Components(accessor, place);
     const auto view = gltf_.Reference(accessor, "bufferView", "bufferViews", place);
     if (!view || count == 0) return;
     const Json& view_json = gltf_.Item("bufferViews", *view);
@@ -148,6 +146,12 @@ class GltfChecker {
   }
 
   void CheckPrimitive(const Json& primitive, const std::string& place) {
+    if (ExtensionOf(primitive, "KHR_draco_mesh_compression") != nullptr) {
+      throw FileError(
+          file_, place,
+          "is compressed by Draco (KHR_draco_mesh_compression), which is not read; open "
+          "the file in Blender and export it as glTF 2.0 without compression");
+    }
     gltf_.Reference(primitive, "material", "materials", place);
     const auto attributes = primitive.find("attributes");
     if (attributes == primitive.end() || !attributes->is_object()) {
@@ -171,7 +175,7 @@ class GltfChecker {
     const auto view = gltf_.Reference(accessor, "bufferView", "bufferViews", place);
     if (!view || accessor.contains("sparse")) return;
     const std::string name = Place("accessors", i);
-    const std::size_t size = ComponentSize(accessor, name);
+    const std::size_t size = gltf_.ComponentSize(accessor, name);
     const std::uint64_t offset = gltf_.Count(accessor, "byteOffset", name, 0);
     const std::uint64_t stride = gltf_.Count(gltf_.Item("bufferViews", *view), "byteStride",
                                              Place("bufferViews", *view), size);
@@ -200,33 +204,25 @@ class GltfChecker {
   }
 
   /// Only what is drawn of a material: its colour.
-  void CheckMaterials(std::vector<std::string>* ignored) const {
-    int transforms = 0;
-    int other_coordinates = 0;
+  void CheckMaterials() const {
     for (std::size_t i = 0; i < gltf_.Array("materials").size(); ++i) {
-      const Json* texture = Member(gltf_.Item("materials", i), "pbrMetallicRoughness");
-      if (texture != nullptr) texture = Member(*texture, "baseColorTexture");
+      const Json* texture = MemberOf(gltf_.Item("materials", i), "pbrMetallicRoughness");
+      if (texture != nullptr) texture = MemberOf(*texture, "baseColorTexture");
       if (texture == nullptr) continue;
       const std::string place = Place("materials", i) + ".baseColorTexture";
       gltf_.Reference(*texture, "index", "textures", place);
-      if (gltf_.Count(*texture, "texCoord", place, 0) != 0) ++other_coordinates;
-      const Json* extensions = Member(*texture, "extensions");
-      if (extensions != nullptr && extensions->contains("KHR_texture_transform")) ++transforms;
-    }
-    if (transforms > 0) {
-      ignored->push_back(std::to_string(transforms) +
-                         " transforms of textures (KHR_texture_transform)");
-    }
-    if (other_coordinates > 0) {
-      ignored->push_back(std::to_string(other_coordinates) +
-                         " textures' choices of other coordinates (texCoord)");
+      gltf_.Count(*texture, "texCoord", place, 0);
     }
   }
 
-  /// An object in an object, or null.
-  static const Json* Member(const Json& object, const char* key) {
-    const auto found = object.find(key);
-    return found != object.end() && found->is_object() ? &*found : nullptr;
+  /// What the file cannot be understood without, by its own word, and is read without.
+  void TellIgnored(std::vector<std::string>* ignored) const {
+    for (const Json& name : gltf_.Array("extensionsRequired")) {
+      if (!name.is_string()) gltf_.Fail("extensionsRequired", "holds what is no text");
+      const auto& text = name.get_ref<const std::string&>();
+      if (IsReadExtension(text)) continue;
+      ignored->push_back("extension " + text + ", which the file says it requires");
+    }
   }
 
   /// A node with two parents, or one that is its own ancestor, would be walked without end.
@@ -271,6 +267,7 @@ class GltfChecker {
   std::deque<std::optional<std::vector<std::uint8_t>>> loaded_;  // what buffer_data_ lends
   std::vector<Bytes> buffer_data_;
   std::vector<Bytes> view_data_;
+  std::vector<bool> decompressed_;  // by view
 };
 
 }  // namespace

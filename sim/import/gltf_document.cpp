@@ -2,6 +2,7 @@
 #include "sim/import/gltf_document.h"
 
 #include <cmath>
+#include <map>
 
 #include "sim/base/error.h"
 
@@ -94,10 +95,8 @@ std::string GltfDocument::Place(const std::string& name, std::size_t i) {
   return name + "[" + std::to_string(i) + "]";
 }
 
-std::vector<std::uint8_t> GltfDocument::WithIntegers() const {
-  if (!counts_in_floats_) return {};
-  Json json = json_;
-  MakeIntegers(&json);
+std::vector<std::uint8_t> GltfDocument::With(Json json) const {
+  if (counts_in_floats_) MakeIntegers(&json);
   std::string text = json.dump();
   text.resize((text.size() + 3) / 4 * 4, ' ');
   const Bytes text_bytes(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
@@ -174,6 +173,42 @@ std::vector<std::size_t> GltfDocument::Nodes(const Json& object, const char* key
     nodes.push_back(node);
   }
   return nodes;
+}
+
+std::size_t GltfDocument::ComponentSize(const Json& accessor, const std::string& place) const {
+  switch (Count(accessor, "componentType", place)) {
+    case 5120:
+    case 5121:
+      return 1;
+    case 5122:
+    case 5123:
+      return 2;
+    case 5125:
+    case 5126:
+      return 4;
+    default:
+      Fail(place + ".componentType", "is not one of glTF's");
+  }
+}
+
+std::size_t GltfDocument::Components(const Json& accessor, const std::string& place) const {
+  static const std::map<std::string, std::size_t> components = {
+      {"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT2", 4}, {"MAT3", 9}, {"MAT4", 16}};
+  const auto type = accessor.find("type");
+  if (type == accessor.end() || !type->is_string()) Fail(place, "has no 'type'");
+  const auto found = components.find(type->get<std::string>());
+  if (found == components.end()) Fail(place + ".type", "is not one of glTF's");
+  return found->second;
+}
+
+const nlohmann::json* MemberOf(const nlohmann::json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_object() ? &*found : nullptr;
+}
+
+const nlohmann::json* ExtensionOf(const nlohmann::json& object, const char* name) {
+  const nlohmann::json* extensions = MemberOf(object, "extensions");
+  return extensions == nullptr ? nullptr : MemberOf(*extensions, name);
 }
 
 }  // namespace bulletnav::sim

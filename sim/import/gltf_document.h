@@ -44,9 +44,15 @@ class GltfDocument {
   std::vector<std::size_t> Nodes(const Json& object, const char* key,
                                  const std::string& place) const;
 
-  /// The same file with 1 for 1.0, if something that counts was written so: legal JSON, of which
-  /// assimp believes that nothing is there. Empty if it was not.
-  std::vector<std::uint8_t> WithIntegers() const;
+  /// Bytes of one of an accessor's numbers, and how many of them make an element.
+  std::size_t ComponentSize(const Json& accessor, const std::string& place) const;
+  std::size_t Components(const Json& accessor, const std::string& place) const;
+
+  /// Whether something that counts was written as 1.0: legal JSON, of which assimp believes that
+  /// nothing is there.
+  bool counts_in_floats() const { return counts_in_floats_; }
+  /// The same file with other JSON, in which 1 stands for 1.0 if counts_in_floats.
+  std::vector<std::uint8_t> With(Json json) const;
 
  private:
   Bytes SplitGlb(Bytes bytes);
@@ -59,6 +65,11 @@ class GltfDocument {
   Json json_;
   mutable bool counts_in_floats_ = false;
 };
+
+/// An object in an object, or null.
+const nlohmann::json* MemberOf(const nlohmann::json& object, const char* key);
+/// What an extension says of an object, or null.
+const nlohmann::json* ExtensionOf(const nlohmann::json& object, const char* name);
 
 /// A little-endian number of `size` bytes.
 std::uint64_t ReadUint(std::span<const std::uint8_t> bytes, std::size_t offset, std::size_t size);

@@ -11,7 +11,7 @@
 namespace bulletnav::sim {
 namespace {
 
-constexpr int kSecondsAFile = 3;  // a small file may hold a picture of 64 million pixels
+constexpr int kSecondsAFile = 3;
 constexpr std::uintmax_t kSecondsAMegabyte = 2;
 constexpr std::uintmax_t kMostSeconds = 1'000'000;
 
@@ -37,14 +37,21 @@ std::optional<std::filesystem::path> MeshIo::Find(const std::string& name) const
   return FindByUri(folder_, name.substr(folder.size()));
 }
 
+std::span<const std::uint8_t> MeshIo::InPlaceOf(const std::string& name) const {
+  if (name == mesh_) return checked_.content;
+  const bool is_decoded = std::filesystem::path(name).filename() == kDecodedBuffer;
+  return is_decoded ? std::span<const std::uint8_t>(checked_.decoded)
+                    : std::span<const std::uint8_t>();
+}
+
 bool MeshIo::Exists(const char* name) const {
-  return Find(name).has_value();
+  return !InPlaceOf(name).empty() || Find(name).has_value();
 }
 
 Assimp::IOStream* MeshIo::Open(const char* name, const char* mode) {
-  if (name == mesh_ && !content_.empty()) {
+  if (const std::span<const std::uint8_t> content = InPlaceOf(name); !content.empty()) {
     // NOLINTNEXTLINE(cppcoreguidelines-owning-memory): assimp closes it
-    return new Assimp::MemoryIOStream(content_.data(), content_.size());
+    return new Assimp::MemoryIOStream(content.data(), content.size());
   }
   const auto path = Find(name);
   if (!path) return nullptr;

@@ -8,6 +8,8 @@
 
 #include <assimp/DefaultIOSystem.h>
 
+#include "sim/import/mesh_file_check.h"
+
 namespace bulletnav::sim {
 
 /// Processor time that reading a file of this size may take.
@@ -18,18 +20,20 @@ int SecondsToRead(const std::filesystem::path& file);
 /// mesh's own gives the import more time, once.
 class MeshIo final : public Assimp::DefaultIOSystem {
  public:
-  /// `content`, unless empty, takes the place of what `mesh` holds; lent for the object's life.
-  MeshIo(const std::filesystem::path& mesh, std::span<const std::uint8_t> content)
-      : mesh_(mesh.string()), content_(content), folder_(mesh.parent_path()), timed_{mesh_} {}
+  /// `checked` is lent for the object's life.
+  MeshIo(const std::filesystem::path& mesh, const CheckedMeshFile& checked)
+      : mesh_(mesh.string()), checked_(checked), folder_(mesh.parent_path()), timed_{mesh_} {}
 
   bool Exists(const char* name) const override;
   Assimp::IOStream* Open(const char* name, const char* mode) override;
 
  private:
   std::optional<std::filesystem::path> Find(const std::string& name) const;
+  /// What takes a file's place; empty if nothing does.
+  std::span<const std::uint8_t> InPlaceOf(const std::string& name) const;
 
   std::string mesh_;
-  std::span<const std::uint8_t> content_;
+  const CheckedMeshFile& checked_;
   std::filesystem::path folder_;
   std::set<std::string> timed_;
 };

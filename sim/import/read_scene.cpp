@@ -5,8 +5,8 @@
 
 #include "sim/import/assimp_scene.h"
 #include "sim/import/clean.h"
+#include "sim/import/load_textures.h"
 #include "sim/import/mesh_file_check.h"
-#include "sim/import/texture_limit.h"
 #include "sim/import/up_axis.h"
 
 namespace bulletnav::sim {
@@ -30,6 +30,10 @@ void AddGroundPlane(SceneMesh* mesh) {
   mesh->triangles.push_back({base, base + 1, base + 2});
   mesh->triangles.push_back({base + 2, base + 1, base + 3});
   mesh->triangle_materials.insert(mesh->triangle_materials.end(), 2, material);
+  if (!mesh->has_objects()) return;
+  const auto object = static_cast<std::uint32_t>(mesh->objects.size());
+  mesh->objects.push_back({"ground_plane", "ground_plane_1", ""});
+  mesh->triangle_objects.insert(mesh->triangle_objects.end(), 2, object);
 }
 
 }  // namespace
@@ -39,8 +43,13 @@ ImportedScene ReadScene(const std::filesystem::path& file, const ImportOptions& 
   ImportedScene scene;
   ImportReport& report = scene.report;
   report.skipped = checked.ignored;
-  scene.mesh = ReadWithAssimp(file, checked.content, &report);
+  const AssimpScene source(file, checked);
+  scene.mesh = source.Convert(&report);
   SceneMesh& mesh = scene.mesh;
+  if (checked.objects.of_triangles.size() == mesh.triangles.size()) {
+    mesh.objects = checked.objects.objects;
+    mesh.triangle_objects = checked.objects.of_triangles;
+  }
   if (options.scale != 1.0) {
     for (Eigen::Vector3f& p : mesh.positions) p *= static_cast<float>(options.scale);
   }
@@ -48,7 +57,7 @@ ImportedScene ReadScene(const std::filesystem::path& file, const ImportOptions& 
   if (report.up_axis == UpAxis::kZ) TurnZUpToYUp(&mesh);
   CleanMesh(file, &mesh, &report);
   if (options.ground_plane) AddGroundPlane(&mesh);
-  LimitTextures(&mesh);
+  LoadTextures(source, &mesh, &report);
   mesh.Validate();
   report.triangles = mesh.triangles.size();
   report.materials =

@@ -83,17 +83,25 @@ struct Navmesh::Impl {
   const dtMeshTile& tile() const { return *static_cast<const dtNavMesh&>(*detour).getTile(0); }
   int polygon_count() const { return tile().header->polyCount; }
 
+  /// As the filters of queries see it.
+  bool IsFloor(int i) const { return tile().polys[i].flags != 0; }
+
   /// Polygons joined through their links, numbered by falling area.
   void FindIslands() {
     std::vector<int> parent(static_cast<std::size_t>(polygon_count()));
     std::iota(parent.begin(), parent.end(), 0);
     for (int i = 0; i < polygon_count(); ++i) {
+      if (!IsFloor(i)) continue;
       for (unsigned k = tile().polys[i].firstLink; k != DT_NULL_LINK; k = tile().links[k].next) {
         const auto other = static_cast<int>(detour->decodePolyIdPoly(tile().links[k].ref));
-        parent[static_cast<std::size_t>(Root(&parent, i))] = Root(&parent, other);
+        if (IsFloor(other)) {
+          parent[static_cast<std::size_t>(Root(&parent, i))] = Root(&parent, other);
+        }
       }
     }
-    for (int i = 0; i < polygon_count(); ++i) island_of_polygon.push_back(Root(&parent, i));
+    for (int i = 0; i < polygon_count(); ++i) {
+      island_of_polygon.push_back(IsFloor(i) ? Root(&parent, i) : -1);
+    }
   }
 
   Vec DetailCorner(const dtPoly& polygon, const dtPolyDetail& detail, unsigned char k) const {
@@ -105,7 +113,9 @@ struct Navmesh::Impl {
   }
 
   void CollectTriangles() {
-    for (int i = 0; i < polygon_count(); ++i) CollectTrianglesOf(i);
+    for (int i = 0; i < polygon_count(); ++i) {
+      if (IsFloor(i)) CollectTrianglesOf(i);
+    }
     RenumberIslands();
     MeasureIslands();
   }
@@ -142,7 +152,9 @@ struct Navmesh::Impl {
     for (std::size_t n = 0; n < roots.size(); ++n) {
       number[static_cast<std::size_t>(roots[n])] = static_cast<int>(n);
     }
-    for (int& island : island_of_polygon) island = number[static_cast<std::size_t>(island)];
+    for (int& island : island_of_polygon) {
+      if (island >= 0) island = number[static_cast<std::size_t>(island)];
+    }
     for (int& island : islands_of_triangles) island = number[static_cast<std::size_t>(island)];
     islands.resize(roots.size());
   }

@@ -14,7 +14,7 @@
 
 namespace bulletnav::sim {
 
-/// Recast's settings. Defaults: habitat-sim's, for the standard body.
+/// Recast's settings, and what counts as floor. Defaults: habitat-sim's, for the standard body.
 struct NavmeshSpec {
   float cell_size = 0.05f;
   float cell_height = 0.2f;
@@ -29,6 +29,12 @@ struct NavmeshSpec {
   int verts_per_poly = 6;
   float detail_sample_distance = 6.0f;
   float detail_sample_max_error = 1.0f;
+  /// Leaves out what is no floor of a building: the outdoors, roofs, tops of furniture (see
+  /// Navmesh). False: all that Recast finds, as Habitat has it; for scenes cut open. Not in records
+  /// unless it is given.
+  std::optional<bool> indoor_only = {};
+
+  bool is_indoor() const { return indoor_only.value_or(true); }
 
   template <class V>
   void Visit(V& v) {
@@ -45,6 +51,7 @@ struct NavmeshSpec {
     v("verts_per_poly", verts_per_poly);
     v("detail_sample_distance", detail_sample_distance);
     v("detail_sample_max_error", detail_sample_max_error);
+    v("indoor_only", indoor_only);
   }
   void Validate() const;
 };
@@ -64,9 +71,11 @@ struct Path {
 /// Where the body can stand and how far it is from there to there: ground truth for episodes and
 /// metrics, never for agents or for motion. Immutable; threads share it and each make a query.
 /// Heights are those of Recast's cells (cell_height) and may lie 0.2 to 0.4 m beside the mesh; the
-/// body finds the floor itself (CapsuleBody::Reset). The tops of beds and tables are floor too:
-/// islands of their own. Triangles count as floor by the side that their corners wind
-/// counter-clockwise on. Source: Recast/Detour.
+/// body finds the floor itself (CapsuleBody::Reset). Triangles count as floor by the side that
+/// their corners wind counter-clockwise on. Source: Recast/Detour. Floor is what a body can stand
+/// on indoors: under something or, where there is no ceiling, with walls around; on every storey.
+/// No roofs (uncovered, floor below, no way up), no tops of furniture, no outdoors; but all of it
+/// in open scenes, of which next to nothing is indoors. NavmeshSpec::indoor_only turns this off.
 class Navmesh {
  public:
   /// Throws Error, with the remedy, if the mesh is too large for Recast.
@@ -115,8 +124,8 @@ class NavmeshQuery {
   std::optional<Path> FindPath(const Eigen::Vector3f& from, const Eigen::Vector3f& to) const;
   /// Its length; infinite where there is none.
   double GeodesicDistance(const Eigen::Vector3f& from, const Eigen::Vector3f& to) const;
-  /// A point drawn evenly from the area of one island, or of all of them, furniture too, if
-  /// `island` is -1. Expects: some walkable floor, -1 <= island < islands (checked).
+  /// A point drawn evenly from the area of one island, or of all of them, if `island` is -1.
+  /// Expects: some walkable floor, -1 <= island < islands (checked).
   Eigen::Vector3f RandomPoint(Rng* rng, int island = -1) const;
 
  private:

@@ -12,6 +12,8 @@
 
 #include "sim/base/elementary.h"
 #include "sim/base/error.h"
+#include "sim/navmesh/indoors.h"
+#include "sim/navmesh/tops.h"
 
 namespace bulletnav::sim {
 namespace {
@@ -102,10 +104,10 @@ class RecastBuilder {
     config_.width = std::max(1, config_.width);
     config_.height = std::max(1, config_.height);
     if (std::int64_t{config_.width} * config_.height > kMaxCells) {
-      throw Error(
-          fmt::format("the scene is {:.0f} x {:.0f} m, too large for a navmesh of {} m cells; "
-                      "cut it up, or give --scale if it is not in metres",
-                      box.sizes().x(), box.sizes().z(), cs));
+      throw Error(fmt::format(
+          "the scene is {:.0f} x {:.0f} m, too large for a navmesh of {} m cells; "
+          "cut it up, or give --scale (in a config: import.scale) if it is not in metres",
+          box.sizes().x(), box.sizes().z(), cs));
     }
   }
 
@@ -137,17 +139,26 @@ class RecastBuilder {
     Require(rcBuildCompactHeightfield(&context_, config_.walkableHeight, config_.walkableClimb,
                                       *heights_, *compact_),
             "compact its grid");
-    heights_.reset();
     if (compact_->spanCount >= kMaxSpans) {
-      throw Error(
-          fmt::format("the scene has more floor than one navmesh of {} m cells holds ({}); "
-                      "cut it up, or give --scale if it is not in metres",
-                      config_.cs, kMaxSpans));
+      throw Error(fmt::format(
+          "the scene has more floor than one navmesh of {} m cells holds ({}); "
+          "cut it up, or give --scale (in a config: import.scale) if it is not in metres",
+          config_.cs, kMaxSpans));
+    }
+    std::vector<Surroundings> surroundings;
+    if (spec_.is_indoor()) {
+      surroundings = LookAround(*heights_, *compact_);
+      KeepIndoors(surroundings, compact_.get());
     }
     Require(rcErodeWalkableArea(&context_, config_.walkableRadius, *compact_), "erode");
     Require(rcBuildDistanceField(&context_, *compact_), "measure distances");
     Require(rcBuildRegions(&context_, *compact_, 0, config_.minRegionArea, config_.mergeRegionArea),
             "find regions");
+    if (spec_.is_indoor()) {
+      is_off_floor_ =
+          RegionsOffTheFloor(*heights_, *compact_, surroundings, config_.walkableRadius);
+    }
+    heights_.reset();
   }
 
   void Trace() {
@@ -163,7 +174,8 @@ class RecastBuilder {
                                   config_.detailSampleMaxError, *detail_),
             "add detail");
     for (int i = 0; i < polygons_->npolys; ++i) {
-      polygons_->flags[i] = polygons_->areas[i] == RC_WALKABLE_AREA ? kWalkableFlag : 0;
+      const bool is_floor = is_off_floor_.empty() || !is_off_floor_[polygons_->regs[i]];
+      polygons_->flags[i] = polygons_->areas[i] == RC_WALKABLE_AREA && is_floor ? kWalkableFlag : 0;
     }
   }
 
@@ -203,6 +215,7 @@ class RecastBuilder {
   rcContext context_{false};
   rcConfig config_{};
   Owned<rcHeightfield> heights_;
+  std::vector<bool> is_off_floor_;  // by region; empty if all are floor
   Owned<rcCompactHeightfield> compact_;
   Owned<rcPolyMesh> polygons_;
   Owned<rcPolyMeshDetail> detail_;

@@ -24,6 +24,7 @@ struct RenderMesh {
   std::vector<std::array<Eigen::Vector3f, 3>> corners;
   std::vector<TriangleShading> shading;
   TexturePyramids textures;
+  std::vector<std::uint32_t> objects;  // one a triangle; empty where they are not known
 };
 
 }  // namespace bulletnav::sim

@@ -1,10 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "sim/render/renderer.h"
 
+#include "sim/base/error.h"
 #include "sim/render/cpu/cpu_scene.h"
 #include "sim/render/egl_backend.h"
 
 namespace bulletnav::sim {
+
+void Renderer::RenderObjects(std::span<const CameraPose> /*cameras*/,
+                             std::span<std::uint8_t> /*color*/, std::span<float> /*depth*/,
+                             std::span<std::int32_t> /*objects*/) {
+  throw RenderError(
+      "this renderer cannot tell which objects it sees; take the backend embree, or EGL without a "
+      "graphics processor");
+}
 
 std::unique_ptr<const RenderScene> MakeRenderScene(const SceneMesh& mesh, Backend backend) {
   switch (backend) {

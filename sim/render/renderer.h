@@ -53,6 +53,14 @@ class Renderer {
   virtual void Render(std::span<const CameraPose> cameras, std::span<std::uint8_t> color,
                       std::span<float> depth) = 0;
 
+  /// Whether this kind of renderer can tell which objects it sees.
+  virtual bool sees_objects() const { return false; }
+  /// As Render, and objects i32 [n, rows, cols]: numbers in SceneMesh::objects of what is seen, at
+  /// any distance, 0 where nothing is seen or nothing known. Throws RenderError, naming the remedy,
+  /// unless sees_objects.
+  virtual void RenderObjects(std::span<const CameraPose> cameras, std::span<std::uint8_t> color,
+                             std::span<float> depth, std::span<std::int32_t> objects);
+
  protected:
   Renderer() = default;
 };
@@ -70,6 +78,8 @@ class RenderScene {
   virtual Backend backend() const = 0;
   /// What draws: "Embree 3, AVX-512" or the GL_RENDERER string.
   virtual std::string description() const = 0;
+  /// Whether it is known what its triangles belong to.
+  virtual bool has_objects() const = 0;
   /// Throws Error on a bad spec, RenderError where the device cannot do it.
   virtual std::unique_ptr<Renderer> MakeRenderer(const CameraSpec& spec) const = 0;
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <string>
 
 #include "sim/base/elementary.h"
 #include "sim/math/rng.h"
@@ -163,6 +164,9 @@ class Clutterer {
     }
     const std::uint32_t material =
         mesh_->triangle_materials[static_cast<std::size_t>(rng_.Below(static_cast<int>(count_)))];
+    if (mesh_->has_objects()) {
+      mesh_->objects.push_back({"clutter", "clutter_" + std::to_string(++built_), ""});
+    }
     struct Side {
       std::array<std::size_t, 4> corners;
       int light;  // tenths
@@ -197,12 +201,16 @@ class Clutterer {
     mesh_->triangles.push_back({first, first + 1, first + 2});
     mesh_->triangles.push_back({first, first + 2, first + 3});
     mesh_->triangle_materials.insert(mesh_->triangle_materials.end(), 2, material);
+    if (!mesh_->has_objects()) return;
+    const auto object = static_cast<std::uint32_t>(mesh_->objects.size()) - 1;
+    mesh_->triangle_objects.insert(mesh_->triangle_objects.end(), 2, object);
   }
 
   Rng rng_;
   SceneMesh* mesh_;
   float floor_;
   std::size_t count_;  // of the scene's own triangles
+  int built_ = 0;
   float level_ = 0.0f;
   double floor_area_ = 0.0;
   std::vector<std::size_t> tops_;

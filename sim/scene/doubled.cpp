@@ -48,8 +48,7 @@ void DoubleSurfaces(const Doubled& doubled, std::uint64_t seed, SceneMesh* mesh)
       }
       corner = found->second;
     }
-    mesh->triangles.push_back(corners);
-    mesh->triangle_materials.push_back(std::uint32_t{mesh->triangle_materials[t]});
+    AddTriangleLike(t, corners, mesh);
   }
 }
 

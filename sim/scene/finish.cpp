@@ -215,12 +215,14 @@ void Finish::Validate() const {
       !std::all_of(tint.begin(), tint.end(), is_factor)) {
     throw Error("exposure, contrast, saturation and tint must lie between 0 and 10");
   }
+  repaint.Validate();
   damage.Validate();
 }
 
 void ApplyFinish(const Finish& finish, SceneMesh* mesh) {
   finish.Validate();
   if (finish == Finish{}) return;
+  ApplyRepaint(finish.repaint, mesh);
   if (!finish.ceiling) RemoveCeiling(mesh);
   if (finish.blank_floor) BlankFloor(mesh);
   if (finish.blank_walls) BlankWalls(mesh);

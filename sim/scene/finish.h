@@ -6,6 +6,7 @@
 #include "sim/config/enum_names.h"
 #include "sim/scene/damage.h"
 #include "sim/scene/mesh.h"
+#include "sim/scene/repaint.h"
 
 namespace bulletnav::sim {
 
@@ -33,6 +34,8 @@ struct Finish {
   /// True: they are nearly black.
   bool black_overhead = false;
   Surfaces surfaces = Surfaces::kOriginal;
+  /// Before anything else.
+  Repaint repaint = {};
   /// One grey for all that is level and lies on the floor's height.
   bool blank_floor = false;
   /// White walls: materials of upright faces alone, from below 0.5 m to above 2.2 m, 5 m2 or more.
@@ -53,6 +56,7 @@ struct Finish {
     v("ceiling", ceiling);
     v("black_overhead", black_overhead);
     v("surfaces", surfaces);
+    v("repaint", repaint);
     v("blank_floor", blank_floor);
     v("blank_walls", blank_walls);
     v("baked_light", baked_light);

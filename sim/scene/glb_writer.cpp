@@ -15,6 +15,7 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr int kJpegQuality = 92;
+constexpr const char* kFeatures = "EXT_mesh_features";
 constexpr int kFloat = 5126;
 constexpr int kUnsignedInt = 5125;
 constexpr int kUnsignedShort = 5123;
@@ -29,18 +30,24 @@ double LinearFromSrgb(std::uint8_t value) {
 /// The vertices and triangles of one material, renumbered.
 struct Part {
   std::vector<std::uint32_t> vertices;  // of the whole mesh
+  std::vector<float> objects;           // one a vertex
   std::vector<std::uint32_t> indices;   // into `vertices`
 };
 
 std::vector<Part> SplitByMaterial(const SceneMesh& mesh) {
   std::vector<Part> parts(mesh.materials.size());
-  std::vector<std::unordered_map<std::uint32_t, std::uint32_t>> number(parts.size());
+  // Of a vertex in an object: those that objects share are there once for each.
+  std::vector<std::unordered_map<std::uint64_t, std::uint32_t>> number(parts.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const std::size_t m = mesh.triangle_materials[t];
+    const std::uint32_t object = mesh.has_objects() ? mesh.triangle_objects[t] : 0;
     for (const std::uint32_t v : mesh.triangles[t]) {
       const auto next = static_cast<std::uint32_t>(parts[m].vertices.size());
-      const auto [place, is_new] = number[m].try_emplace(v, next);
-      if (is_new) parts[m].vertices.push_back(v);
+      const auto [place, is_new] = number[m].try_emplace(std::uint64_t{object} << 32 | v, next);
+      if (is_new) {
+        parts[m].vertices.push_back(v);
+        parts[m].objects.push_back(static_cast<float>(object));
+      }
       parts[m].indices.push_back(place->second);
     }
   }
@@ -59,6 +66,7 @@ class GlbEncoder {
   std::vector<std::uint8_t> Encode() {
     json_["asset"] = {{"version", "2.0"}, {"generator", "BulletNav"}};
     json_["extensionsUsed"] = {"KHR_materials_unlit"};
+    if (mesh_.has_objects()) AddObjects();
     json_["scene"] = 0;
     json_["scenes"] = Json::array({{{"nodes", {0}}}});
     json_["nodes"] = Json::array({{{"mesh", 0}}});
@@ -74,6 +82,15 @@ class GlbEncoder {
   }
 
  private:
+  void AddObjects() {
+    json_["extensionsUsed"].push_back(kFeatures);
+    Json& table = json_["extras"]["objects"];
+    for (const SceneObject& object : mesh_.objects) {
+      table.push_back(
+          {{"category", object.category}, {"name", object.name}, {"room", object.room}});
+    }
+  }
+
   void AddMaterials() {  // NOLINT(readability-function-size): one table after the other
     for (const Texture& texture : mesh_.textures) {
       Image rgb(texture.image.width, texture.image.height, 3);
@@ -124,9 +141,16 @@ class GlbEncoder {
     const int color = AddAccessor(colors, kUnsignedShort, "VEC4", n, kArrayBuffer);
     json_["accessors"][static_cast<std::size_t>(color)]["normalized"] = true;
     attributes["COLOR_0"] = color;
-    const int indices =
+    Json primitive = {{"material", material}};
+    if (mesh_.has_objects()) {
+      attributes["_FEATURE_ID_0"] = AddAccessor(part.objects, kFloat, "SCALAR", n, kArrayBuffer);
+      primitive["extensions"][kFeatures]["featureIds"] =
+          Json::array({{{"featureCount", mesh_.objects.size()}, {"attribute", 0}}});
+    }
+    primitive["attributes"] = attributes;
+    primitive["indices"] =
         AddAccessor(part.indices, kUnsignedInt, "SCALAR", part.indices.size(), kElementArrayBuffer);
-    return {{"attributes", attributes}, {"indices", indices}, {"material", material}};
+    return primitive;
   }
 
   template <class T>

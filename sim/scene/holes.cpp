@@ -157,8 +157,7 @@ void AddMirrored(float floor, float level, SceneMesh* mesh) {
       }
     }
     std::swap(corners[1], corners[2]);
-    mesh->triangles.push_back(corners);
-    mesh->triangle_materials.push_back(std::uint32_t{mesh->triangle_materials[t]});
+    AddTriangleLike(t, corners, mesh);
   }
 }
 

@@ -42,6 +42,17 @@ fs::path OwnFolder() {
   return fs::read_symlink("/proc/self/exe", ignored).parent_path();
 }
 
+/// The build folder that a folder is in; empty if it is in none. Looked for rather than built in,
+/// so that what is installed names no place of the machine it was built on.
+fs::path BuildFolder(fs::path folder) {
+  std::error_code unreadable;
+  while (folder.has_relative_path()) {
+    if (fs::exists(folder / "CMakeCache.txt", unreadable)) return folder;
+    folder = folder.parent_path();
+  }
+  return {};
+}
+
 }  // namespace
 
 std::vector<std::string> ToArguments(const fs::path& file, const ImportOptions& options) {
@@ -65,11 +76,11 @@ ImportRequest FromArguments(std::span<const char* const> arguments) {
 
 fs::path ImportProgram() {
   const fs::path own = OwnFolder();
-  const std::array<fs::path, 4> places = {own / kName, own / "../libexec/bulletnav" / kName,
-                                          fs::path(BULLETNAV_BUILT_IN) / kName,
-                                          fs::path(BULLETNAV_LIBEXEC) / kName};
+  const std::array<fs::path, 5> places = {
+      own / kName, own / "../libexec/bulletnav" / kName, BuildFolder(own) / kName,
+      fs::path(BULLETNAV_BUILT_IN) / kName, fs::path(BULLETNAV_LIBEXEC) / kName};
   for (const fs::path& place : places) {
-    if (::access(place.c_str(), X_OK) == 0) return place;
+    if (place.is_absolute() && ::access(place.c_str(), X_OK) == 0) return place;
   }
   throw Error("scenes cannot be read: the program " + places[0].string() +
               " is missing; build or install it again");

@@ -35,8 +35,9 @@ enum class ImportEnd : std::uint8_t {
 };
 
 /// Where the program is: beside the program or shared library that holds this code, in
-/// ../libexec/bulletnav from there, where it was built, where it was installed. Throws Error naming
-/// the first place if it is nowhere.
+/// ../libexec/bulletnav from there, in the build folder that this is in, where it was built as a
+/// part of another project, where it was installed. Throws Error naming the first place if it is
+/// nowhere.
 std::filesystem::path ImportProgram();
 
 }  // namespace bulletnav::sim

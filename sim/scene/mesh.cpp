@@ -47,6 +47,9 @@ void SceneMesh::Validate() const {
   RequireEqual("uvs", uvs.size(), "vertices", positions.size());
   RequireEqual("colors", colors.size(), "vertices", positions.size());
   RequireEqual("triangle_materials", triangle_materials.size(), "triangles", triangles.size());
+  if (has_objects()) {
+    RequireEqual("triangle_objects", triangle_objects.size(), "triangles", triangles.size());
+  }
   for (std::size_t v = 0; v < positions.size(); ++v) {
     if (positions[v].allFinite() && uvs[v].allFinite()) continue;
     throw Error(fmt::format("the mesh's vertex {} is not finite", v));
@@ -56,6 +59,9 @@ void SceneMesh::Validate() const {
       RequireInRange("triangle", t, "vertex", v, positions.size());
     }
     RequireInRange("triangle", t, "material", triangle_materials[t], materials.size());
+    if (has_objects()) {
+      RequireInRange("triangle", t, "object", triangle_objects[t], objects.size());
+    }
   }
   for (std::size_t m = 0; m < materials.size(); ++m) {
     if (materials[m].texture == -1) continue;

@@ -29,6 +29,15 @@ struct Material {
   int texture = -1;  // index into SceneMesh::textures, -1 for none
 };
 
+/// Something that a mesh shows: a piece of furniture, a wall of a room, a door.
+struct SceneObject {
+  std::string category;  // "office_chair", "wall"; empty for what is not known
+  std::string name;      // no other's in the scene: "office_chair_3"
+  std::string room;      // "bedroom_2"; empty for what is in none
+
+  bool operator==(const SceneObject&) const = default;
+};
+
 /// One indoor mesh in the world frame: metres, y up. Everything the other parts are made from:
 /// physics, navmesh and renderers each take what they need and keep no reference.
 /// Arrays of vertices have equal length, so do those of triangles; every triangle has a material;
@@ -42,6 +51,11 @@ struct SceneMesh {
   std::vector<std::uint32_t> triangle_materials;  // one a triangle
   std::vector<Material> materials;                // at least one
   std::vector<Texture> textures;
+  // What triangles belong to; both empty where nobody knows, as in most files of others.
+  std::vector<SceneObject> objects;             // [0] is for what belongs to nothing known
+  std::vector<std::uint32_t> triangle_objects;  // one a triangle, index into objects
+
+  bool has_objects() const { return !triangle_objects.empty(); }
 
   /// Box around the vertices that triangles use; empty if there is no triangle.
   Eigen::AlignedBox3f Bounds() const;

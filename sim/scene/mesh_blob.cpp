@@ -103,6 +103,10 @@ void Fields(S& item, Archive& archive) {
     archive(item.name);
     archive(item.base_color);
     archive(item.texture);
+  } else if constexpr (std::is_same_v<T, SceneObject>) {
+    archive(item.category);
+    archive(item.name);
+    archive(item.room);
   } else {
     static_assert(std::is_same_v<T, ImportedScene>);
     archive(item.mesh.positions);
@@ -112,6 +116,8 @@ void Fields(S& item, Archive& archive) {
     archive(item.mesh.triangle_materials);
     archive(item.mesh.materials);
     archive(item.mesh.textures);
+    archive(item.mesh.objects);
+    archive(item.mesh.triangle_objects);
     archive(item.report.triangles);
     archive(item.report.materials);
     archive(item.report.textures_found);

@@ -12,6 +12,7 @@ namespace {
 constexpr float kLevel = 0.9f;        // vertical part of a level face's normal, at least
 constexpr float kOnTheFloor = 0.15f;  // metres
 constexpr float kFloorStep = 0.1f;    // metres that heights are counted in
+constexpr double kFloorShare = 0.5;   // of the largest level's area: a roof may be larger than it
 constexpr double kLightest = 255.0;
 
 std::array<float, 3> HeightsOf(const SceneMesh& mesh, std::size_t triangle) {
@@ -64,7 +65,10 @@ float FloorHeight(const SceneMesh& mesh) {
   const auto most = std::max_element(areas.begin(), areas.end(), [](const auto& a, const auto& b) {
     return a.second < b.second;
   });
-  return (static_cast<float>(most->first) + 0.5f) * kFloorStep;
+  const auto floor = std::find_if(areas.begin(), areas.end(), [&](const auto& level) {
+    return level.second >= kFloorShare * most->second;
+  });
+  return (static_cast<float>(floor->first) + 0.5f) * kFloorStep;
 }
 
 bool IsOnTheFloor(const SceneMesh& mesh, std::size_t triangle, float floor) {
@@ -104,10 +108,20 @@ void KeepTriangles(const std::vector<char>& kept, SceneMesh* mesh) {
     if (kept[t] == 0) continue;
     mesh->triangles[end] = mesh->triangles[t];
     mesh->triangle_materials[end] = mesh->triangle_materials[t];
+    if (mesh->has_objects()) mesh->triangle_objects[end] = mesh->triangle_objects[t];
     ++end;
   }
   mesh->triangles.resize(end);
   mesh->triangle_materials.resize(end);
+  if (mesh->has_objects()) mesh->triangle_objects.resize(end);
+}
+
+void AddTriangleLike(std::size_t triangle, const std::array<std::uint32_t, 3>& corners,
+                     SceneMesh* mesh) {
+  mesh->triangles.push_back(corners);
+  mesh->triangle_materials.push_back(std::uint32_t{mesh->triangle_materials[triangle]});
+  if (!mesh->has_objects()) return;
+  mesh->triangle_objects.push_back(std::uint32_t{mesh->triangle_objects[triangle]});
 }
 
 }  // namespace bulletnav::sim

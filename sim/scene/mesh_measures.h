@@ -22,7 +22,8 @@ bool IsLevel(const SceneMesh& mesh, std::size_t triangle);
 float LowestOf(const SceneMesh& mesh, std::size_t triangle);
 float HighestOf(const SceneMesh& mesh, std::size_t triangle);
 
-/// Height at which most area faces up: the floor, in scenes of one storey. Metres.
+/// The lowest height at which at least half as much area faces up as where most does: the floor, of
+/// the lowest storey, also below a ceiling or a roof that faces up. Metres.
 float FloorHeight(const SceneMesh& mesh);
 /// Whether a triangle is level and at the floor's height, within 15 cm.
 bool IsOnTheFloor(const SceneMesh& mesh, std::size_t triangle, float floor);
@@ -34,6 +35,9 @@ std::array<double, 3> MeanOf(const SceneMesh& mesh, const Material& material);
 
 /// Appends a vertex with the attributes of another one.
 std::uint32_t CopyVertex(std::uint32_t vertex, SceneMesh* mesh);
+/// Appends a triangle of the material and the object of another one.
+void AddTriangleLike(std::size_t triangle, const std::array<std::uint32_t, 3>& corners,
+                     SceneMesh* mesh);
 /// Leaves only those triangles that are marked.
 void KeepTriangles(const std::vector<char>& kept, SceneMesh* mesh);
 

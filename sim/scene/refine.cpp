@@ -65,11 +65,6 @@ class Refiner {
     return middle;
   }
 
-  void Add(std::uint32_t material, const Triangle& triangle) {
-    mesh_->triangles.push_back(triangle);
-    mesh_->triangle_materials.push_back(material);
-  }
-
   bool Cut(std::size_t t) {
     const std::uint32_t material = mesh_->triangle_materials[t];
     Triangle corner = mesh_->triangles[t];
@@ -86,18 +81,18 @@ class Refiner {
     }
     if (cuts == 1) {
       mesh_->triangles[t] = {corner[0], middle[0], corner[2]};
-      Add(material, {middle[0], corner[1], corner[2]});
+      AddTriangleLike(t, {middle[0], corner[1], corner[2]}, mesh_);
       return true;
     }
     mesh_->triangles[t] = {middle[0], corner[1], middle[1]};
     if (cuts == 2) {
-      Add(material, {corner[0], middle[0], middle[1]});
-      Add(material, {corner[0], middle[1], corner[2]});
+      AddTriangleLike(t, {corner[0], middle[0], middle[1]}, mesh_);
+      AddTriangleLike(t, {corner[0], middle[1], corner[2]}, mesh_);
       return true;
     }
-    Add(material, {corner[0], middle[0], middle[2]});
-    Add(material, {middle[2], middle[1], corner[2]});
-    Add(material, {middle[0], middle[1], middle[2]});
+    AddTriangleLike(t, {corner[0], middle[0], middle[2]}, mesh_);
+    AddTriangleLike(t, {middle[2], middle[1], corner[2]}, mesh_);
+    AddTriangleLike(t, {middle[0], middle[1], middle[2]}, mesh_);
     return true;
   }
 

@@ -12,19 +12,16 @@ constexpr const char* kDepth = "depth";
 constexpr const char* kSemantic = "semantic";
 
 void ValidateChannel(const std::string& channel) {
-  if (channel == kColor || channel == kDepth) return;
-  if (channel == kSemantic) {
-    throw KeyError("channels",
-                   "the channel semantic needs scenes that carry object ids, and none do yet; it "
-                   "comes with them");
-  }
-  throw KeyError("channels", "unknown channel '" + channel + "'; known are: color, depth");
+  if (channel == kColor || channel == kDepth || channel == kSemantic) return;
+  throw KeyError("channels",
+                 "unknown channel '" + channel + "'; known are: color, depth, semantic");
 }
 
 }  // namespace
 
 void CameraChannels::Validate(const std::vector<std::string>& channels) {
-  if (channels.empty()) throw KeyError("channels", "a camera needs a channel: color, depth");
+  if (channels.empty())
+    throw KeyError("channels", "a camera needs a channel: color, depth, semantic");
   for (const std::string& channel : channels) {
     ValidateChannel(channel);
     if (std::count(channels.begin(), channels.end(), channel) > 1) {
@@ -40,8 +37,10 @@ std::vector<ArraySpec> CameraChannels::Arrays(const CameraSpec& camera,
   for (const std::string& channel : channels) {
     if (channel == kColor) {
       arrays.push_back({channel, {size.rows, size.cols, 3}, Element::kUint8, "display value"});
-    } else {
+    } else if (channel == kDepth) {
       arrays.push_back({channel, {size.rows, size.cols}, Element::kFloat32, "m"});
+    } else {
+      arrays.push_back({channel, {size.rows, size.cols}, Element::kInt32, ""});
     }
   }
   return arrays;
@@ -61,19 +60,38 @@ CameraPose CameraMount::On(const BodyPose& pose, const CameraPose& eye) const {
 
 CameraReader::CameraReader(const RenderScene& scene, const CameraSpec& camera,
                            const std::vector<std::string>& channels)
-    : renderer_(scene.MakeRenderer(camera)), channels_(channels) {}
+    : renderer_(scene.MakeRenderer(camera)), channels_(channels) {
+  sees_objects_ = std::count(channels.begin(), channels.end(), kSemantic) > 0;
+  if (!sees_objects_) return;
+  if (!scene.has_objects()) {
+    throw Error(
+        "the channel semantic needs a scene whose objects are known: one that BulletNav has made; "
+        "leave the channel out");
+  }
+  if (!renderer_->sees_objects()) {
+    throw RenderError("the channel semantic cannot be drawn by " + scene.description() +
+                      "; take the backend embree");
+  }
+}
 
 void CameraReader::Read(const CameraPose& pose, std::span<const std::span<std::byte>> out) {
   std::span<std::uint8_t> color;
   std::span<float> depth;
+  std::span<std::int32_t> objects;
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     if (channels_[i] == kColor) {
       color = ValuesIn<std::uint8_t>(out[i]);
-    } else {
+    } else if (channels_[i] == kDepth) {
       depth = ValuesIn<float>(out[i]);
+    } else {
+      objects = ValuesIn<std::int32_t>(out[i]);
     }
   }
-  renderer_->Render({&pose, 1}, color, depth);
+  if (sees_objects_) {
+    renderer_->RenderObjects({&pose, 1}, color, depth, objects);
+  } else {
+    renderer_->Render({&pose, 1}, color, depth);
+  }
 }
 
 }  // namespace bulletnav::sim

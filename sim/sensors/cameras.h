@@ -9,7 +9,8 @@
 namespace bulletnav::sim {
 
 /// What a camera writes: `color` u8 [rows, cols, 3] RGB, `depth` f32 [rows, cols] metres along the
-/// ray; see Renderer.
+/// ray, `semantic` i32 [rows, cols] numbers in SceneMesh::objects; see Renderer. Nobody pays for a
+/// channel that is not asked for.
 struct CameraChannels {
   /// Throws KeyError unless all of them are known, each at most once, and there is one at least.
   static void Validate(const std::vector<std::string>& channels);
@@ -79,6 +80,8 @@ ConfiguredSensor PinholeSensor(const PinholeSensorConfig& config);
 /// Draws the channels of a camera in a scene.
 class CameraReader {
  public:
+  /// Throws Error if `semantic` is asked for in a scene whose objects are not known, RenderError if
+  /// the scene's backend cannot tell them.
   CameraReader(const RenderScene& scene, const CameraSpec& camera,
                const std::vector<std::string>& channels);
 
@@ -88,6 +91,7 @@ class CameraReader {
  private:
   std::unique_ptr<Renderer> renderer_;
   std::vector<std::string> channels_;
+  bool sees_objects_ = false;
 };
 
 }  // namespace bulletnav::sim

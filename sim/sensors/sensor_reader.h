@@ -2,9 +2,11 @@
 #pragma once
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "sim/sensors/noise/picture_noise.h"
 #include "sim/sensors/sensor_set.h"
 
 namespace bulletnav::sim {
@@ -12,8 +14,9 @@ namespace bulletnav::sim {
 /// Reads the sensors of bodies in one scene, one body after the other.
 class SensorReader {
  public:
-  /// The scene must outlive the reader. A sensor is made when it is first asked.
-  SensorReader(const SensorSet& set, const SensorScene& scene);
+  /// The scene must outlive the reader. A sensor is made when it is first asked. Pictures of
+  /// cameras get `noise`.
+  SensorReader(const SensorSet& set, const SensorScene& scene, const SensorNoise& noise = {});
 
   /// Writes arrays in the order of SensorSet::arrays, each into memory of its size; an empty span:
   /// not wanted.
@@ -23,8 +26,14 @@ class SensorReader {
   struct Made {
     MountedSensor mounted;
     std::unique_ptr<Sensor> sensor;
+    std::optional<PictureNoise> noise;  // of a camera, if there is any
   };
+  void Make(Made* made) const;
+  static void AddNoise(Made* made, const SensorInput& input,
+                       std::span<const std::span<std::byte>> pictures);
+
   SensorScene scene_;
+  SensorNoise noise_;
   std::vector<Made> sensors_;
 };
 

@@ -7,7 +7,9 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
+import unittest.mock
 
 import support
 
@@ -18,7 +20,8 @@ if not LIBRARY.exists():
     sys.exit(77)
 
 AGENTS = """
-import os, sys
+import os, sys, time
+import helper
 
 class Walker:
     def __init__(self, rig, options):
@@ -52,6 +55,42 @@ class Forks(Walker):
             os.wait()
         return 0
 
+class ForksAndAnswersNonsense(Walker):
+    def act(self, observation):
+        return "forward" if os.fork() == 0 else 0
+
+class ForksWhenBuilt(Walker):
+    def __init__(self, rig, options):
+        super().__init__(rig, options)
+        if os.fork() > 0:
+            os.wait()
+
+class LeavesAChild(Walker):
+    def act(self, observation):
+        child = os.fork()
+        while child == 0:
+            time.sleep(1)
+        with open("children", "a") as file:
+            file.write(f"{child}\\n")
+        return 0
+
+class Loops(Walker):
+    def act(self, observation):
+        while True:
+            helper.nothing()
+
+class Sleeps(Walker):
+    def act(self, observation):
+        time.sleep(1000)
+
+class Stubborn(Walker):
+    def act(self, observation):
+        while True:
+            try:
+                helper.nothing()
+            except BaseException:
+                pass
+
 class NoAct:
     def __init__(self, rig, options): pass
     def reset(self, goal, seed): pass
@@ -67,11 +106,25 @@ agents:
 """
 
 
+def has_ended(process):
+    """Whether it does before long; nobody may have taken note of it."""
+    for _ in range(100):
+        try:
+            state = pathlib.Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()[0]
+        except (FileNotFoundError, ProcessLookupError):
+            return True
+        if state == "Z":
+            return True
+        time.sleep(0.05)
+    return False
+
+
 class Agents(unittest.TestCase):
     def setUp(self):
         self.folder = pathlib.Path(tempfile.mkdtemp())
         self.addCleanup(shutil.rmtree, self.folder)
         (self.folder / "mine.py").write_text(AGENTS)
+        (self.folder / "helper.py").write_text("def nothing(): pass\n")
 
     def run_agents(self, agents, out="out", workers=2):
         config = self.folder / "run.yaml"
@@ -115,9 +168,62 @@ class Agents(unittest.TestCase):
                 self.assertIn("mine.py\", line", result["failure"])  # Its traceback.
 
     def test_one_that_forks_leaves_one_run(self):
-        done, results = self.run_agents(
-            "  - {agent: python, name: forks, parameters: {module: 'mine:Forks'}}\n")
-        self.assertEqual((done.returncode, len(results)), (0, 4), done.stderr)
+        for name in ("Forks", "ForksAndAnswersNonsense", "ForksWhenBuilt", "LeavesAChild"):
+            done, results = self.run_agents(
+                f"  - {{agent: python, name: forks, parameters: {{module: 'mine:{name}', "
+                "options: {first: 1, steps: 5}}}\n", name)
+            self.assertEqual((done.returncode, len(results)), (0, 4), done.stderr)
+            self.assertTrue(all(result["failure"] is None for result in results), results)
+        children = (self.folder / "children").read_text().split()
+        self.assertEqual(len(children), 4)
+        self.assertTrue(all(map(has_ended, children)), children)
+
+    @staticmethod
+    def stuck(name):
+        return (f"  - {{agent: python, name: {name}, parameters: {{module: 'mine:{name}', "
+                "time_limit_s: 0.5}}\n")
+
+    def test_one_that_never_answers_fails_its_episodes(self):
+        done, results = self.run_agents(self.WALKER + self.stuck("Loops"))
+        self.assertEqual((done.returncode, len(results)), (0, 8), done.stderr)
+        for result in results:
+            if result["agent"] == "walker":
+                self.assertIsNone(result["failure"])
+            else:
+                self.assertIn("gave no answer in time", result["failure"])
+                self.assertRegex(result["failure"], "(mine|helper).py\", line")
+                self.assertIn("TimeLimit", result["failure"])
+
+    def test_one_that_cannot_be_interrupted_ends_the_process_and_loses_nothing(self):
+        for name, times in (("Sleeps", 2), ("Stubborn", 1)):
+            agents = self.WALKER + self.stuck(name)
+            for failed in range(1, times + 1):  # The same command goes on.
+                done, results = self.run_agents(agents, name, 1)
+                self.assertEqual(done.returncode, 1, done.stderr)
+                last = done.stderr.splitlines()[-1]
+                self.assertIn(f"agent '{name}' ({self.folder / 'mine.py'})", last)
+                self.assertEqual(len([r for r in results if r["agent"] == "walker"]), 4)
+                found = [r for r in results if r["agent"] == name]
+                self.assertEqual(len(found), failed, done.stderr)
+                self.assertIn("could not be interrupted", found[-1]["failure"])
+                self.assertTrue(any(f"'{r['episode']}'" in last for r in found), last)
+
+    def test_other_code_is_not_the_same_agent(self):
+        done, results = self.run_agents(self.WALKER)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        (self.folder / "helper.py").write_text("def nothing(): return 1\n")
+        done, again = self.run_agents(self.WALKER)
+        self.assertEqual((done.returncode, again), (1, results))
+        self.assertIn("the code of agent 'walker' has changed", done.stderr.splitlines()[-1])
+        (self.folder / "helper.py").write_text("def nothing(): pass\n")
+        done, again = self.run_agents(self.WALKER)
+        self.assertEqual((done.returncode, again), (0, results))
+
+    def test_a_virtual_environment_of_another_python_is_told(self):
+        (self.folder / "venv").mkdir()
+        with unittest.mock.patch.dict(os.environ, VIRTUAL_ENV=str(self.folder / "venv")):
+            done, _ = self.run_agents("  - {agent: python, parameters: {module: 'none:A'}}\n")
+        self.assertIn("VIRTUAL_ENV is not of Python", done.stderr.splitlines()[-1])
 
     def test_what_cannot_be_built_is_said_in_a_line(self):
         for module, expected in (("none:Walker", "No module named 'none'"), ("mine:None_", "None_"),

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MIT
 """One body, and what is there without numpy and Gymnasium."""
+import pathlib
 import subprocess
 import sys
+import tempfile
 import unittest
 
 import support
@@ -19,7 +21,7 @@ class Playing(unittest.TestCase):
                 observation, reward, terminated, truncated, info = env.step(2)
                 self.assertIs(type(reward), float)
                 self.assertEqual((terminated, truncated), (False, step == 8))
-            self.assertEqual(info["episode"]["steps"], 8)
+            self.assertEqual(info["measures"]["steps"], 8)
             with self.assertRaisesRegex(bulletnav.Error, "reset it first"):
                 env.step(1)
             first = env.episode()
@@ -56,6 +58,23 @@ class Playing(unittest.TestCase):
         env.close()
         with self.assertRaisesRegex(bulletnav.Error, "it is closed"):
             env.render()
+
+
+class WrongPython(unittest.TestCase):
+    def test_is_told_in_a_line(self):
+        from bulletnav import built_for
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            with self.assertRaisesRegex(ImportError, "has no extension"):
+                built_for.require(folder, ".cpython-39.so")
+            (folder / "_core.cpython-38.so").touch()
+            built_for.require(folder, ".cpython-38.so")
+            with self.assertRaises(ImportError) as caught:
+                built_for.require(folder, ".cpython-39.so")
+        said = str(caught.exception)
+        self.assertIn("is built for cpython-38", said)
+        self.assertIn("./bulletnav python", said)
+        self.assertEqual(len(said.splitlines()), 1)
 
 
 class WithoutPackages(unittest.TestCase):

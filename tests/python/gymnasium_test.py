@@ -32,9 +32,17 @@ class Registered(unittest.TestCase):
         envs.step(envs.action_space.sample())
         envs.close()
 
+    def test_its_statistics(self):
+        env = gymnasium.wrappers.RecordEpisodeStatistics(
+            gymnasium.make("bulletnav:ImageNav-v0", **support.ROOM))
+        env.reset(seed=1)
+        *_, info = env.step(0)
+        self.assertEqual(info["episode"]["l"], 1)
+        self.assertIn("spl", info["measures"])
+
     def test_its_checker(self):
         from gymnasium.utils.env_checker import check_env
-        check_env(bulletnav.Env(**support.ROOM), skip_render_check=True)
+        check_env(bulletnav.Env(**support.ROOM, copy=True), skip_render_check=True)
 
 
 if __name__ == "__main__":

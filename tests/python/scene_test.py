@@ -48,6 +48,21 @@ class Looking(unittest.TestCase):
         self.assertNotEqual(points, self.scene.random_points(5, seed=4))
         self.assertTrue(all(0 < x < 4 and -6 < z < 0 for x, _, z in points))
 
+    def test_what_is_drawn_grey_is_warned_of(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            (folder / "room.mtl").write_text("newmtl m\nmap_Kd gone.png\n")
+            scene = folder / "room.obj"
+            scene.write_text("mtllib room.mtl\nusemtl m\nv 0 0 0\nv 4 0 0\nv 4 0 -6\nv 0 0 -6\n"
+                             "v 0 3 0\nv 4 3 0\nf 1 2 3 4\nf 1 2 6 5\n")
+            with self.assertWarnsRegex(UserWarning, "drawn grey: 1 of 1 texture, as gone.png"):
+                bulletnav.Scene(scene, backend="embree")
+            with self.assertWarnsRegex(UserWarning, "drawn grey: 1 of 1 texture, as gone.png"):
+                env = bulletnav.VectorEnv(scenes=[str(scene)], num_envs=1, threads=1,
+                                          backend="embree", counts={"easy": 2})
+                env.reset(seed=0)
+                env.close()
+
     def test_misuse(self):
         nan = float("nan")
         for call in (lambda: bulletnav.Scene("nowhere.glb"),

@@ -80,24 +80,60 @@ class Stepping(unittest.TestCase):
         envs.step(FORWARD)
         self.assertTrue((by_dlpack == seen_by_numpy).all())
         array.__dlpack__()  # Nobody takes it: it is freed.
+        self.assertIn("dltensor", repr(array.__dlpack__(stream=None, max_version=(1, 0),
+                                                        dl_device=(1, 0), copy=False)))
+
+        class Copying:
+            def __dlpack__(self, stream=None):
+                return array.__dlpack__(copy=True)
+
+            def __dlpack_device__(self):
+                return array.__dlpack_device__()
+
+        copied = numpy.from_dlpack(Copying())
+        self.assertFalse(numpy.shares_memory(copied, seen_by_numpy))
+        self.assertTrue((copied == seen_by_numpy).all())
+        with self.assertRaisesRegex(BufferError, "CPU"):
+            array.__dlpack__(dl_device=(2, 0))
         envs.step(numpy.array(FORWARD))
         envs.step([numpy.int64(1), Action.TURN_LEFT, 1])
+
+    def test_copies(self):
+        for options, is_kept in (({}, False), ({"copy": True}, True)):
+            envs = make(**options)
+            first, _ = envs.reset(seed=numpy.int64(3) if numpy else 3)
+            before = seen(first)
+            later = envs.step([1, 2, 3])[0]
+            self.assertEqual(seen(first) == before, is_kept)
+            self.assertNotEqual(seen(later), before)
+            self.assertTrue(envs.observation_space.contains(later))
+        with self.assertRaisesRegex(bulletnav.Error, "whole number"):
+            envs.reset(seed=1.5)
 
     def test_episodes_end_with_their_measures(self):
         envs = make()
         envs.reset(seed=0)
         *_, terminated, truncated, info = envs.step([0, 1, 0])
         self.assertEqual((list(terminated), list(truncated)), ([True, False, True], [False] * 3))
-        self.assertEqual(list(info["_episode"]), [True, False, True])
-        self.assertEqual(list(info["episode"]["success"]), [0, 0, 0])
-        self.assertGreater(info["episode"]["distance_to_goal"][2], 1.0)
-        self.assertEqual(sorted(info["results"]), [0, 2])
+        self.assertEqual(list(info["_measures"]), [True, False, True])
+        self.assertEqual(list(info["measures"]["success"]), [0, 0, 0])
+        self.assertGreater(info["measures"]["distance_to_goal"][2], 1.0)
+        self.assertEqual([bool(facts) for facts in info["results"]], [True, False, True])
+        self.assertEqual(list(info["_results"]), [True, False, True])
         self.assertEqual(info["results"][0]["difficulty"], "easy")
         *_, terminated, truncated, info = envs.step([0, 1, 1])
         self.assertEqual((list(terminated), info), ([False] * 3, {}))  # Begun anew meanwhile.
         for _ in range(8):
             *_, truncated, info = envs.step(FORWARD)
         self.assertTrue(any(truncated))
+
+    def test_cameras_can_be_noisy(self):
+        clean, _ = make().reset(seed=0)
+        noisy, _ = make(sensor_noise="depth_camera").reset(seed=0)
+        again, _ = make(sensor_noise="depth_camera", threads=1).reset(seed=0)
+        for name in ("panorama.color", "panorama.depth", "goal.color"):
+            self.assertFalse((clean[name] == noisy[name]).all(), name)
+            self.assertTrue((again[name] == noisy[name]).all(), name)
 
     def test_the_goal_can_be_reached(self):
         """By the truth: turn to it on the straight line, go, stop."""
@@ -117,7 +153,7 @@ class Stepping(unittest.TestCase):
             *_, info = envs.step(actions)
             if info:
                 break
-        lane = next(iter(info["results"]))
+        lane = list(info["_results"]).index(True)
         self.assertTrue(info["results"][lane]["success"])
         self.assertGreater(info["results"][lane]["spl"], 0.9)
 
@@ -184,6 +220,7 @@ class Misuse(unittest.TestCase):
             ({"num_envs": 0}, "num_envs must lie"),
             ({"num_env": 2}, "did you mean|num_envs"),
             ({"noise": "loud"}, "ans_released"),
+            ({"sensor_noise": "loud"}, "phone_camera"),
             ({"sensors": "xyz"}, "xyz"),
             ({"sensors": {"front": "pinhole"}}, "the goal is a panorama"),
             ({"body": {"radius": -1}}, "radius"),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <set>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "sim/base/files.h"
@@ -31,6 +32,8 @@ TEST_P(GeneratedHouseTest, IsAHomeThatCanBeWalkedThroughAndSeen) {
   WriteFileAtomically(file, EncodeGlb(house.mesh));
   const ImportedScene scene = ImportScene(file);
   EXPECT_TRUE(scene.report.textures_missing.empty());
+  EXPECT_EQ(scene.mesh.objects, house.mesh.objects);
+  EXPECT_THAT(scene.mesh.triangle_objects, testing::Each(testing::Gt(0u)));
   const auto world = std::make_shared<const World>("house", scene, WorldOptions{});
   EXPECT_GT(tests::ConnectedShare(world->navmesh()), 0.95f);
   const NavmeshQuery query(world->navmesh());

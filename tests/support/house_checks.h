@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cmath>
+
 #include "sim/house/floor_plan.h"
 #include "sim/navmesh/navmesh.h"
 
@@ -15,7 +17,7 @@ inline float ConnectedShare(const sim::Navmesh& navmesh) {
   float main = 0.0f;
   for (std::size_t t = 0; t < navmesh.triangle_islands().size(); ++t) {
     const Eigen::Vector3f& a = corners[3 * t];
-    if (a.y() > kCountedFloor) continue;
+    if (std::abs(a.y()) > kCountedFloor) continue;  // nor are the floors of pits
     const float area = 0.5f * (corners[3 * t + 1] - a).cross(corners[3 * t + 2] - a).norm();
     all += area;
     if (navmesh.triangle_islands()[t] == 0) main += area;

@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include "benchmark/base/scene_names.h"
 #include "benchmark/report/marks.h"
 #include "benchmark/report/palette.h"
 #include "benchmark/report/scene_map.h"
@@ -180,9 +181,11 @@ std::vector<fs::path> DrawLabels(const LabelledScene& scene, const DataConfig& c
                                  const fs::path& folder) {
   sim::MakeFolder(folder);
   LabelPictures pictures(scene, config);
+  std::string name = LongSceneName(scene.file.string());
+  std::replace(name.begin(), name.end(), '/', '-');
   std::vector<fs::path> files;
   for (int source = 0; source < count; ++source) {
-    files.push_back(folder / fmt::format("{}-{:03}.png", scene.file.stem().string(), source));
+    files.push_back(folder / fmt::format("{}-{:03}.png", name, source));
     sim::WritePng(files.back(), pictures.Draw(source));
   }
   return files;

@@ -71,6 +71,18 @@ sim::Damage DrawDamage(const LooksSpec& spec, const sim::Rng& look) {
   return damage;
 }
 
+/// Draws of its own, too.
+sim::Repaint DrawRepaint(const LooksSpec& spec, sim::Rng rng) {
+  sim::Repaint repaint;
+  const std::uint32_t seed = rng.Next();
+  const auto recolored = rng.Uniform(0.3, 1.0);
+  if (rng.Chance(spec.recolored)) repaint.recolored = recolored;
+  const auto exchanged = rng.Uniform(0.2, 0.8);
+  if (rng.Chance(spec.exchanged)) repaint.exchanged = exchanged;
+  if (repaint != sim::Repaint{}) repaint.seed = seed;
+  return repaint;
+}
+
 /// White scenes as others make them: with a grey floor or all white, which is nothing to see
 /// without light.
 void Whiten(sim::Rng rng, sim::Finish* finish) {
@@ -89,7 +101,7 @@ void LooksSpec::Validate() const {
        {share,       no_ceiling,     blank_floor, flat,          vertex_colors, unlit,
         shrunk,      exposure,       contrast,    saturation,    tint,          white,
         blank_walls, black_overhead, low_poly,    color_spacing, clutter,       bumps,
-        doubled,     holes,          smears,      mirrored}) {
+        doubled,     holes,          smears,      mirrored,      recolored,     exchanged}) {
     if (!(value >= 0.0 && value <= 1.0)) throw sim::Error("looks are shares and spreads, 0 to 1");
   }
   if (!(flat + vertex_colors + white <= 1.0)) {
@@ -123,6 +135,7 @@ sim::Finish DrawLook(const LooksSpec& spec, std::uint64_t seed, const std::strin
   for (double& tint : finish.tint) tint = Factor(spec.tint, spec.tint, &rng);
   if (finish.surfaces == sim::Surfaces::kAllWhite) Whiten(rng.Fork("white"), &finish);
   finish.blank_walls = rng.Fork("walls").Chance(spec.blank_walls);
+  finish.repaint = DrawRepaint(spec, rng.Fork("repaint"));
   finish.damage = DrawDamage(spec, rng);
   finish.black_overhead = finish.ceiling && rng.Fork("overhead").Chance(spec.black_overhead);
   return finish;

@@ -21,7 +21,10 @@ struct LooksSpec {
   double contrast = 0.4;    // likewise
   double saturation = 0.8;  // 1 - this to 1 + half of this
   double tint = 0.15;       // likewise, each channel by itself
-  // Shares of the scenes that do not look as their files say, each drawn by itself; sim::Damage.
+  // Shares of the scenes that do not look as their files say, each drawn by itself; sim::Repaint
+  // and sim::Damage.
+  double recolored = 0.0;       // 0.3 to 1 of the materials
+  double exchanged = 0.0;       // 0.2 to 0.8 of the textures
   double white = 0.0;           // all white, half with a grey floor; not flat or vertex_colors
   double blank_walls = 0.0;     // white walls
   double black_overhead = 0.0;  // of those with a ceiling
@@ -47,6 +50,8 @@ struct LooksSpec {
     v("contrast", contrast);
     v("saturation", saturation);
     v("tint", tint);
+    v("recolored", recolored);
+    v("exchanged", exchanged);
     v("white", white);
     v("blank_walls", blank_walls);
     v("black_overhead", black_overhead);

@@ -46,7 +46,7 @@ class MapperLearner final : public Learner {
       const std::uint64_t number = work.first + static_cast<std::uint64_t>(i);
       PairBatch batch = work.batches->Batch(number);
       batch.Check();
-      Augment(config_.augment, rng_.Fork("augment", number), &batch);
+      Augment(config_.augment, rng_.Fork("augment", number), DepthUse::kTruth, &batch);
       inputs.push_back(InputOf(config_.model.seeing(), &batch));
       labels.push_back(FreeSpaceLabels(batch, &truth));
     }

@@ -36,7 +36,7 @@ class NtsLearner final : public Learner {
       const std::uint64_t number = work.first + static_cast<std::uint64_t>(i);
       PairBatch batch = work.batches->Batch(number);
       batch.Check();
-      Augment(config_.augment, rng_.Fork("augment", number), &batch);
+      Augment(config_.augment, rng_.Fork("augment", number), DepthUse::kInput, &batch);
       inputs.push_back(InputOf(config_.model, &batch));
       labels.push_back(Labels(batch, DrawPairs(batch, config_.pairs, rng_.Fork("pairs", number))));
     }

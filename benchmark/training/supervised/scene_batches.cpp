@@ -74,7 +74,7 @@ SceneBatches::SceneBatches(const DataConfig& config, const BatchSpec& spec,
     LabelledScene& one = labelled[static_cast<std::size_t>(task)];
     Scene& scene = scenes_[static_cast<std::size_t>(task)];
     scene.samples = std::move(one.samples);
-    scene.render = LoadForPanoramas(one.file, config);
+    scene.render = LoadForPanoramas(one.file, config, progress.warn);
     scene.panoramas = std::make_unique<ScenePanoramas>(*scene.render, config);
     scene.drawing = std::make_unique<std::mutex>();
     if (progress.on_loaded) progress.on_loaded();

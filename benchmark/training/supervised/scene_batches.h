@@ -6,6 +6,7 @@
 #include <mutex>
 #include <vector>
 
+#include "benchmark/episodes/drawn_grey.h"
 #include "benchmark/training/supervised/dataset.h"
 #include "benchmark/training/supervised/pair_batch.h"
 #include "benchmark/training/supervised/scene_panoramas.h"
@@ -25,6 +26,7 @@ struct BatchesProgress {
   std::function<void(const LabelledScene&)> on_labelled;
   std::function<void()> on_loading;  // once, when all are labelled
   std::function<void()> on_loaded;   // a scene
+  Warn warn;                         // of scenes that are drawn grey; from any thread
 };
 
 /// Batches from labelled scenes: each of random points of one random scene, the panoramas drawn

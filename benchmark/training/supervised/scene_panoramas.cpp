@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/training/supervised/scene_panoramas.h"
 
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -10,9 +11,12 @@
 namespace bulletnav::bench {
 
 std::unique_ptr<const sim::RenderScene> LoadForPanoramas(const std::filesystem::path& scene,
-                                                         const DataConfig& config) {
+                                                         const DataConfig& config,
+                                                         const Warn& warn) {
   sim::ImportedScene imported = sim::ImportScene(scene, config.import.options());
   sim::SceneMesh mesh = std::move(imported.drawn ? *imported.drawn : imported.mesh);
+  const std::string grey = DrawnGrey(scene, imported.report);
+  if (warn && !grey.empty()) warn(grey);
   if (config.looks) {
     const sim::Finish look = DrawLook(*config.looks, config.seed, scene.filename().string());
     sim::ApplyFinish(look, &mesh);

@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 
+#include "benchmark/episodes/drawn_grey.h"
 #include "benchmark/training/supervised/data_config.h"
 #include "sim/math/pose.h"
 #include "sim/render/renderer.h"
@@ -13,9 +14,10 @@ namespace bulletnav::bench {
 
 /// What draws a config's panoramas of a scene, in the look that it has there, ready to be shared by
 /// threads. Always Embree: the same pictures on every machine. Throws sim::FileError if the file is
-/// no scene.
+/// no scene. `warn`: see DrawnGrey.
 std::unique_ptr<const sim::RenderScene> LoadForPanoramas(const std::filesystem::path& scene,
-                                                         const DataConfig& config);
+                                                         const DataConfig& config,
+                                                         const Warn& warn = {});
 
 /// Draws panoramas from places of one scene into the caller's memory; one per thread.
 class ScenePanoramas {

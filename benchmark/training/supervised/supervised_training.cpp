@@ -29,6 +29,9 @@ std::shared_ptr<const BatchSource> Batches(const DataConfig& data, const BatchSp
     if (!scene.note.empty()) fmt::print(stderr, "{}\n", scene.note);
     labelled();
   };
+  progress.warn = [](const std::string& line) {
+    fmt::print(stderr, "bulletnav: warning: {}\n", line);
+  };
   progress.on_loading = [&] {
     loaded = context.start("loading scenes", scenes);
   };

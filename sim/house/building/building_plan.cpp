@@ -10,6 +10,7 @@
 
 #include "sim/base/elementary.h"
 #include "sim/base/error.h"
+#include "sim/house/building/stairwell.h"
 #include "sim/house/plan/assemble.h"
 #include "sim/house/plan/doors.h"
 #include "sim/house/plan/passage.h"
@@ -54,7 +55,7 @@ bool JoinToOutside(Sketch* sketch, const std::vector<plan::Border>& borders) {
     const bool is_main = type == RoomType::kLobby || type == RoomType::kReception;
     const bool is_hall = type == RoomType::kCorridor || type == RoomType::kShopFloor ||
                          type == RoomType::kOpenOffice || type == RoomType::kWarehouse ||
-                         type == RoomType::kWorkshop;
+                         type == RoomType::kWorkshop || type == RoomType::kStudio;
     const int rated = border.length() * (is_main ? 100 : (is_hall ? 1 : 0));
     if (rated <= longest || sketch->draft.Clear(border.length()) < 1.3f) continue;
     longest = rated;
@@ -108,8 +109,9 @@ std::optional<FloorPlan> Draw(const BuildingKind& kind, const AreaLimits& limits
   FloorPlan plan = plan::Assemble(layout, *std::move(openings));
   const float area = plan.area();
   if (area < limits.min_m2 || area > limits.max_m2) return std::nullopt;
-  if (!plan::IsPassable(plan, kBodyRadius)) return std::nullopt;
   plan.ceiling = ceiling;
+  DigPits(kind.pits, rng->Fork("pits"), &plan);
+  if (!plan::IsPassable(plan, kBodyRadius)) return std::nullopt;
   plan::Turn(rng->Below(8), &plan);
   return plan;
 }

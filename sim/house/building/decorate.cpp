@@ -19,7 +19,8 @@ enum class Use { kWet, kHeavy, kSoft, kPlain };
 Use UseOf(RoomType type) {
   using enum RoomType;
   constexpr std::array kWet = {kRestroom, kBathroom, kToilet, kLaundry};
-  constexpr std::array kHeavy = {kStockRoom, kTechnicalRoom, kStorage, kLaboratory};
+  constexpr std::array kHeavy = {kStockRoom,  kTechnicalRoom, kStorage,
+                                 kLaboratory, kPaintRoom,     kStairwell};
   constexpr std::array kSoft = {kHotelRoom, kMeetingRoom, kOffice, kFittingRoom};
   if (std::find(kWet.begin(), kWet.end(), type) != kWet.end()) return Use::kWet;
   if (std::find(kHeavy.begin(), kHeavy.end(), type) != kHeavy.end()) return Use::kHeavy;

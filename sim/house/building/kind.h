@@ -27,6 +27,13 @@ struct Heights {
   float high = 3.0f;
 };
 
+/// Holes in floors besides those of stairwells.
+struct PitHabit {
+  RoomType room = RoomType::kShopFloor;
+  double chance = 0.0;
+  bool is_narrow = false;  // to work in under a car; else a void or a way down
+};
+
 /// What offices, shops and so on are: rooms, looks, furniture. One file each in this folder.
 struct BuildingKind {
   std::string_view name;
@@ -38,11 +45,19 @@ struct BuildingKind {
   void (*lay)(float area, Sketch* sketch, Rng* rng) = nullptr;
   /// Furnishes a room of a type that `lay` uses.
   void (*furnish)(RoomType type, placing::RoomFurnisher* room) = nullptr;
+  /// A hole in the floor of each large room of a type, with a chance; stairwells have one anyhow.
+  PitHabit pits = {};
 };
 
 /// The kinds, one function a file.
+const BuildingKind& Clinic();
+const BuildingKind& Hotel();
+const BuildingKind& Loft();
 const BuildingKind& Office();
+const BuildingKind& School();
+const BuildingKind& Shop();
 const BuildingKind& Warehouse();
+const BuildingKind& Workshop();
 
 /// All of them, in the order of their names.
 std::span<const BuildingKind* const> AllKinds();

@@ -8,7 +8,8 @@
 namespace bulletnav::sim::building {
 
 std::span<const BuildingKind* const> AllKinds() {
-  static const std::array kAll = {&Office(), &Warehouse()};
+  static const std::array kAll = {&Clinic(), &Hotel(), &Loft(),      &Office(),
+                                  &School(), &Shop(),  &Warehouse(), &Workshop()};
   return kAll;
 }
 

@@ -31,10 +31,9 @@ void RoomFurnisher::Rug(std::string_view kind, const PlanPoint& centre, float wi
     const bool lies_on_other = std::any_of(rugs_.begin(), rugs_.end(), [&](const Rect& other) {
       return other.intersects(foot);
     });
-    if (lies_on_other) return;
+    if (lies_on_other || space_.MeetsPit(foot)) return;
     if (!space_.Contains(foot)) continue;
-    const MeshBuilder::Frame frame(builder_, pose);
-    builder_->Append(draft.piece.mesh);
+    Show(draft, pose);
     rugs_.push_back(foot);
     return;
   }
@@ -58,8 +57,7 @@ bool RoomFurnisher::OnTop(const Placed& piece, std::string_view kind) {
     });
     if (hits) continue;
     on_tops_.emplace_back(&piece, foot);
-    const MeshBuilder::Frame frame(builder_, piece.pose * local);
-    builder_->Append(draft.piece.mesh);
+    Show(draft, piece.pose * local);
     return true;
   }
   return false;
@@ -78,14 +76,13 @@ void RoomFurnisher::OnTops(const Placed& piece, std::span<const std::string_view
 bool RoomFurnisher::Hang(const Draft& draft, const Eigen::Affine3f& pose) {
   const Box box = Transformed(draft.bounds, pose);
   const bool fits = space_.Contains(FootOf(box)) && space_.IsFree(box) &&
-                    !space_.HidesOpening(box) && box.max().y() < space_.ceiling() - 0.05f;
+                    space_.HasWallBehind(box) && !space_.HidesOpening(box) &&
+                    box.max().y() < space_.ceiling() - 0.05f;
   if (!fits) return false;
   if (box.min().y() < 1.7f && draft.bounds.sizes().z() > 0.1f) {
     if (space_.MeetsDoorway(FootOf(box)) || !space_.LeavesWayPast(box)) return false;
   }
-  Placed placed{draft.kind, pose, draft.bounds.sizes(), box, {}, draft.bounds};
-  const MeshBuilder::Frame frame(builder_, pose);
-  builder_->Append(draft.piece.mesh);
+  Placed placed{draft.kind, pose, draft.bounds.sizes(), box, {}, draft.bounds, Show(draft, pose)};
   space_.Add(box, std::nullopt);
   placed_.push_back(std::move(placed));
   return true;
@@ -133,8 +130,7 @@ void RoomFurnisher::DressWindow(const shell::Side& side, const shell::Hole& wind
         face * Moved(middle, top - draft.bounds.max().y(), kOnWallGap + 0.01f);
     const Box box = Transformed(draft.bounds, pose);
     if (!space_.Contains(FootOf(box)) || !space_.IsFree(box)) return false;
-    const MeshBuilder::Frame frame(builder_, pose);
-    builder_->Append(draft.piece.mesh);
+    Show(draft, pose);
     space_.Add(box, std::nullopt);
     return true;
   };
@@ -191,8 +187,7 @@ void RoomFurnisher::Light(std::string_view kind, const Placed* over) {
     const Eigen::Affine3f pose = Moved(at.x(), space_.ceiling(), at.y(), along_x ? 0.0f : kQuarter);
     const Box box = Transformed(draft.bounds, pose);
     if (!space_.Contains(FootOf(box)) || !space_.IsFree(box)) continue;
-    const MeshBuilder::Frame frame(builder_, pose);
-    builder_->Append(draft.piece.mesh);
+    Show(draft, pose);
     space_.Add(box, std::nullopt);
   }
 }
@@ -202,8 +197,7 @@ bool RoomFurnisher::HangAt(std::string_view kind, const PlanPoint& at, float tur
   const Eigen::Affine3f pose = Moved(at.x(), space_.ceiling(), at.y(), turn);
   const Box box = Transformed(draft.bounds, pose);
   if (!space_.Contains(FootOf(box)) || !space_.IsFree(box)) return false;
-  const MeshBuilder::Frame frame(builder_, pose);
-  builder_->Append(draft.piece.mesh);
+  Show(draft, pose);
   space_.Add(box, std::nullopt);
   return true;
 }

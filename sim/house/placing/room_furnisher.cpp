@@ -54,6 +54,13 @@ RoomFurnisher::Draft RoomFurnisher::Build(std::string_view kind, const PieceRequ
   return draft;
 }
 
+std::string RoomFurnisher::Show(const Draft& draft, const Eigen::Affine3f& pose) {
+  const MeshBuilder::Frame frame(builder_, pose);
+  const std::string name = builder_->BeginObject(draft.kind->name, space_.room().name).name;
+  builder_->Append(draft.piece.mesh);
+  return name;
+}
+
 std::optional<Rect> RoomFurnisher::ClearanceOf(const Draft& draft,
                                                const Eigen::Affine3f& pose) const {
   const float wanted = draft.kind->clearance;
@@ -90,11 +97,9 @@ bool RoomFurnisher::Fits(const Draft& draft, const Eigen::Affine3f& pose,
 
 const Placed* RoomFurnisher::Place(const Draft& draft, const Eigen::Affine3f& pose,
                                    bool keeps_clearance) {
-  Placed placed{draft.kind,           pose,
-                draft.bounds.sizes(), Transformed(draft.bounds, pose),
-                draft.piece.tops,     draft.bounds};
-  const MeshBuilder::Frame frame(builder_, pose);
-  builder_->Append(draft.piece.mesh);
+  Placed placed{
+      draft.kind,       pose,         draft.bounds.sizes(), Transformed(draft.bounds, pose),
+      draft.piece.tops, draft.bounds, Show(draft, pose)};
   const auto clearance = keeps_clearance ? ClearanceOf(draft, pose) : std::nullopt;
   space_.Add(placed.box, clearance);
   placed_.push_back(std::move(placed));
@@ -102,7 +107,7 @@ const Placed* RoomFurnisher::Place(const Draft& draft, const Eigen::Affine3f& po
 }
 
 const Placed* RoomFurnisher::PlaceBest(const Draft& draft, std::vector<Candidate> candidates,
-                                       bool keeps_clearance) {
+                                       bool keeps_clearance, std::string_view seat) {
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const Candidate& a, const Candidate& b) {
                      return a.score > b.score;
@@ -110,9 +115,18 @@ const Placed* RoomFurnisher::PlaceBest(const Draft& draft, std::vector<Candidate
   constexpr std::size_t kMostTried = 12;
   for (std::size_t i = 0; i < std::min(kMostTried, candidates.size()); ++i) {
     if (!space_.LeavesWayPast(Transformed(draft.bounds, candidates[i].pose))) continue;
+    if (!HasSeat(draft, candidates[i].pose, keeps_clearance, seat)) continue;
     return Place(draft, candidates[i].pose, keeps_clearance);
   }
   return nullptr;
+}
+
+bool RoomFurnisher::HasSeat(const Draft& draft, const Eigen::Affine3f& pose, bool keeps_clearance,
+                            std::string_view seat) const {
+  if (seat.empty()) return true;
+  return Try([&](RoomFurnisher* copy) {
+    return copy->SeatAt(*copy->Place(draft, pose, keeps_clearance), seat) != nullptr;
+  });
 }
 
 double RoomFurnisher::Score(const Draft& draft, const Eigen::Affine3f& pose, const Wish& wish) {
@@ -172,7 +186,7 @@ const Placed* RoomFurnisher::PlaceAtWall(const Draft& draft, const Wish& wish, c
   for (const shell::Side& side : space_.sides()) {
     AddWallCandidates(draft, side, wish, rules, &candidates);
   }
-  return PlaceBest(draft, std::move(candidates), rules.keeps_clearance);
+  return PlaceBest(draft, std::move(candidates), rules.keeps_clearance, wish.seat);
 }
 
 const Placed* RoomFurnisher::Alongside(std::string_view kind) {
@@ -298,6 +312,12 @@ const Placed* RoomFurnisher::Before(const Placed& other, std::string_view kind, 
   const float front = other_is_centred ? 0.5f * other.size.z() : other.size.z();
   const float z = front + gap + (is_centred ? 0.5f * depth : (turned ? depth : 0.0f));
   return At(other, kind, {0.0f, z, turned ? kTurn : 0.0f});
+}
+
+const Placed* RoomFurnisher::SeatAt(const Placed& desk, std::string_view chair, float gap) {
+  if (const Placed* seat = At(desk, chair, {0.0f, desk.size.z() + gap, kTurn})) return seat;
+  const bool is_under = PlaceChair(desk, chair, {0.0f, desk.size.z() + kSeatOut, kTurn});
+  return is_under ? &placed_.back() : nullptr;
 }
 
 std::vector<std::string_view> RoomFurnisher::kinds() const {

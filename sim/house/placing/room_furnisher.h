@@ -2,6 +2,7 @@
 #pragma once
 #include <deque>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "sim/house/furniture.h"
@@ -16,7 +17,8 @@ struct Placed {
   Eigen::Vector3f size = Eigen::Vector3f::Zero();      // along the piece's own axes
   Box box;                                             // in the world
   std::vector<TopSurface> tops;
-  Box bounds;  // in the piece's frame
+  Box bounds;        // in the piece's frame
+  std::string name;  // of the object, as MeshBuilder gives it
 };
 
 enum class Anchor { kAnywhere, kCentre, kEnd };  // along a wall
@@ -30,7 +32,8 @@ struct Wish {
   const Placed* near = nullptr;    // as close as possible
   const Placed* facing = nullptr;  // looks at it and is in line with it
   bool far_from_doors = false;
-  bool squeeze = false;  // rather near a door or with little free floor than not at all
+  bool squeeze = false;        // rather near a door or with little free floor than not at all
+  std::string_view seat = {};  // only where this can stand before it, see SeatAt
 };
 
 /// Where something goes relative to a piece, in that piece's frame: x to its left (seen from the
@@ -47,7 +50,7 @@ struct Offset {
 class RoomFurnisher {
  public:
   RoomFurnisher(RoomSpace* space, const RoomStyle& style, const Rng& rng, MeshBuilder* builder)
-      : space_(*space), style_(style), rng_(rng), builder_(builder) {}
+      : space_(*space), style_(style), rng_(rng), common_rng_(rng), builder_(builder) {}
 
   const Placed* AgainstWall(std::string_view kind, const Wish& wish = {});
   /// At one place of one wall, `x` metres from its left end.
@@ -70,6 +73,8 @@ class RoomFurnisher {
   const Placed* Beside(const Placed& other, std::string_view kind, bool left, float gap = 0.05f);
   /// In front of it, looking back at it if `turned`.
   const Placed* Before(const Placed& other, std::string_view kind, float gap, bool turned = false);
+  /// A chair before a desk, looking at it: a gap away from its edge or pushed under it.
+  const Placed* SeatAt(const Placed& desk, std::string_view chair, float gap = 0.22f);
   /// Around a table, looking at it. Returns how many.
   int ChairsAround(const Placed& table, std::string_view chair, int most);
 
@@ -92,8 +97,28 @@ class RoomFurnisher {
   /// Hung from the ceiling in some corner.
   void HangInCorner(std::string_view kind);
 
+  /// What `furnish` returns when it is tried out on a copy of the room, which is thrown away.
+  template <class Furnish>
+  bool Try(const Furnish& furnish) const {
+    RoomSpace space = space_;
+    MeshBuilder scratch;
+    RoomFurnisher copy(&space, style_, rng_, &scratch);
+    copy.common_rng_ = common_rng_;
+    copy.rugs_ = rugs_;
+    copy.on_tops_ = on_tops_;
+    copy.built_ = built_;
+    copy.alike_ = alike_;
+    return furnish(&copy);
+  }
+
   /// From now on pieces of a kind and width are all alike, or each is drawn anew again.
   void SetAlike(bool alike) { alike_ = alike; }
+  /// The generator that rooms which look like each other draw from; set before the first piece.
+  void SetCommonRng(const Rng& rng) { common_rng_ = rng; }
+  /// From now on pieces and choices are drawn as in every other room of this type in the building.
+  void DrawAsInOtherRooms() {
+    rng_ = common_rng_.Fork("type", static_cast<std::uint64_t>(space_.room().type));
+  }
 
   /// Of everything placed, in order.
   std::vector<std::string_view> kinds() const;
@@ -122,11 +147,15 @@ class RoomFurnisher {
   };
 
   Draft Build(std::string_view kind, const PieceRequest& request = {});
+  /// Adds it to the building, as an object; returns its name.
+  std::string Show(const Draft& draft, const Eigen::Affine3f& pose);
   bool Fits(const Draft& draft, const Eigen::Affine3f& pose, const Rules& rules) const;
   std::optional<Rect> ClearanceOf(const Draft& draft, const Eigen::Affine3f& pose) const;
   const Placed* Place(const Draft& draft, const Eigen::Affine3f& pose, bool keeps_clearance);
   const Placed* PlaceBest(const Draft& draft, std::vector<Candidate> candidates,
-                          bool keeps_clearance = true);
+                          bool keeps_clearance = true, std::string_view seat = {});
+  bool HasSeat(const Draft& draft, const Eigen::Affine3f& pose, bool keeps_clearance,
+               std::string_view seat) const;
   /// Draws a chair up to a table's place; some stay pulled out or askew.
   bool PlaceChair(const Placed& table, std::string_view chair, const Offset& seat);
   void AddWallCandidates(const Draft& draft, const shell::Side& side, const Wish& wish,
@@ -139,6 +168,7 @@ class RoomFurnisher {
   RoomSpace& space_;
   const RoomStyle& style_;
   Rng rng_;
+  Rng common_rng_;
   MeshBuilder* builder_;
   std::deque<Placed> placed_;
   std::vector<Rect> rugs_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "sim/house/shell/faces.h"
 
@@ -14,6 +15,8 @@ constexpr float kOverHead = 1.7f;      // what hangs higher is in nobody's way, 
 constexpr float kFlat = 0.03f;         // what is lower is walked over
 constexpr float kCasing = 0.09f;       // around holes in walls
 constexpr float kAtWall = 0.25f;       // pieces this near a wall hide what is in it
+constexpr float kPitEdge = 0.04f;      // beside a hole in the floor
+constexpr float kHangs = 0.02f;        // pieces this near a wall hang on it
 constexpr float kStandBefore = 0.32f;  // from a door to where one stands before it
 
 Box Shrunk(const Box& box, float by) {
@@ -61,6 +64,16 @@ RoomSpace::RoomSpace(const FloorPlan& plan, const HouseStyle& style, int room)
       if (opening.IsPassage() && is_here && (opening.room_b < 0) == entry) AddDoor(plan, opening);
     }
   }
+  for (const Pit& pit : plan.pits) {
+    if (pit.room != room) continue;
+    // Nothing stands on it or before its edge; lamps may hang over it.
+    const PlanPoint edge = PlanPoint::Constant(kPitEdge);
+    const PlanPoint low = pit.low() - edge;
+    const PlanPoint high = pit.high() + edge;
+    taken_.emplace_back(Eigen::Vector3f(low.x(), -pit.depth, low.y()),
+                        Eigen::Vector3f(high.x(), kOverHead, high.y()));
+    pits_.emplace_back(pit.low(), pit.high());
+  }
   std::vector<Rect> leaves;
   for (const Box& leaf : taken_) leaves.push_back(FootOf(leaf));
   grid_.emplace(room_, mouths_, leaves, 0.5f * kWayWidth);
@@ -88,6 +101,12 @@ void RoomSpace::AddDoor(const FloorPlan& plan, const Opening& door) {
   doorways_.push_back(zone);
 }
 
+bool RoomSpace::MeetsPit(const Rect& rect) const {
+  return std::any_of(pits_.begin(), pits_.end(), [&](const Rect& pit) {
+    return pit.intersects(rect);
+  });
+}
+
 bool RoomSpace::IsFree(const Box& box) const {
   return std::none_of(taken_.begin(), taken_.end(), [&](const Box& other) {
     return other.intersects(box);
@@ -106,12 +125,26 @@ bool RoomSpace::MeetsClearance(const Rect& rect) const {
   });
 }
 
+Box RoomSpace::SeenFrom(std::size_t side, const Box& box) const {
+  Box seen;
+  for (const auto corner : {Box::BottomLeftFloor, Box::TopRightCeil}) {
+    seen.extend(side_frames_[side].inverse() * box.corner(corner));
+  }
+  return seen;
+}
+
+bool RoomSpace::HasWallBehind(const Box& box) const {
+  for (std::size_t i = 0; i < sides_.size(); ++i) {
+    const Box seen = SeenFrom(i, box);
+    if (std::abs(seen.min().z()) > kHangs) continue;
+    if (seen.min().x() >= 0.0f && seen.max().x() <= sides_[i].length()) return true;
+  }
+  return false;
+}
+
 bool RoomSpace::HidesOpening(const Box& box) const {
   for (std::size_t i = 0; i < sides_.size(); ++i) {
-    Box seen;  // in the side's frame
-    for (const auto corner : {Box::BottomLeftFloor, Box::TopRightCeil}) {
-      seen.extend(side_frames_[i].inverse() * box.corner(corner));
-    }
+    const Box seen = SeenFrom(i, box);
     if (seen.min().z() > kAtWall || seen.max().z() < 0.0f) continue;
     for (const shell::Hole& hole : sides_[i].holes) {
       const bool beside = seen.max().x() < hole.x0 - kCasing || seen.min().x() > hole.x1 + kCasing;

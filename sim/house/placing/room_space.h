@@ -31,14 +31,20 @@ class RoomSpace {
   bool IsFree(const Box& box) const;
   bool MeetsDoorway(const Rect& rect) const;
   bool MeetsClearance(const Rect& rect) const;
+  /// Lies over a hole in the floor.
+  bool MeetsPit(const Rect& rect) const;
   /// Stands before a window, or on a wall where a hole is.
   bool HidesOpening(const Box& box) const;
+  /// Hangs on a wall that is as wide as the box, at least.
+  bool HasWallBehind(const Box& box) const;
   /// Doors stay joined when this is added.
   bool LeavesWayPast(const Box& box) const;
 
   void Add(const Box& box, const std::optional<Rect>& clearance);
 
  private:
+  /// The box around a box in a side's frame.
+  Box SeenFrom(std::size_t side, const Box& box) const;
   void AddDoor(const FloorPlan& plan, const Opening& door);
   void FindMainFloor();
 
@@ -48,6 +54,7 @@ class RoomSpace {
   float ceiling_;
   Rect main_floor_;
   std::vector<Box> taken_;
+  std::vector<Rect> pits_;
   std::vector<Rect> doorways_;
   std::vector<Rect> clearances_;
   std::vector<PlanPoint> mouths_;

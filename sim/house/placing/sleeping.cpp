@@ -40,9 +40,9 @@ const Placed* PlaceBed(RoomFurnisher* room) {
 }
 
 void PlaceDesk(RoomFurnisher* room) {
-  const Placed* desk = room->AgainstWall("desk", {.width = 1.2f, .min_width = 1.0f});
-  if (desk == nullptr) return;
-  room->At(*desk, "office_chair", {0.0f, desk->size.z() + 0.2f, 2.0f * kQuarter});
+  const Placed* desk =
+      room->AgainstWall("desk", {.width = 1.2f, .min_width = 1.0f, .seat = "office_chair"});
+  if (desk != nullptr) room->SeatAt(*desk, "office_chair", 0.2f);
 }
 
 }  // namespace

@@ -6,9 +6,10 @@
 namespace bulletnav::sim::placing {
 namespace {
 
-void PlaceToilet(RoomFurnisher* room) {
+bool PlaceToilet(RoomFurnisher* room) {
   const Placed* toilet = room->AgainstWall("toilet", {.anchor = Anchor::kEnd, .squeeze = true});
   if (toilet != nullptr) room->OnWall("toilet_paper", 0.68f, {.near = toilet});
+  return toilet != nullptr;
 }
 
 void PlaceBasin(RoomFurnisher* room, float width) {
@@ -25,9 +26,8 @@ void PlaceBasin(RoomFurnisher* room, float width) {
   room->OnWall("towel_rail", 0.75f, {.near = basin});
 }
 
-}  // namespace
-
-void FurnishBathroom(RoomFurnisher* room) {
+/// Tub, shower or both.
+void PlaceWash(RoomFurnisher* room) {
   const bool has_tub = room->Chance(0.65);
   const Placed* wash = nullptr;
   if (has_tub) {
@@ -40,8 +40,24 @@ void FurnishBathroom(RoomFurnisher* room) {
     room->AgainstWall("bathtub", {.width = 1.7f, .min_width = 1.4f, .anchor = Anchor::kEnd});
   }
   if (has_tub && room->area() > 8.0f && room->Chance(0.6)) room->InCorner("shower_cabin");
+}
+
+/// The largest first, where that leaves a place for the toilet. Returns whether there is one.
+bool PlaceFittings(RoomFurnisher* room, bool toilet_first) {
+  bool has_toilet = toilet_first && PlaceToilet(room);
+  PlaceWash(room);
   PlaceBasin(room, room->area() > 6.0f ? 1.2f : 0.8f);
-  PlaceToilet(room);
+  if (!toilet_first) has_toilet = PlaceToilet(room);
+  return has_toilet;
+}
+
+}  // namespace
+
+void FurnishBathroom(RoomFurnisher* room) {
+  const bool is_roomy = room->Try([](RoomFurnisher* copy) {
+    return PlaceFittings(copy, false);
+  });
+  PlaceFittings(room, !is_roomy);
   if (room->area() > 6.0f && room->Chance(0.4)) room->AgainstWall("washing_machine");
   if (room->Chance(0.6)) room->AgainstWall("bathroom_shelf");
   if (room->Chance(0.5)) room->NearWall("laundry_basket");

@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include <array>
-#include <numbers>
 
 #include "sim/house/placing/programs.h"
 
 namespace bulletnav::sim::placing {
-namespace {
-
-constexpr float kHalfTurn = std::numbers::pi_v<float>;
-
-}  // namespace
 
 void FurnishStudy(RoomFurnisher* room) {
-  const Wish wish{.width = 1.8f, .min_width = 1.0f, .anchor = Anchor::kCentre, .squeeze = true};
+  const Wish wish{.width = 1.8f,
+                  .min_width = 1.0f,
+                  .anchor = Anchor::kCentre,
+                  .squeeze = true,
+                  .seat = "office_chair"};
   const Placed* desk = room->AgainstWall("desk", wish);
   if (desk != nullptr) {
-    room->At(*desk, "office_chair", {0.0f, desk->size.z() + 0.22f, kHalfTurn});
+    room->SeatAt(*desk, "office_chair");
     room->Beside(*desk, "filing_cabinet", room->Chance(0.5));
   }
   const int shelves = room->area() > 9.0f ? 3 : 2;

@@ -142,6 +142,9 @@ void Turn(int how, FloorPlan* plan) {
     return (how & 4) != 0 ? PlanPoint(q.y(), q.x()) : q;
   };
   MovePoints(turn, plan);
+  for (Pit& pit : plan->pits) {
+    for (PlanPoint* p : {&pit.corner, &pit.into, &pit.across}) *p = turn(*p);
+  }
   if (std::popcount(static_cast<unsigned>(how) & 7u) % 2 == 1) RestoreOrder(plan);
 }
 

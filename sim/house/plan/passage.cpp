@@ -166,6 +166,7 @@ bool IsPassable(const FloorPlan& plan, float radius) {
   for (const Opening& o : plan.openings) {
     if (o.has_leaf && o.door_angle > 0.0f) raster.Fill(Thickened(LeafOutline(o)), false);
   }
+  for (const Pit& pit : plan.pits) raster.Fill(pit.Outline(), false);
   const std::vector<bool> free = raster.RoomForDisc(radius);
   const auto seen = raster.Flood(free, plan.rooms[static_cast<std::size_t>(entry)].outline);
   return std::all_of(plan.rooms.begin(), plan.rooms.end(), [&](const Room& room) {

@@ -36,9 +36,9 @@ const RoomRule& RuleOf(RoomType type) {
 
 bool IsCirculation(RoomType type) {
   using enum RoomType;
-  static constexpr std::array kThrough = {kCorridor,    kEntry,     kLobby,
-                                          kOpenOffice,  kReception, kShopFloor,
-                                          kWaitingRoom, kWarehouse, kWorkshop};
+  static constexpr std::array kThrough = {kCorridor,  kEntry,     kLobby,       kOpenOffice,
+                                          kReception, kShopFloor, kWaitingRoom, kWarehouse,
+                                          kWorkshop,  kStudio};
   return std::find(kThrough.begin(), kThrough.end(), type) != kThrough.end();
 }
 

@@ -57,6 +57,10 @@ constexpr std::array kWindowRules = {
     WindowRule{kLobby, 1.6f, 3.0f, 0.45f, 0.0f, 1.0, 0.7, 0.4f},
     WindowRule{kWorkshop, 1.6f, 2.8f, 1.2f, 0.0f, 0.9, 0.5, 0.5f},
     WindowRule{kWarehouse, 1.4f, 2.4f, 1.2f, 0.8f, 0.7, 0.4, 0.8f},
+    WindowRule{kAssemblyHall, 1.6f, 2.8f, 1.3f, 0.0f, 1.0, 0.5, 0.6f},
+    WindowRule{kPaintRoom, 0.8f, 1.6f, 1.4f, 0.6f, 0.5, 0.1, 0.4f},
+    WindowRule{kStairwell, 0.8f, 1.6f, 1.1f, 0.0f, 0.7, 0.3, 0.4f},
+    WindowRule{kStudio, 1.6f, 3.0f, 0.6f, 0.0f, 1.0, 0.8, 0.4f},
 };
 
 const WindowRule& WindowRuleOf(RoomType type) {

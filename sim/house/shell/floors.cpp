@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
+#include <iterator>
+#include <set>
 
 #include "sim/house/shell/faces.h"
 #include "sim/house/shell/room_shell.h"
@@ -59,6 +62,46 @@ void AddFloor(const Surface& surface, std::vector<PlanPoint> outline, bool turne
   builder->Polygon(surface, outline, 0.0f, true);
 }
 
+std::vector<const Pit*> PitsOf(const FloorPlan& plan, int room) {
+  std::vector<const Pit*> pits;
+  for (const Pit& pit : plan.pits) {
+    if (pit.room == room) pits.push_back(&pit);
+  }
+  return pits;
+}
+
+struct Pitted {
+  std::vector<PlanPoint> outline;
+  std::vector<const Pit*> pits;
+  bool turned = false;
+};
+
+bool IsInPit(const std::vector<const Pit*>& pits, const PlanPoint& point) {
+  return std::any_of(pits.begin(), pits.end(), [&](const Pit* pit) {
+    return (point - pit->low()).minCoeff() > 0.0f && (pit->high() - point).minCoeff() > 0.0f;
+  });
+}
+
+/// The floor cut along all lines of its outline and its holes, so that it has no cracks.
+void AddFloorAround(const Surface& surface, const Pitted& floor, MeshBuilder* builder) {
+  std::array<std::set<float>, 2> cuts;
+  for (int axis = 0; axis < 2; ++axis) {
+    auto& here = cuts[static_cast<std::size_t>(axis)];
+    for (const PlanPoint& p : floor.outline) here.insert(p[axis]);
+    for (const Pit* pit : floor.pits) here.insert({pit->low()[axis], pit->high()[axis]});
+  }
+  for (auto x = cuts[0].begin(); std::next(x) != cuts[0].end(); ++x) {
+    for (auto y = cuts[1].begin(); std::next(y) != cuts[1].end(); ++y) {
+      const PlanPoint low(*x, *y);
+      const PlanPoint high(*std::next(x), *std::next(y));
+      const PlanPoint middle = 0.5f * (low + high);
+      if (!IsInside(floor.outline, middle) || IsInPit(floor.pits, middle)) continue;
+      AddFloor(surface, {low, {low.x(), high.y()}, high, {high.x(), low.y()}}, floor.turned,
+               builder);
+    }
+  }
+}
+
 /// The stretches of the line `at` across the room, along x or along z.
 std::vector<float> Crossings(const std::vector<PlanPoint>& outline, bool along_x, float at) {
   const int across = along_x ? 1 : 0;
@@ -98,13 +141,23 @@ void AddBeams(const Surface& surface, const std::vector<PlanPoint>& outline, flo
 void AddFloorAndCeiling(const FloorPlan& plan, const HouseStyle& style, int room,
                         MeshBuilder* builder) {
   const auto& outline = plan.rooms[static_cast<std::size_t>(room)].outline;
+  const std::string& name = plan.rooms[static_cast<std::size_t>(room)].name;
   const RoomStyle& look = style.rooms[static_cast<std::size_t>(room)];
   const Extent house = ExtentOf(plan.footprint);
   const bool is_deep = (house.high - house.low).y() > (house.high - house.low).x();
   const std::vector<PlanPoint> wide = Grown(outline, 0.5f * InnerThickness(plan) + kSeam);
-  AddFloor(look.floor, wide, is_deep, builder);
+  const std::vector<const Pit*> pits = PitsOf(plan, room);
+  builder->BeginObject("floor", name);
+  if (pits.empty()) {
+    AddFloor(look.floor, wide, is_deep, builder);
+  } else {
+    AddFloorAround(look.floor, {wide, pits, is_deep}, builder);
+  }
+  builder->BeginObject("ceiling", name);
   builder->Polygon(look.ceiling, wide, plan.ceiling, false);
-  if (look.beams) AddBeams(*look.beams, outline, plan.ceiling, builder);
+  if (!look.beams) return;
+  builder->BeginObject("beams", name);
+  AddBeams(*look.beams, outline, plan.ceiling, builder);
 }
 
 }  // namespace bulletnav::sim::shell

@@ -113,6 +113,7 @@ class SideBuilder {
 void AddWalls(const FloorPlan& plan, const HouseStyle& style, int room, MeshBuilder* builder) {
   const RoomStyle& room_style = style.rooms[static_cast<std::size_t>(room)];
   for (const Side& side : SidesOf(plan, style, room)) {
+    builder->BeginObject("wall", plan.rooms[static_cast<std::size_t>(room)].name);
     SideBuilder(side, room_style, plan.ceiling, builder).Build();
   }
 }

@@ -83,6 +83,10 @@ class Decorator {
       case RoomType::kLobby:
       case RoomType::kWorkshop:
       case RoomType::kWarehouse:
+      case RoomType::kAssemblyHall:
+      case RoomType::kPaintRoom:
+      case RoomType::kStairwell:
+      case RoomType::kStudio:
         break;
     }
     return theme_.main_floor;
@@ -162,6 +166,10 @@ class Decorator {
       case RoomType::kLobby:
       case RoomType::kWorkshop:
       case RoomType::kWarehouse:
+      case RoomType::kAssemblyHall:
+      case RoomType::kPaintRoom:
+      case RoomType::kStairwell:
+      case RoomType::kStudio:
         break;
     }
   }

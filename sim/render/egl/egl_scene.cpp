@@ -92,7 +92,10 @@ class DeviceRenderer final : public Renderer {
 class CpuResolveRenderer final : public Renderer {
  public:
   CpuResolveRenderer(const SceneBuffers& scene, const CameraSpec& spec)
-      : sampling_(spec), layout_(spec, Oversampling(scene, spec)), context_(scene.context.Share()) {
+      : objects_(scene.mesh.objects),
+        sampling_(spec),
+        layout_(spec, Oversampling(scene, spec)),
+        context_(scene.context.Share()) {
     CheckTarget(layout_);
     const EglContext::Current current(*context_);
     ids_ = std::make_unique<IdPass>(scene, layout_, 1);
@@ -116,9 +119,17 @@ class CpuResolveRenderer final : public Renderer {
   const CameraSpec& spec() const override { return sampling_.spec(); }
   int preferred_batch() const override { return 1; }
 
+  bool sees_objects() const override { return true; }
+
   void Render(std::span<const CameraPose> cameras, std::span<std::uint8_t> color,
               std::span<float> depth) override {
+    RenderObjects(cameras, color, depth, {});
+  }
+
+  void RenderObjects(std::span<const CameraPose> cameras, std::span<std::uint8_t> color,
+                     std::span<float> depth, std::span<std::int32_t> objects) override {
     const PictureSlices slices(spec(), cameras, color, depth);
+    const ObjectSlices object_slices(spec(), cameras.size(), objects);
     const EglContext::Current current(*context_);
     for (std::size_t i = 0; i < cameras.size(); ++i) {
       ids_->Draw(cameras.subspan(i, 1), /*leave_out_hidden=*/true);
@@ -128,11 +139,13 @@ class CpuResolveRenderer final : public Renderer {
       kernels_.resolve(scene_, sampling_.grid(), frame, picture, sampling_.hits());
       kernels_.shade(scene_, sampling_.grid(), frame, sampling_.hits(), slices.color(i),
                      slices.depth(i));
+      object_slices.Write(i, sampling_, objects_);
     }
   }
 
  private:
   const Kernels& kernels_ = *SupportedKernels()[0];
+  const std::vector<std::uint32_t>& objects_;
   Sampling sampling_;
   ViewLayout layout_;
   std::unique_ptr<EglContext> context_;
@@ -149,6 +162,7 @@ class EglScene final : public RenderScene {
 
   Backend backend() const override { return Backend::kEgl; }
   std::string description() const override { return "EGL, " + buffers_.context.renderer(); }
+  bool has_objects() const override { return !buffers_.mesh.objects.empty(); }
   std::unique_ptr<Renderer> MakeRenderer(const CameraSpec& spec) const override {
     if (buffers_.shade_on_device) return std::make_unique<DeviceRenderer>(buffers_, spec);
     return std::make_unique<CpuResolveRenderer>(buffers_, spec);

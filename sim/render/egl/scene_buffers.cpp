@@ -15,14 +15,18 @@ RenderMesh InSpatialOrder(const SceneMesh& scene) {
   RenderMesh mesh(scene);
   std::vector<std::array<Eigen::Vector3f, 3>> corners;
   std::vector<TriangleShading> shading;
+  std::vector<std::uint32_t> objects;
   for (const BvhLeaf& leaf : Bvh(mesh.corners).leaves) {
     for (int i = 0; i < leaf.count; ++i) {
       corners.push_back(mesh.corners[static_cast<std::size_t>(leaf.id[i])]);
       shading.push_back(mesh.shading[static_cast<std::size_t>(leaf.id[i])]);
+      if (mesh.objects.empty()) continue;
+      objects.push_back(mesh.objects[static_cast<std::size_t>(leaf.id[i])]);
     }
   }
   mesh.corners = std::move(corners);
   mesh.shading = std::move(shading);
+  mesh.objects = std::move(objects);
   return mesh;
 }
 

@@ -226,4 +226,30 @@ PictureSlices::PictureSlices(const CameraSpec& spec, std::span<const CameraPose>
   check("depth", depth.size(), pixels_ * cameras.size());
 }
 
+ObjectSlices::ObjectSlices(const CameraSpec& spec, std::size_t cameras,
+                           std::span<std::int32_t> objects)
+    : pixels_(SizeOf(spec).pixels()), objects_(objects) {
+  if (objects.empty() || objects.size() == pixels_ * cameras) return;
+  throw Error(
+      fmt::format("Render: the span for objects has {} elements; it must be empty or have {}",
+                  objects.size(), pixels_ * cameras));
+}
+
+void ObjectSlices::Write(std::size_t i, const Sampling& sampling,
+                         std::span<const std::uint32_t> objects) const {
+  if (objects_.empty()) return;
+  const KernelGrid& grid = sampling.grid();
+  std::int32_t* out = &objects_[pixels_ * i];
+  for (int row = 0; row < grid.rows; ++row) {
+    for (int col = 0; col < grid.cols; ++col) {
+      const int at = row * grid.stride + col;
+      const bool is_hit = sampling.hits().id[at] >= 0 && !objects.empty();
+      *out++ =
+          is_hit
+              ? static_cast<std::int32_t>(objects[static_cast<std::size_t>(sampling.hits().id[at])])
+              : 0;
+    }
+  }
+}
+
 }  // namespace bulletnav::sim

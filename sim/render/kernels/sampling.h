@@ -76,4 +76,18 @@ class PictureSlices {
   std::span<float> depth_;
 };
 
+/// Pictures of what is seen, cut as PictureSlices. Throws Error if the span neither is empty nor
+/// fits.
+class ObjectSlices {
+ public:
+  ObjectSlices(const CameraSpec& spec, std::size_t cameras, std::span<std::int32_t> objects);
+
+  /// The i-th, from the hits of a sampling, if it is wanted; `objects`: of each triangle, or empty.
+  void Write(std::size_t i, const Sampling& sampling, std::span<const std::uint32_t> objects) const;
+
+ private:
+  std::size_t pixels_;
+  std::span<std::int32_t> objects_;
+};
+
 }  // namespace bulletnav::sim

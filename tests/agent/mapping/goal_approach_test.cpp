@@ -31,7 +31,7 @@ class GoalApproachTest : public testing::Test {
       if (!last_ || last_ == Action::kStop) return;
       navigator_.Took(*last_);
       constexpr double kTurn = sim::DegToRad(10.0);
-      if (last_ == Action::kMoveForward) motion_.x = 0.25;
+      if (last_ == Action::kMoveForward) motion_.x = is_held_ ? 0.0 : 0.25;
       if (last_ == Action::kTurnLeft) motion_.yaw = kTurn;
       if (last_ == Action::kTurnRight) motion_.yaw = -kTurn;
     }
@@ -45,6 +45,7 @@ class GoalApproachTest : public testing::Test {
   sim::PlanarPose motion_;
   std::optional<Action> last_;
   int steps_ = 0;
+  bool is_held_ = false;  // something unseen is in the way, wherever it goes
 };
 
 TEST_F(GoalApproachTest, WalksToAGoalAndStopsNearIt) {
@@ -120,6 +121,27 @@ TEST_F(GoalApproachTest, AfterAStopInVainItGoesNearerAndThenLooksElsewhere) {
   Run(other, lie);
   EXPECT_EQ(last_, Action::kStop);
   EXPECT_LE(Left(other), 0.5);
+}
+
+TEST_F(GoalApproachTest, AGoalThatIsSeenButCannotBeGotToIsSetAside) {
+  const Point goal{2.0, 0.0};
+  const auto truth = [](double) {
+    return 0.99;
+  };
+  is_held_ = true;
+  Run(goal, truth);
+  EXPECT_FALSE(last_) << "it looks for another way";
+  EXPECT_LT(steps_, 100);
+  EXPECT_TRUE(approach_.target());
+  EXPECT_FALSE(approach_.MayBeAt(goal, 2.0, 0.99)) << "whoever else says so";
+  Run(goal, truth);
+  EXPECT_EQ(steps_, 0) << "nothing more has been seen";
+  approach_.Reconsider();
+  is_held_ = false;
+  motion_ = {};
+  Run(goal, truth);
+  EXPECT_EQ(last_, Action::kStop);
+  EXPECT_LE(Left(goal), 0.5);
 }
 
 }  // namespace

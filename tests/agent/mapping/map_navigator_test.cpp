@@ -126,6 +126,38 @@ TEST(MapNavigator, TheFrontierIsKeptUntilItIsExplored) {
   EXPECT_NEAR(next->x, 4.15, 0.1);
 }
 
+/// The depth seen in the middle of a room of 5 x 4 m without doors.
+std::vector<float> RoomDepth(float yaw) {
+  static const auto scene = sim::MakeRenderScene(tests::BoxRoom(4, 2.6f, 5), sim::Backend::kEmbree);
+  return tests::RenderPanorama(*scene, {}, {{2.0f, 1.25f, -2.5f}, yaw}).depth;
+}
+
+TEST(MapNavigator, DoubtsAMapThatDriftHasTurned) {
+  MapNavigator navigator({}, {});
+  navigator.Reset();
+  const auto look = [&](const std::vector<float>& depth, double ahead = 0.0) {
+    navigator.Observe({{{}, depth}, {ahead, 0.0, 0.0}, false, 0});
+  };
+  for (int i = 0; i < 8; ++i) look(RoomDepth(0.0f));
+  const sim::Cell corner = navigator.map().CellAt({2.4, 1.9});
+  EXPECT_TRUE(navigator.map().IsExplored(corner));
+  const auto turned = RoomDepth(0.7f);  // the odometry has not felt it
+  for (int i = 0; i < 4; ++i) look(turned);
+  const sim::Cell beyond = navigator.map().CellAt({2.45, -1.9});
+  EXPECT_FALSE(navigator.map().IsExplored(beyond) && navigator.map().IsExplored(corner))
+      << "what was mapped before is outside the walls that are seen";
+}
+
+TEST(MapNavigator, KeepsAMapThatAgreesWithWhatIsSeen) {
+  MapNavigator navigator({}, {});
+  navigator.Reset();
+  for (int i = 0; i < 8; ++i) {
+    const auto depth = tests::CorridorDepth(0.25 * i);
+    navigator.Observe({{{}, depth}, {i == 0 ? 0.0 : 0.25, 0.01 * (i % 2), 0.005}, false, i});
+  }
+  EXPECT_TRUE(navigator.map().IsExplored(navigator.map().CellAt({-0.5, 0.0}))) << "long past";
+}
+
 TEST(MapNavigator, OpeningsAreWhereKnownFloorEnds) {
   MapNavigator navigator({}, {});
   navigator.Reset();
@@ -146,6 +178,19 @@ TEST(MapNavigator, AFrontierThatStaysUnseenFromNearbyIsGivenUp) {
     frontier = body.navigator.Frontier();
   }
   EXPECT_LT(given_up, 60);
+}
+
+TEST(MapNavigator, AFrontierThatTheBodyCannotGetNearerToIsGivenUp) {
+  MapNavigator navigator({}, {});
+  navigator.Reset();
+  const auto depth = tests::CorridorDepth(0.0);
+  int steps = 0;
+  for (; steps < 200; ++steps) {  // something unseen holds the body
+    navigator.Observe({{{}, depth}, {}, false, steps});
+    if (!navigator.ToFrontier()) break;
+  }
+  EXPECT_GT(steps, 20);
+  EXPECT_LT(steps, 200) << "there is but one end of the corridor";
 }
 
 TEST(NavigatorSpec, RefusesNonsense) {

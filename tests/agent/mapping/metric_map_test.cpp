@@ -164,6 +164,94 @@ TEST(MetricMap, FeltWallsStandFifteenCentimetresAhead) {
   EXPECT_EQ(map.states()[map.CellAt({1.0, 1.16})], sim::CellState::kFree) << "the track stays";
 }
 
+/// A hall 8 m wide whose floor ends 3.5 m ahead of the place where Scene stands, x = 3.5 in the
+/// plane; beyond it lies floor so much lower, or nothing if it is 0.
+sim::SceneMesh Ledge(float lower) {
+  const sim::Rgb8 grey = {128, 128, 128};
+  sim::SceneMesh mesh;
+  tests::AddQuad({-2, 0, 1}, {6, 0, 1}, {6, 0, -5.5f}, {-2, 0, -5.5f}, grey, &mesh);
+  if (lower == 0.0f) return mesh;
+  tests::AddQuad({-2, -lower, -5.5f}, {6, -lower, -5.5f}, {6, -lower, -15}, {-2, -lower, -15}, grey,
+                 &mesh);
+  return mesh;
+}
+
+/// What the map makes of places around the ledge after the body has walked up to it.
+MetricMap MapOf(const sim::SceneMesh& mesh, double until) {
+  const Scene scene(mesh);
+  MetricMap map({}, {});
+  for (double x = 0.0; x <= until; x += 0.25) map.Update({{}, scene.Depth({x, 0, 0})}, {x, 0, 0});
+  return map;
+}
+
+TEST(MetricMap, FloorThatEndsAtADropIsNoWay) {
+  for (const float lower : {0.0f, 0.8f, 2.8f, 20.0f}) {
+    const MetricMap map = MapOf(Ledge(lower), 2.25);
+    for (double y = -0.6; y <= 0.6; y += 0.05) {
+      EXPECT_EQ(map.states()[map.CellAt({3.2, y})], sim::CellState::kFree) << lower << " " << y;
+      bool is_blocked = false;
+      for (double x = 3.4; x < 3.9; x += 0.05) {
+        is_blocked |= map.states()[map.CellAt({x, y})] == sim::CellState::kBlocked;
+        EXPECT_FALSE(is_blocked && x < 3.425) << "the floor before it is one";
+      }
+      EXPECT_TRUE(is_blocked) << lower << " " << y;
+    }
+    EXPECT_FALSE(IsKnownFree(map.states()[map.CellAt({5.0, 0.0})])) << lower;
+  }
+}
+
+TEST(MetricMap, WhatMayBeStairsIsNotKnownFromAfar) {
+  const MetricMap map = MapOf(Ledge(0.5f), 0.5);
+  EXPECT_EQ(map.states()[map.CellAt({3.3, 0.0})], sim::CellState::kFree);
+  EXPECT_EQ(map.states()[map.CellAt({3.65, 0.0})], sim::CellState::kUnknown);
+}
+
+TEST(MetricMap, StepsAndStairsDownAreFloor) {
+  const MetricMap step = MapOf(Ledge(0.15f), 2.25);
+  EXPECT_TRUE(IsKnownFree(step.states()[step.CellAt({4.0, 0.0})]));
+  const sim::Rgb8 grey = {128, 128, 128};
+  sim::SceneMesh stairs = Ledge(8 * 0.17f);
+  for (int i = 0; i < 8; ++i) {
+    const float top = -0.17f * static_cast<float>(i + 1);
+    const float z = -5.5f - 0.28f * static_cast<float>(i);
+    tests::AddBox({-2, top - 0.2f, z - 0.28f}, {6, top, z}, grey, &stairs);
+  }
+  const MetricMap map = MapOf(stairs, 2.25);
+  for (double x = 3.5; x < 4.4; x += 0.05) {
+    EXPECT_FALSE(map.IsObstacle(map.CellAt({x, 0.0}))) << x;
+  }
+  EXPECT_TRUE(IsKnownFree(map.states()[map.CellAt({4.0, 0.0})]));
+}
+
+TEST(MetricMap, GapsInTheFloorAreNoDrops) {
+  sim::SceneMesh mesh = Ledge(0.0f);
+  tests::AddQuad({-2, 0, -5.6f}, {6, 0, -5.6f}, {6, 0, -9}, {-2, 0, -9}, {128, 128, 128}, &mesh);
+  const MetricMap map = MapOf(mesh, 2.25);
+  for (double x = 3.3; x < 5.0; x += 0.05) {
+    EXPECT_FALSE(map.IsObstacle(map.CellAt({x, 0.0}))) << x;
+  }
+}
+
+TEST(MetricMap, KnowsHowMuchOfItAViewContradicts) {
+  const Scene scene(tests::BoxRoom(kWidth, 2.6f, kDepth));
+  MetricMap map({}, {});
+  map.Update({{}, scene.Depth({})}, {});
+  map.Update({{}, scene.Depth({0.1, 0.1, 0.05})}, {0.1, 0.1, 0.05});
+  EXPECT_GT(map.contradiction().all, 100);
+  EXPECT_LT(map.contradiction().share(), 0.1);
+  map.Update({{}, scene.Depth({0, 0, 0.6})}, {});
+  EXPECT_GT(map.contradiction().share(), 0.5);
+}
+
+TEST(MetricMap, OnlyWhatIsUnknownIsNoWay) {
+  MetricMap map({}, {});
+  map.MarkTrack({}, {1.0, 0.0, 0.0});
+  map.MarkNoWay({1.2, 0.0}, 0.3);
+  EXPECT_EQ(map.states()[map.CellAt({1.0, 0.0})], sim::CellState::kFree);
+  EXPECT_EQ(map.states()[map.CellAt({1.2, 0.0})], sim::CellState::kBlocked);
+  EXPECT_EQ(map.states()[map.CellAt({1.6, 0.0})], sim::CellState::kUnknown);
+}
+
 TEST(MetricMap, MovesAlongWithABodyThatNearsItsEdge) {
   const Scene scene(tests::BoxRoom(kWidth, 2.6f, kDepth));
   MapSpec spec;
@@ -182,7 +270,7 @@ TEST(MetricMap, ItsPictureShowsWhatItKnows) {
   MetricMap map({}, {});
   map.Update({{}, Scene(tests::BoxRoom(kWidth, 2.6f, kDepth)).Depth({})}, {});
   map.MarkWall({1.0, 0.0, 0.0}, 3);
-  map.MarkExplored({5.0, 0.0}, 0.2);
+  map.MarkNoWay({5.0, 0.0}, 0.2);
   const MapPicture picture = map.Picture();
   ASSERT_EQ(picture.kinds.size(), static_cast<std::size_t>(picture.size * picture.size));
   const auto kind = [&](double x, double y) {
@@ -193,7 +281,7 @@ TEST(MetricMap, ItsPictureShowsWhatItKnows) {
   EXPECT_EQ(kind(0.5, 0.5), MapPicture::Kind::kFree);
   EXPECT_EQ(kind(1.17, 0.0), MapPicture::Kind::kFeltWall);
   EXPECT_EQ(kind(4.0, 0.0), MapPicture::Kind::kUnknown);
-  EXPECT_EQ(kind(5.0, 0.0), MapPicture::Kind::kFree);
+  EXPECT_EQ(kind(5.0, 0.0), MapPicture::Kind::kFeltWall);
   EXPECT_TRUE(kind(0.0, 2.01) == MapPicture::Kind::kObstacle ||
               kind(0.0, 1.99) == MapPicture::Kind::kObstacle);
 }

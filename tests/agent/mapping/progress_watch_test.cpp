@@ -34,6 +34,20 @@ TEST(ProgressWatch, TheWayBackToATargetIsProgress) {
   for (int i = 0; i < 20; ++i) EXPECT_FALSE(watch.IsStuck(1, 6.0 - 0.25 * i)) << i;
 }
 
+TEST(ProgressWatch, FloorThatIsSeenForTheFirstTimeIsProgress) {
+  ProgressWatch watch(3, 0.2);
+  for (int i = 0; i < 20; ++i) EXPECT_FALSE(watch.IsStuck(1, 5.0 + 0.25 * i, 1.0 * i)) << i;
+  EXPECT_FALSE(watch.IsStuck(1, 9.75, 19.0));
+  EXPECT_TRUE(watch.IsStuck(1, 9.75, 19.0)) << "what little was seen counts once";
+}
+
+TEST(ProgressWatch, WhatWasSeenOnALongWayRoundDoesNotRaiseTheMark) {
+  ProgressWatch watch(3, 0.2);
+  EXPECT_FALSE(watch.IsStuck(1, 5.0, 0.0));
+  EXPECT_FALSE(watch.IsStuck(1, 8.0, 2.0));
+  for (int i = 0; i < 20; ++i) EXPECT_FALSE(watch.IsStuck(1, 7.75 - 0.25 * i, 2.0)) << i;
+}
+
 TEST(ProgressWatch, ForgetsOneTarget) {
   ProgressWatch watch(2, 0.2);
   watch.IsStuck(1, 5.0);

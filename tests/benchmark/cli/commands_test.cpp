@@ -184,6 +184,10 @@ TEST_F(CommandsTest, ScenesAreGeneratedInspectedAndDrawn) {
       "render corridor.glb --pose 1,0,-1,90 --projection pinhole --size 32x24 --backend embree "
       "--out flat");
   EXPECT_EQ(CountFiles("flat", ".png"), 2);
+  Output(
+      "render corridor.glb --pose 1,0,-1,90 --projection pinhole --size 32x24 --backend embree "
+      "--sensor-noise depth_camera --out noisy");
+  EXPECT_NE(Read("noisy/0000_depth.png"), Read("flat/0000_depth.png"));
   Output("scenes generate --count 1 --seed 4 --out houses");
   EXPECT_TRUE(Has("houses/house_000.glb"));
   EXPECT_TRUE(Has("houses/index.json"));

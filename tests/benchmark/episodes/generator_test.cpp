@@ -185,5 +185,18 @@ TEST(ScenesOf, TakesAllMeshesBelowAFolder) {
   EXPECT_THROW(ScenesOf(spec), sim::FileError);
 }
 
+TEST(ScenesOf, AFolderOfScansHasEachOnce) {
+  const tests::TemporaryFolder folder;
+  for (const char* name : {"a.glb", "a.basis.glb", "a.semantic.glb", "b.basis.glb", "c.ply",
+                           "c_semantic.ply", "c.navmesh"}) {
+    folder.Write(name, "");
+  }
+  GeneratorSpec spec;
+  spec.scenes = {folder.path().string()};
+  std::vector<std::string> names;
+  for (const std::filesystem::path scene : ScenesOf(spec)) names.push_back(scene.filename());
+  EXPECT_EQ(names, (std::vector<std::string>{"a.glb", "b.basis.glb", "c.ply"}));
+}
+
 }  // namespace
 }  // namespace bulletnav::bench

@@ -1,9 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/play/belief_log.h"
 
+#include <string_view>
+#include <vector>
+
 #include <gmock/gmock.h>
 
+#include "benchmark/base/gzip.h"
 #include "benchmark/base/json_cursor.h"
+#include "benchmark/play/belief_reader.h"
+#include "sim/base/error.h"
+#include "sim/base/files.h"
+#include "sim/math/rng.h"
+#include "tests/support/temporary_folder.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -67,6 +76,50 @@ TEST(BeliefLogTest, TellsGraphAndTargetWhenTheyChange) {
   EXPECT_EQ(frames[1].dump(), R"({"t":null,"w":[]})");
 }
 
+bool operator==(const agent::MapPicture& a, const agent::MapPicture& b) {
+  return a.size == b.size && a.low_x == b.low_x && a.kinds == b.kinds;
+}
+
+TEST(BeliefLogTest, IsReadBackStepByStep) {
+  constexpr int kSteps = 40;
+  sim::Rng rng(5, "beliefs");
+  BeliefLog log;
+  std::vector<agent::Belief> told;
+  agent::Belief belief = Believed(std::vector<Kind>(9, Kind::kUnknown));
+  belief.graph.emplace();
+  for (int step = 0; step < kSteps; ++step) {
+    belief.map->kinds[rng.Below(9)] = static_cast<Kind>(rng.Below(4));
+    if (step % 7 == 3) belief.map->low_x += 1.0;
+    if (step % 5 == 2) belief.target = {0.5 * step, 1.0, 0.0};
+    if (step % 5 == 4) belief.target.reset();
+    if (step % 3 == 1) {
+      belief.graph->nodes.push_back({0.25 * step, -1.0, step % 2 == 0, 0.125});
+      belief.graph->edges.emplace_back(0, step / 3);
+      belief.graph->path = {0, step / 3};
+    }
+    log.Add(belief);
+    told.push_back(belief);
+  }
+  const tests::TemporaryFolder folder;
+  sim::WriteFileAtomically(folder.path() / "b.json.gz", Compress(log.ToJson()));
+  BeliefReader reader(folder.path() / "b.json.gz");
+  ASSERT_EQ(reader.size(), told.size());
+  for (std::size_t i : {0, 1, 2, 9, 10, 23, 24, 39}) {
+    const agent::Belief& read = reader.At(i);
+    EXPECT_EQ(read.target.has_value(), told[i].target.has_value()) << i;
+    if (read.target) EXPECT_EQ(read.target->x, told[i].target->x) << i;
+    EXPECT_TRUE(*read.map == *told[i].map) << i;
+    EXPECT_EQ(read.graph->nodes, told[i].graph->nodes) << i;
+    EXPECT_EQ(read.graph->edges, told[i].graph->edges) << i;
+    EXPECT_EQ(read.graph->path, told[i].graph->path) << i;
+  }
+  sim::WriteFileAtomically(folder.path() / "bad.gz", Compress(R"({"cell":1,"size":2,
+      "frames":[{"low":[0,0],"m":[2,13]}]})"));
+  EXPECT_THROW(BeliefReader(folder.path() / "bad.gz").At(0), sim::FileError);
+  sim::WriteFileAtomically(folder.path() / "cut.gz", std::string_view("x"));
+  EXPECT_THROW(BeliefReader(folder.path() / "cut.gz"), sim::FileError);
+}
+
 TEST(BeliefLogTest, IsEmptyForAgentsThatTellNothing) {
   BeliefLog log;
   log.Add({});
@@ -77,7 +130,7 @@ TEST(BeliefLogTest, IsEmptyForAgentsThatTellNothing) {
 
 TEST(BeliefLogTest, LiesBesideTheTrajectories) {
   const ResultKey key = {"nts", "rgbd", "noise", 3, "a/house.glb", "easy/0"};
-  EXPECT_EQ(BeliefPath("run", key), "run/beliefs/nts-rgbd-noise-3/house-easy_0.json.gz");
+  EXPECT_EQ(BeliefPath("run", key), "run/beliefs/nts-rgbd-noise-3/a_house-easy_0.json.gz");
 }
 
 }  // namespace

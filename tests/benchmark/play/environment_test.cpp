@@ -211,9 +211,7 @@ std::vector<std::string> WalkAll(Environment* environment, const std::vector<int
   return seen;
 }
 
-TEST(Environment, LanesAreAsIfTheyWereAlone) {
-  Task task = SmallTask();
-  task.noise = sim::NoiseMode::kAnsReleased;
+void ExpectLanesAsIfAlone(const Task& task) {
   const auto room = Room();
   const auto other = Room("other");
   const auto world_of = [&](int i) {
@@ -235,13 +233,49 @@ TEST(Environment, LanesAreAsIfTheyWereAlone) {
   EXPECT_EQ(WalkAll(&lanes.environment, {0, 1, 2}, {Walk(0), Walk(1), Walk(2)}), alone);
 }
 
-TEST(Environment, ShowsWhatASimulatorShows) {
+TEST(Environment, LanesAreAsIfTheyWereAlone) {
   Task task = SmallTask();
+  task.noise = sim::NoiseMode::kAnsReleased;
+  ExpectLanesAsIfAlone(task);
+  task.sensor_noise = sim::NamedSensorNoise("depth_camera");
+  ExpectLanesAsIfAlone(task);
+}
+
+/// Of one episode, its goals one after the other.
+std::vector<std::vector<std::uint8_t>> GoalPictures(const Task& task, const std::string& id) {
+  Lanes lanes(task);
+  lanes.environment.Reset(0, Ahead({1.5, 1.5}, id), Room());
+  std::vector<std::vector<std::uint8_t>> pictures;
+  while (!lanes.environment.is_over(0)) {
+    const agent::Panorama goal = lanes.environment.goal(0);
+    pictures.emplace_back(goal.color.begin(), goal.color.end());
+    lanes.Step(Action::kStop);
+  }
+  return pictures;
+}
+
+TEST(Environment, GoalsHaveTheSensorsNoiseToo) {
+  Task task = SmallTask();
+  const auto clean = GoalPictures(task, "a");
+  task.sensor_noise = sim::NamedSensorNoise("phone_camera");
+  const auto noisy = GoalPictures(task, "a");
+  ASSERT_EQ(noisy.size(), 2u);
+  EXPECT_EQ(clean[0], clean[1]);
+  EXPECT_NE(noisy[0], clean[0]);
+  EXPECT_NE(noisy[0], noisy[1]);
+  EXPECT_EQ(noisy, GoalPictures(task, "a"));
+  EXPECT_NE(noisy, GoalPictures(task, "b"));
+}
+
+void ExpectWhatASimulatorShows(const Task& task) {
   const auto room = Room();
   Lanes lanes(task);
   lanes.environment.Reset(0, Ahead({2.0}), room);
-  sim::Simulator simulator(room, {task.body, task.panorama, task.noise});
-  const sim::Observation* expected = &simulator.Reset(Ahead({2.0}).episode.start());
+  sim::SimulatorSpec spec{task.body, task.panorama, task.noise};
+  spec.sensor_noise = task.sensor_noise;
+  sim::Simulator simulator(room, spec);
+  const sim::EpisodeKey key = TaskEpisode(Ahead({2.0}), task, room).random_key();
+  const sim::Observation* expected = &simulator.Reset(Ahead({2.0}).episode.start(), key);
   for (int i = 0; i < 5; ++i) {
     const int lane = 0;
     lanes.environment.Observe({&lane, 1});
@@ -254,10 +288,18 @@ TEST(Environment, ShowsWhatASimulatorShows) {
     lanes.Step(Action::kMoveForward);
     expected = &simulator.Step(Action::kMoveForward);
   }
+  if (!task.sensor_noise.is_none()) return;
   const sim::Observation goal = sim::Simulator(room, {task.body, task.panorama, task.noise})
                                     .Reset(Ahead({2.0}).episode.goal(0));
   EXPECT_TRUE(
       std::equal(goal.color.begin(), goal.color.end(), lanes.environment.goal(0).color.begin()));
+}
+
+TEST(Environment, ShowsWhatASimulatorShows) {
+  Task task = SmallTask();
+  ExpectWhatASimulatorShows(task);
+  task.sensor_noise = sim::NamedSensorNoise("stereo_camera");
+  ExpectWhatASimulatorShows(task);
 }
 
 TEST(Environment, AnEpisodeThatCannotBePlayedIsNamedAndLeavesTheLaneEmpty) {

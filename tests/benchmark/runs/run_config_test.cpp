@@ -59,6 +59,16 @@ TEST(RunConfig, SavedOneReadsBackTheSame) {
   EXPECT_EQ(again.fingerprints, config.fingerprints);
 }
 
+TEST(RunConfig, SensorNoiseIsOffUnlessItIsNamed) {
+  EXPECT_EQ(sim::ToYaml(ParseRunConfig(kGood, "c.yaml")).find("sensor_noise"), std::string::npos);
+  const RunConfig config =
+      ParseRunConfig("sensor_noise: depth_camera\n" + std::string(kGood), "c.yaml");
+  EXPECT_EQ(config.sensor_noise, "depth_camera");
+  EXPECT_THAT(sim::ToYaml(config), HasSubstr("sensor_noise: depth_camera"));
+  EXPECT_THAT(ErrorOf("sensor_noise: loud\n" + std::string(kGood)),
+              AllOf(StartsWith("c.yaml:1:15: "), HasSubstr("none, depth_camera, phone_camera")));
+}
+
 TEST(RunConfig, ErrorsNameThePlace) {
   EXPECT_THAT(ErrorOf(With("conditions:", "condition:")),
               AllOf(StartsWith("c.yaml:2:1: "), HasSubstr("did you mean 'conditions'?")));

@@ -314,14 +314,17 @@ TEST_F(RunnerTest, StagesCanBeCalledAloneAndImportEachSceneOnce) {
   ResolvedRun run = ResolveRun(Config("{agent: shortest_path}", "", "{easy: 4}"), true);
   fs::remove(run.config.episodes.file);
   SceneCache scenes(run.config.world_options());
-  const RunTools tools = {scenes, 2, [](const std::string&, int) {
+  const RunTools tools = {scenes,
+                          2,
+                          [](const std::string&, int) {
                             return [] {};
-                          }};
+                          },
+                          {}};
   EXPECT_TRUE(DrawRunEpisodes(run.config, tools));
   EXPECT_FALSE(DrawRunEpisodes(run.config, tools));
   RunEpisodes episodes = ReadRunEpisodes(run.config);
   EXPECT_EQ(episodes.episodes.size(), 4u);
-  CheckRunEpisodes(run.config, episodes, tools);
+  CheckRunEpisodes(run.config, tools, &episodes);
   EXPECT_EQ(TakeFingerprints(run.config, episodes, &scenes).scenes.size(), 2u);
   const RunPlan plan = PlanRun(std::move(run), std::move(episodes));
   std::mutex adding;

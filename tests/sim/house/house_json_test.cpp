@@ -237,7 +237,8 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(HouseJson, ReadsBackKindAndFurniture) {
   HouseDescription house = Sample();
   house.kind = "office";
-  house.furniture = {{"office_chair", 1, {-0.3f, 0, -0.3f}, {0.3f, 1, 0.25f}, {1, 0, -2}, 0.5f}};
+  house.furniture = {
+      {"office_chair", 1, {-0.3f, 0, -0.3f}, {0.3f, 1, 0.25f}, {1, 0, -2}, 0.5f, "office_chair_3"}};
   const HouseDescription back = ReadBack(ToJson(house));
   EXPECT_EQ(back.kind, "office");
   ASSERT_EQ(back.furniture.size(), 1U);
@@ -247,10 +248,28 @@ TEST(HouseJson, ReadsBackKindAndFurniture) {
   EXPECT_EQ(back.furniture[0].high, house.furniture[0].high);
   EXPECT_EQ(back.furniture[0].position, house.furniture[0].position);
   EXPECT_EQ(back.furniture[0].yaw, house.furniture[0].yaw);
+  EXPECT_EQ(back.furniture[0].name, "office_chair_3");
 
   json text = json::parse(ToJson(house));
   text["furniture"][0]["room"] = 99;
   EXPECT_THAT(ComplaintOf(text.dump()), HasSubstr("furniture[0].room:"));
+}
+
+TEST(HouseJson, ReadsBackPits) {
+  HouseDescription house = Sample(1);
+  EXPECT_EQ(ToJson(house).find("pits"), std::string::npos);
+  Pit pit;
+  pit.room = 0;
+  pit.into = {0.0f, 1.0f};
+  pit.across = {-1.0f, 0.0f};
+  pit.first_drop = 0.5f;
+  pit.rails = {true, false, true, false};
+  pit.rail = Rail::kGlass;
+  house.plan.pits.push_back(pit);
+  const HouseDescription back = ReadBack(ToJson(house));
+  ASSERT_EQ(back.plan.pits.size(), 1u);
+  EXPECT_EQ(back.plan.pits[0].Outline(), pit.Outline());
+  EXPECT_EQ(ToJson(back), ToJson(house));
 }
 
 TEST(HouseJson, RefusesARoomNameTwice) {

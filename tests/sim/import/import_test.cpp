@@ -263,6 +263,45 @@ std::string Glb() {
   return {bytes.begin(), bytes.end()};
 }
 
+TEST(Import, GlbKeepsWhatTrianglesBelongTo) {
+  SceneMesh mesh = tests::BoxRoom(4, 2.6f, 6);
+  mesh.objects = {{}, {"wall", "wall_1", "bedroom_1"}, {"box \"x\"", "box_1", ""}};
+  mesh.triangle_objects.assign(mesh.triangles.size(), 1);
+  mesh.triangle_objects[0] = 0;
+  tests::AddBox({1, 0, -2}, {2, 1, -1}, {10, 20, 30}, &mesh);
+  mesh.triangle_objects.resize(mesh.triangles.size(), 2);
+  // Objects may share corners: the file has those twice.
+  mesh.triangle_objects.back() = 1;
+  mesh.Validate();
+  const TemporaryFolder folder;
+  const auto file = folder.path() / "room.glb";
+  WriteFileAtomically(file, EncodeGlb(mesh));
+  ImportOptions options;
+  options.ground_plane = true;
+  const SceneMesh back = ImportScene(file, options).mesh;
+  ASSERT_EQ(back.objects.size(), 4u);
+  EXPECT_TRUE(std::equal(mesh.objects.begin(), mesh.objects.end(), back.objects.begin()));
+  EXPECT_EQ(back.objects[3].category, "ground_plane");
+  ASSERT_EQ(back.triangle_objects.size(), mesh.triangles.size() + 2);
+  // Triangles come by material; told by their middles.
+  const auto middle = [](const SceneMesh& of, std::size_t t) -> Vec {
+    const auto& [a, b, c] = of.triangles[t];
+    return (of.positions[a] + of.positions[b] + of.positions[c]) / 3.0f;
+  };
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    std::size_t k = 0;
+    while (!middle(back, k).isApprox(middle(mesh, t), 1e-6f)) ASSERT_LT(++k, back.triangles.size());
+    EXPECT_EQ(back.triangle_objects[k], mesh.triangle_objects[t]) << t;
+  }
+}
+
+TEST(Import, AFileThatNamesNoObjectsHasNone) {
+  const TemporaryFolder folder;
+  const SceneMesh mesh = ImportScene(folder.Write("room.glb", Glb())).mesh;
+  EXPECT_TRUE(mesh.objects.empty());
+  EXPECT_FALSE(mesh.has_objects());
+}
+
 /// A .glb with one word of its JSON exchanged for another of the same length.
 std::string GlbWith(const std::string& from, const std::string& to) {
   std::string glb = Glb();
@@ -456,19 +495,6 @@ TEST(Import, WholeNumbersInGltfMayHaveAPoint) {
   EXPECT_EQ(packed.mesh.positions, plain.mesh.positions);
   EXPECT_THAT(ErrorOf(folder.Write("d.gltf", FloorGltf(uri, {{"\"count\":6", "\"count\":5.5"}}))),
               HasSubstr("accessors[1].count: is not a whole number"));
-}
-
-TEST(Import, WhatGltfTexturesLoseIsListed) {
-  const TemporaryFolder folder;
-  const std::string materials =
-      R"("textures":[{}],"materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0,)"
-      R"("texCoord":1,"extensions":{"KHR_texture_transform":{"scale":[2,2]}}}}},)"
-      R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}}],"meshes")";
-  const Changes changes = {{"\"meshes\"", materials}};
-  const auto file = folder.Write("a.gltf", FloorGltf(FloorUri(3), changes));
-  EXPECT_THAT(ImportScene(file).report.skipped,
-              ElementsAre("1 transforms of textures (KHR_texture_transform)",
-                          "1 textures' choices of other coordinates (texCoord)"));
 }
 
 TEST(Import, NamesInGltfMayHavePercentCodes) {

@@ -57,6 +57,18 @@ TEST(Finish, TheFloorIsWhereMostFacesUp) {
   EXPECT_NEAR(FloorHeight(low), -1.28f, 0.1f);
 }
 
+TEST(Finish, ARoofLargerThanTheFloorIsNoFloor) {
+  SceneMesh mesh = Room();
+  AddLevel(2.8f, 5, true, 1, &mesh);
+  EXPECT_NEAR(FloorHeight(mesh), 0.02f, 0.1f);
+}
+
+TEST(Finish, OfTwoStoreysTheLowerIsTheFloor) {
+  SceneMesh mesh = Room();
+  AddLevel(2.9f, 4.4f, true, 1, &mesh);
+  EXPECT_NEAR(FloorHeight(mesh), 0.02f, 0.1f);
+}
+
 TEST(Finish, WithoutCeilingTheRestStays) {
   SceneMesh mesh = Room();
   ApplyFinish({.ceiling = false}, &mesh);

@@ -79,8 +79,8 @@ TEST(SensorSet, SaysWhereAnEntryIsWrong) {
   EXPECT_THAT(WhyNot("front: {type: pinhole, hfov_deg: 200}"), HasSubstr("set.yaml:1:"));
   EXPECT_THAT(WhyNot("front: {type: pinhole, channels: [color, color]}"),
               HasSubstr("the channel color is given twice"));
-  EXPECT_THAT(WhyNot("front: {type: pinhole, channels: [semantic]}"),
-              HasSubstr("needs scenes that carry object ids"));
+  EXPECT_THAT(WhyNot("front: {type: pinhole, channels: [normals]}"),
+              HasSubstr("known are: color, depth, semantic"));
   EXPECT_THAT(WhyNot("front: {type: pinhole, mount: {yaw_deg: .nan}}"), HasSubstr("finite"));
   EXPECT_THAT(WhyNot("Front camera: bumper"), HasSubstr("is no name for a sensor"));
   EXPECT_THAT(WhyNot("[rgb]"), HasSubstr("set.yaml:1:1"));

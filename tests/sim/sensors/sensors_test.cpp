@@ -77,6 +77,48 @@ TEST(Sensors, OdometryAndBumperAreArraysAsWell) {
   EXPECT_TRUE(seen.sensors.collided);  // a room is not five metres long
 }
 
+TEST(Sensors, ACameraTellsObjectsApart) {
+  SceneMesh mesh = BoxRoom(4, 2.6f, 6);
+  mesh.objects = {{}, {"wall", "wall_1", "room"}, {"box", "box_1", "room"}};
+  mesh.triangle_objects.assign(mesh.triangles.size(), 1);
+  tests::AddBox({0.2f, 0, -3.5f}, {1.2f, 2, -3}, {90, 90, 90}, &mesh);
+  mesh.triangle_objects.resize(mesh.triangles.size(), 2);
+  WorldOptions options;
+  options.backend = Backend::kEmbree;
+  const auto world = World::FromMesh(mesh, "room", options);
+  EXPECT_EQ(world->objects(), mesh.objects);
+  SimulatorSpec spec;
+  PanoramaSensorConfig around;
+  around.panorama = {.rows = 32, .cols = 128};
+  around.channels = {"semantic", "depth"};
+  spec.sensors.Add("around", PanoramaSensor(around));
+  Simulator simulator(world, spec);
+  const Observation& seen = simulator.Reset(kStart);
+  const auto objects = seen.values<std::int32_t>("around.semantic");
+  EXPECT_THAT(objects, testing::Contains(2));
+  EXPECT_THAT(objects, testing::Each(testing::AnyOf(1, 2)));
+  around.channels = {"depth"};
+  const tests::Panorama drawn =
+      tests::RenderPanorama(world->render_scene(), around.panorama,
+                            {kStart.position.cast<float>() + Eigen::Vector3f(0, 1.25f, 0),
+                             static_cast<float>(kStart.yaw)});
+  EXPECT_THAT(seen.values<float>("around.depth"), ElementsAreArray(drawn.depth));
+}
+
+TEST(Sensors, ASceneWithoutObjectsHasNoneToTellApart) {
+  PinholeSensorConfig front = Front();
+  front.channels = {"semantic"};
+  SimulatorSpec spec = Spec();
+  spec.sensors.Add("objects", PinholeSensor(front));
+  try {
+    Simulator simulator(Room(), spec);
+    simulator.Reset(kStart);
+    FAIL();
+  } catch (const Error& e) {
+    EXPECT_THAT(e.what(), HasSubstr("the channel semantic needs a scene whose objects are known"));
+  }
+}
+
 TEST(Sensors, WrongNamesAndTypesAreErrors) {
   Simulator simulator(Room(), Spec());
   const Observation& seen = simulator.Reset(kStart);
@@ -90,10 +132,10 @@ TEST(Sensors, WrongNamesAndTypesAreErrors) {
   EXPECT_THROW(seen.values<double>("front.depth"), Error);
 }
 
-TEST(Sensors, EveryLaneReadsWhatASimulatorOfItsOwnWould) {
+void ExpectLanesReadAsIfAlone(const SimulatorSpec& spec) {
   constexpr int kLanes = 3;
   const auto world = Room();
-  BatchSimulator batch({world, world, world}, Spec(), 2);
+  BatchSimulator batch({world, world, world}, spec, 2);
   std::vector<std::vector<std::byte>> memory;
   std::vector<BatchArray> arrays;
   memory.reserve(batch.arrays().size());
@@ -106,7 +148,7 @@ TEST(Sensors, EveryLaneReadsWhatASimulatorOfItsOwnWould) {
   for (int lane = 0; lane < kLanes; ++lane) batch.Reset(lane, {{1.5, 0, -2}, 0.9 * lane});
   batch.Step(actions, read, {{}, {}, arrays});
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    Simulator alone(world, Spec());
+    Simulator alone(world, spec);
     alone.Reset({{1.5, 0, -2}, 0.9 * static_cast<double>(lane)});
     const Observation& seen = alone.Step(Action::kMoveForward);
     for (std::size_t i = 0; i < arrays.size(); ++i) {
@@ -116,6 +158,50 @@ TEST(Sensors, EveryLaneReadsWhatASimulatorOfItsOwnWould) {
           << arrays[i].name << " of lane " << lane;
     }
   }
+}
+
+TEST(Sensors, EveryLaneReadsWhatASimulatorOfItsOwnWould) {
+  SimulatorSpec spec = Spec();
+  ExpectLanesReadAsIfAlone(spec);
+  spec.sensor_noise = NamedSensorNoise("depth_camera");
+  ExpectLanesReadAsIfAlone(spec);
+}
+
+std::vector<float> FrontDepth(Simulator* simulator, const EpisodeKey& key, int steps) {
+  const Observation* seen = &simulator->Reset(kStart, key);
+  for (int i = 0; i < steps; ++i) seen = &simulator->Step(Action::kStop);
+  const std::span<const float> depth = seen->values<float>("front.depth");
+  return {depth.begin(), depth.end()};
+}
+
+TEST(Sensors, CamerasNoiseFollowsFromSeedEpisodeAndStep) {
+  SimulatorSpec spec = Spec();
+  Simulator clean(Room(), spec);
+  spec.sensor_noise = NamedSensorNoise("stereo_camera");
+  Simulator noisy(Room(), spec);
+  EXPECT_EQ(FrontDepth(&clean, {1, 1}, 0), FrontDepth(&clean, {1, 1}, 1));
+  const std::vector<float> first = FrontDepth(&noisy, {1, 1}, 0);
+  EXPECT_NE(first, FrontDepth(&clean, {1, 1}, 0));
+  EXPECT_NE(first, FrontDepth(&noisy, {1, 1}, 1));
+  EXPECT_NE(first, FrontDepth(&noisy, {1, 2}, 0));
+  EXPECT_NE(first, FrontDepth(&noisy, {2, 1}, 0));
+  EXPECT_EQ(first, FrontDepth(&noisy, {1, 1}, 0));
+}
+
+TEST(Sensors, ABatchsPanoramaHasTheNoiseOfASimulators) {
+  SimulatorSpec spec;
+  spec.panorama = {.rows = 16, .cols = 64};
+  spec.sensor_noise = NamedSensorNoise("depth_camera");
+  BatchSimulator batch({Room(), Room()}, spec, 2);
+  std::vector<std::uint8_t> color(2 * 3 * 16 * 64);
+  std::vector<float> depth(2 * 16 * 64);
+  for (const int lane : {0, 1}) batch.Reset(lane, kStart, {1, static_cast<std::uint64_t>(lane)});
+  batch.Observe({color, depth});
+  Simulator alone(Room(), spec);
+  const Observation& seen = alone.Reset(kStart, {1, 1});
+  EXPECT_TRUE(std::equal(seen.color.begin(), seen.color.end(), color.begin() + 3 * 16 * 64));
+  EXPECT_TRUE(std::equal(seen.depth.begin(), seen.depth.end(), depth.begin() + 16 * 64));
+  EXPECT_FALSE(std::equal(seen.color.begin(), seen.color.end(), color.begin()));
 }
 
 TEST(Sensors, ABatchReadsWhatIsWantedAlone) {

@@ -13,6 +13,7 @@
 #include "agent/policy/learned_policy.h"
 #include "benchmark/base/program_version.h"
 #include "sim/base/error.h"
+#include "sim/sensors/noise/sensor_noise.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -43,13 +44,16 @@ NavigationScenes LoadScenes(const NavigationData& data, const TrainContext& cont
   if (context.start) {
     loaded = context.start(what, static_cast<int>(ScenesOf(data.as_data()).size()));
   }
-  return NavigationScenes(data, sim::BodySpec{}, 0, loaded);
+  return NavigationScenes(data, sim::BodySpec{}, 0, loaded, [](const std::string& line) {
+    fmt::print(stderr, "bulletnav: warning: {}\n", line);
+  });
 }
 
 }  // namespace
 
 void NavigationPlan::Validate() const {
   internal::RequireAtLeast(1, validation_episodes, "validation_episodes");
+  sim::RequireSensorNoise(sensor_noise.value_or("none"));
   if (!model.own_encoder && !encoder) {
     throw sim::KeyError("encoder",
                         "encoder is missing: with own_encoder: false it names the weights of a "
@@ -61,6 +65,7 @@ Task NavigationPlan::task() const {
   Task task;
   task.depth = setting != LaneSetting::kRgb;
   task.noise = noise;
+  task.sensor_noise = sim::NamedSensorNoise(sensor_noise.value_or("none"));
   task.max_steps = model.step_limit;
   task.reward = RewardSpec{};
   return task;

@@ -21,6 +21,7 @@ struct NavigationPlan {
   int validation_episodes = 60;              // in each setting
   LaneSetting setting = LaneSetting::kBoth;
   sim::NoiseMode noise = sim::NoiseMode::kAnsReleased;
+  std::optional<std::string> sensor_noise;  // of cameras, see sim::NamedSensorNoise; default: none
   agent::PolicyConfig model;
   std::optional<std::string> encoder;       // see PictureNet
   std::optional<std::string> policy_start;  // weights of a policy to go on from; default: none
@@ -32,6 +33,7 @@ struct NavigationPlan {
     v("validation_episodes", validation_episodes);
     v("setting", setting);
     v("noise", noise);
+    v("sensor_noise", sensor_noise);
     v("model", model);
     v("encoder", encoder);
     v("policy_start", policy_start);

@@ -32,7 +32,8 @@ DataConfig NavigationData::as_data() const {
 }
 
 NavigationScenes::NavigationScenes(const NavigationData& data, const sim::BodySpec& body,
-                                   int threads, const std::function<void()>& loaded)
+                                   int threads, const std::function<void()>& loaded,
+                                   const Warn& warn)
     : seed_(data.seed) {
   const std::vector<std::filesystem::path> files = ScenesOf(data.as_data());
   if (files.empty()) throw sim::KeyError("data", "data names no scenes; see configs/train");
@@ -41,6 +42,7 @@ NavigationScenes::NavigationScenes(const NavigationData& data, const sim::BodySp
   options.import = data.import.options();
   options.backend = sim::Backend::kEmbree;  // the same pictures with and without a GPU
   SceneCache cache(options);
+  cache.WarnOfGrey(warn);
   sim::WorkerPool pool(threads);
   pool.ForEach(static_cast<int>(files.size()), [&](int i, int) {
     Scene& scene = scenes_[static_cast<std::size_t>(i)];

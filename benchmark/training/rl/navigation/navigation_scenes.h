@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "benchmark/episodes/drawn_grey.h"
 #include "benchmark/episodes/episode_drawer.h"
 #include "benchmark/episodes/made_houses.h"
 #include "benchmark/play/task_episode.h"
@@ -41,10 +42,11 @@ struct NavigationData {
 /// equal shares, as far as a scene has them.
 class NavigationScenes {
  public:
-  /// Loads all of them. `loaded` is called after each, from any thread. Throws sim::Error for a
+  /// Loads all of them. `loaded` is called after each, `warn` once for each that is drawn grey (see
+  /// SceneCache), from any thread. Throws sim::Error for a
   /// scene that cannot be loaded, or that has no episodes.
   NavigationScenes(const NavigationData& data, const sim::BodySpec& body, int threads,
-                   const std::function<void()>& loaded = {});
+                   const std::function<void()>& loaded = {}, const Warn& warn = {});
 
   struct Drawn {
     EpisodeTask episode;

@@ -44,6 +44,7 @@ LooksSpec WithDamage(double share) {
   spec.black_overhead = spec.blank_walls = spec.low_poly = spec.color_spacing = spec.clutter =
       share;
   spec.bumps = spec.doubled = spec.holes = spec.smears = spec.mirrored = share;
+  spec.recolored = spec.exchanged = share;
   return spec;
 }
 
@@ -70,6 +71,9 @@ TEST(Looks, EachKindOfDamageIsDrawnAsOftenAsAskedAndWithinItsRange) {
     count("holes", damage.holes.share, damage.holes.share, 0.01, 0.15);
     count("smears", damage.smears.share, damage.smears.share, 0.1, 0.6);
     count("mirrored", damage.mirrored, damage.mirrored, 0.05, 0.5);
+    const sim::Repaint& repaint = finish.repaint;
+    count("recolored", repaint.recolored, repaint.recolored, 0.3, 1.0);
+    count("exchanged", repaint.exchanged, repaint.exchanged, 0.2, 0.8);
     count("none", damage == sim::Damage{} ? 1.0 : 0.0, 1.0, 1.0, 1.0);
     if (finish.black_overhead) {
       ++counts["black_overhead"];
@@ -77,7 +81,7 @@ TEST(Looks, EachKindOfDamageIsDrawnAsOftenAsAskedAndWithinItsRange) {
     }
   }
   for (const char* name : {"low_poly", "color_spacing", "clutter", "bumps", "doubled", "holes",
-                           "smears", "mirrored"}) {
+                           "smears", "mirrored", "recolored", "exchanged"}) {
     EXPECT_NEAR(counts[name], 0.3 * kScenes, 0.03 * kScenes) << name;
   }
   EXPECT_NEAR(counts["black_overhead"], 0.3 * (1.0 - spec.no_ceiling) * kScenes, 0.03 * kScenes);
@@ -92,6 +96,7 @@ TEST(Looks, AreTheSameBesideTheDamage) {
     sim::Finish finish = DrawLook(WithDamage(0.5), 1, scene);
     EXPECT_EQ(DrawLook(without, 1, scene).damage, sim::Damage{});
     finish.damage = {};
+    finish.repaint = {};
     finish.black_overhead = false;
     finish.blank_walls = false;
     EXPECT_EQ(finish, DrawLook(without, 1, scene));

@@ -6,6 +6,7 @@
 #include "benchmark/training/supervised/augment.h"
 #include "benchmark/training/supervised/train_config.h"
 #include "sim/base/error.h"
+#include "sim/config/yaml_writer.h"
 #include "sim/math/pose.h"
 #include "tests/benchmark/training/supervised/bar_world.h"
 
@@ -68,14 +69,65 @@ TEST(Augment, FollowsFromItsGeneratorAndKeepsThePictures) {
   PairBatch a = before;
   PairBatch b = before;
   PairBatch none = before;
-  Augment({}, sim::Rng(1, "augment"), &a);
-  Augment({}, sim::Rng(1, "augment"), &b);
-  Augment({false, 0.0, 0.0, 0.0}, sim::Rng(1, "augment"), &none);
+  Augment({}, sim::Rng(1, "augment"), DepthUse::kInput, &a);
+  Augment({}, sim::Rng(1, "augment"), DepthUse::kInput, &b);
+  Augment({false, 0.0, 0.0, 0.0, {}, {}}, sim::Rng(1, "augment"), DepthUse::kInput, &none);
   EXPECT_EQ(a.color, b.color);
   EXPECT_EQ(a.direction, b.direction);
   EXPECT_NE(a.color, before.color);
   EXPECT_EQ(none.color, before.color);
   EXPECT_EQ(none.direction, before.direction);
+}
+
+/// A batch with depth: a wall two metres away on all sides.
+PairBatch BatchWithDepth() {
+  PairBatch batch = BarBatch(SomeStands());
+  batch.depth.assign(batch.color.size() / 3, 2.0f);
+  return batch;
+}
+
+TEST(Augment, GivesAShareOfThePanoramasSensorNoise) {
+  AugmentSpec spec{false, 0.0, 0.0, 0.0, 0.5, {}};
+  const PairBatch before = BatchWithDepth();
+  const std::size_t pixels = before.depth.size() / static_cast<std::size_t>(before.count);
+  int noisy = 0;
+  int noisy_depth = 0;
+  constexpr int kRounds = 20;
+  for (std::uint64_t round = 0; round < kRounds; ++round) {
+    PairBatch batch = before;
+    Augment(spec, sim::Rng(round, "augment"), DepthUse::kInput, &batch);
+    EXPECT_EQ(batch.scores, before.scores);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(before.count); ++i) {
+      const auto differs = [&](const auto& now, const auto& then, std::size_t size) {
+        const auto first = static_cast<std::ptrdiff_t>(i * size);
+        return !std::equal(now.begin() + first,
+                           now.begin() + first + static_cast<std::ptrdiff_t>(size),
+                           then.begin() + first);
+      };
+      noisy += differs(batch.color, before.color, 3 * pixels) ? 1 : 0;
+      noisy_depth += differs(batch.depth, before.depth, pixels) ? 1 : 0;
+    }
+  }
+  const double all = kRounds * before.count;
+  EXPECT_NEAR(noisy / all, 0.5, 0.2);
+  EXPECT_NEAR(noisy_depth / all, 0.33, 0.2);
+  EXPECT_LE(noisy_depth, noisy);
+}
+
+TEST(Augment, SensorNoiseMovesNoOtherDrawsAndSparesTheTruth) {
+  AugmentSpec quiet;
+  AugmentSpec noisy;
+  noisy.sensor_noise = 1.0;
+  PairBatch a = BatchWithDepth();
+  PairBatch b = BatchWithDepth();
+  PairBatch again = BatchWithDepth();
+  Augment(quiet, sim::Rng(1, "augment"), DepthUse::kTruth, &a);
+  Augment(noisy, sim::Rng(1, "augment"), DepthUse::kTruth, &b);
+  Augment(noisy, sim::Rng(1, "augment"), DepthUse::kTruth, &again);
+  EXPECT_EQ(a.depth, b.depth);
+  EXPECT_EQ(a.direction, b.direction);
+  EXPECT_NE(a.color, b.color);
+  EXPECT_EQ(b.color, again.color);
 }
 
 TEST(TrainConfig, RatesRiseAndFall) {
@@ -100,6 +152,10 @@ TEST(TrainConfig, RefusesWhatCannotTrain) {
   EXPECT_THROW(load("out: x\noptimiser: {learning_rate: -1}\n"), sim::FileError);
   EXPECT_THROW(load("out: x\nmodel: {rows: 100}\n"), sim::FileError);
   EXPECT_THROW(load("out: x\naugment: {tint: 2}\n"), sim::FileError);
+  EXPECT_THROW(load("out: x\naugment: {sensor_noise: 2}\n"), sim::FileError);
+  EXPECT_THROW(load("out: x\naugment: {sensor_noise: 1, noise_strength: 9}\n"), sim::FileError);
+  EXPECT_EQ(load("out: x\naugment: {sensor_noise: 0.5}\n").augment.sensor_noise.value_or(0.0), 0.5);
+  EXPECT_EQ(sim::ToYaml(AugmentSpec()).find("noise"), std::string::npos);
 }
 
 }  // namespace

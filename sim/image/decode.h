@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <span>
+
+#include "sim/image/image.h"
+
+namespace bulletnav::sim {
+
+/// 8192 x 8192: what DecodeImage keeps whole.
+inline constexpr std::uint64_t kMostKeptPixels = std::uint64_t{1} << 26;
+
+/// DecodeImage, with a picture of more than `most_pixels` halved while it is decoded, as often as
+/// it takes: each pixel is the mean of a square of them, sides that do not divide are rounded up.
+/// So a scan's texture of 16,384 pixels a side takes the memory of a quarter of it; interlaced PNG,
+/// BMP and TGA are held whole for a moment.
+Image DecodeImage(std::span<const std::uint8_t> bytes, std::uint64_t most_pixels);
+
+/// Whether these are a KTX file's, of textures for GPUs as Basis Universal packs them: not read.
+bool IsKtx(std::span<const std::uint8_t> bytes);
+
+}  // namespace bulletnav::sim
