@@ -33,6 +33,13 @@ TEST(DataConfigTest, TheFileThatComesWithTheProgramIsThePapers) {
   EXPECT_EQ(config.target_slack, 0.0);
 }
 
+TEST(DataConfigTest, TheGallerysFilesLoad) {
+  for (const char* name : {"gallery.yaml", "gallery_bright.yaml", "gallery_real.yaml"}) {
+    const auto config = LoadDataConfig(std::filesystem::path(BULLETNAV_CONFIGS) / "train" / name);
+    EXPECT_EQ(config.scenes.empty(), config.looks.has_value()) << name;
+  }
+}
+
 TEST(DataConfigTest, LooksAtTheBlockDataOnly) {
   EXPECT_EQ(Complaint("data: {scenes: [a.glb]}\ntraining: {batch: 64}\n"), "nothing");
   EXPECT_THAT(Complaint("training: {}\n"), HasSubstr("key 'data' is missing"));
