@@ -12,7 +12,11 @@ constexpr double kNearEnough = 0.8;   // metres to stop in where one cannot come
 constexpr double kNowhereToGo = 0.1;  // metres to a waypoint
 constexpr double kVainly = 0.2;       // metres to a goal that is not there
 constexpr double kAsideRadius = 1.5;  // metres
-constexpr double kSeenMore = 6.0;     // m2 until what was set aside is tried again
+constexpr double kAtSide = 0.3;       // metres
+constexpr double kAroundIt = 1.2;     // metres between a target and places beside what stands there
+constexpr double kOtherSide = 0.9;    // metres between two of these
+constexpr int kMostSides = 3;
+constexpr double kSeenMore = 6.0;  // m2 until what was set aside is tried again
 
 }  // namespace
 
@@ -30,6 +34,8 @@ void GoalApproach::Reset() {
   stopped_ = false;
   was_vain_ = false;
   was_stuck_ = false;
+  sides_.clear();
+  side_.reset();
   aside_.reset();
 }
 
@@ -50,6 +56,8 @@ void GoalApproach::See(const std::optional<RelativeGoal>& goal, const MapNavigat
   watch_.Forget(kGoal);
   was_vain_ = false;
   was_stuck_ = false;
+  sides_.clear();
+  side_.reset();
 }
 
 std::optional<sim::Action> GoalApproach::Act(MapNavigator* navigator) {
@@ -57,16 +65,22 @@ std::optional<sim::Action> GoalApproach::Act(MapNavigator* navigator) {
   if (!target) return std::nullopt;
   const double distance = Distance(*target, navigator->here());
   const bool is_certain = seen_ && seen_->certainty >= spec_.stop_certainty && !was_vain_;
-  auto plan = navigator->Plan(*target, true);
+  if (side_ && Distance(*side_, navigator->here()) <= kAtSide && !is_certain) {
+    return TryOtherSide(*target, navigator);
+  }
+  auto plan = navigator->Plan(side_.value_or(*target), true);
   // A sight of the goal across something that has to be gone round is no arrival.
   const bool is_open = plan && plan->distance <= distance + kSlack;
   if (is_certain && distance <= spec_.stop_distance && is_open) return Stop();
   if (distance <= (was_vain_ ? kVainly : kAtGoal) && !is_certain) return Refute();
   if (IsSetAside(*target)) return std::nullopt;
+  if (IsNowhere(plan, *navigator) && navigator->IsBlocked(*target) && !is_certain) {
+    return TryOtherSide(*target, navigator);
+  }
   if (IsNowhere(plan, *navigator)) {
     // Odometry may have smeared the map until it left no way.
     navigator->ForgetMap();
-    plan = navigator->Plan(*target, true);
+    plan = navigator->Plan(side_.value_or(*target), true);
     if (IsNowhere(plan, *navigator)) {
       return is_certain && distance <= kNearEnough ? Stop() : Refute();
     }
@@ -110,7 +124,23 @@ std::optional<sim::Action> GoalApproach::Refute() {
   missed_ = 0;
   was_vain_ = false;
   was_stuck_ = false;
+  sides_.clear();
+  side_.reset();
   return std::nullopt;
+}
+
+std::optional<sim::Action> GoalApproach::TryOtherSide(const Point& target,
+                                                      MapNavigator* navigator) {
+  sides_.push_back(navigator->here());
+  side_.reset();
+  if (static_cast<int>(sides_.size()) < kMostSides) {
+    side_ = navigator->PlaceNear(target, kAroundIt, sides_, kOtherSide);
+  }
+  if (!side_) return Refute();
+  const auto plan = navigator->Plan(*side_, true);
+  if (IsNowhere(plan, *navigator)) return Refute();
+  watch_.Forget(kGoal);
+  return navigator->Steer(plan->point);
 }
 
 /// What is seen from everywhere around would be believed again at once if it were refuted.
@@ -118,6 +148,8 @@ std::optional<sim::Action> GoalApproach::SetAside(const Point& target, double se
   aside_ = target;
   seen_then_ = seen;
   was_stuck_ = false;
+  sides_.clear();
+  side_.reset();
   return std::nullopt;
 }
 

@@ -39,6 +39,7 @@ void NavigatorSpec::Validate() const {
 MapNavigator::MapNavigator(const Rig& rig, const NavigatorSpec& spec,
                            std::shared_ptr<FreeSpaceModel> mapper)
     : spec_(spec),
+      match_(rig.has_depth && spec.match_scans ? std::optional<ScanMatch>(rig) : std::nullopt),
       map_(rig, spec.map, std::move(mapper)),
       planner_(spec.map, spec.ahead),
       frontiers_(spec.map.cells(), spec.least_frontier),
@@ -48,6 +49,7 @@ MapNavigator::MapNavigator(const Rig& rig, const NavigatorSpec& spec,
 void MapNavigator::Reset() {
   pose_ = {};
   map_.Clear(pose_);
+  if (match_) match_->Reset();
   last_action_ = sim::Action::kStop;
   last_turn_ = sim::Action::kTurnLeft;
   wall_width_ = 1;
@@ -69,7 +71,7 @@ void MapNavigator::Observe(const Observation& observation) {
     throw sim::Error("the odometry reads what no step can have done");
   }
   const sim::PlanarPose before = pose_;
-  pose_ = sim::Compose(pose_, observation.odometry);
+  pose_ = sim::Compose(pose_, match_ ? match_->Match(observation.panorama, motion) : motion);
   map_.MarkTrack(before, pose_);
   FeelWalls(before);
   map_.Update(observation.panorama, pose_);
@@ -100,6 +102,32 @@ Point MapNavigator::PointAt(double distance, double bearing) const {
 
 std::optional<Waypoint> MapNavigator::Plan(const Point& goal, bool through_unknown) {
   return planner_.Plan(map_, {here(), goal, through_unknown});
+}
+
+bool MapNavigator::IsBlocked(const Point& point) const {
+  const sim::Cell cell = map_.CellAt(point);
+  return map_.states().Contains(cell) && map_.states()[cell] == sim::CellState::kBlocked;
+}
+
+std::optional<Point> MapNavigator::PlaceNear(const Point& point, double reach,
+                                             std::span<const Point> others, double apart) const {
+  const sim::Cell middle = map_.CellAt(point);
+  const int cells = static_cast<int>(reach / spec_.map.cell);
+  std::optional<Point> best;
+  for (int dy = -cells; dy <= cells; ++dy) {
+    for (int dx = -cells; dx <= cells; ++dx) {
+      const sim::Cell cell{middle.x + dx, middle.y + dy};
+      const Point place = map_.Centre(cell);
+      const double away = Distance(place, point);
+      if (away > reach || !map_.states().Contains(cell) || IsBlocked(place)) continue;
+      if (best && away >= Distance(*best, point)) continue;
+      const bool is_other = std::any_of(others.begin(), others.end(), [&](const Point& other) {
+        return Distance(place, other) < apart;
+      });
+      if (!is_other) best = place;
+    }
+  }
+  return best;
 }
 
 sim::Action MapNavigator::Steer(const Point& point) {

@@ -2,12 +2,14 @@
 #pragma once
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "agent/mapping/frontier.h"
 #include "agent/mapping/metric_map.h"
 #include "agent/mapping/path_planner.h"
 #include "agent/mapping/progress_watch.h"
+#include "agent/mapping/scan_match.h"
 #include "agent/observation.h"
 #include "sim/base/action.h"
 
@@ -22,6 +24,7 @@ struct NavigatorSpec {
   double stuck_below = 0.05;         // shorter than this it is stuck, and the wall grows
   int widest_wall = 9;               // cells
   int least_frontier = 4;            // cells; ours
+  bool match_scans = true;           // mend the odometry by depth, if there is any; ours
 
   template <class V>
   void Visit(V& v) {
@@ -32,6 +35,7 @@ struct NavigatorSpec {
     v("stuck_below", stuck_below);
     v("widest_wall", widest_wall);
     v("least_frontier", least_frontier);
+    v("match_scans", match_scans);
   }
   void Validate() const;
 };
@@ -47,9 +51,9 @@ class MapNavigator {
                std::shared_ptr<FreeSpaceModel> mapper = nullptr);
 
   void Reset();
-  /// Moves the pose by the odometry, marks felt walls, adds what is seen to the map. A map that
-  /// what is seen contradicts for some steps has been turned by drift: it is forgotten but for the
-  /// view. Throws Error if the odometry is broken.
+  /// Moves the pose by the odometry, mended by depth, marks felt walls, adds what is seen to the
+  /// map. A map that what is seen contradicts for some steps has been turned by drift: it is
+  /// forgotten but for the view. Throws Error if the odometry is broken.
   void Observe(const Observation& observation);
   /// The action chosen; the next observation shows what came of it.
   void Took(sim::Action action) { last_action_ = action; }
@@ -66,6 +70,12 @@ class MapNavigator {
   /// The point in the agent's plane of a place seen from the body.
   Point PointAt(double distance, double bearing) const;
   std::optional<Waypoint> Plan(const Point& goal, bool through_unknown);
+  /// Whether the map has something in the way at a point.
+  bool IsBlocked(const Point& point) const;
+  /// The place nearest to a point, at most `reach` metres from it and `apart` from all `others`,
+  /// that the map does not block.
+  std::optional<Point> PlaceNear(const Point& point, double reach, std::span<const Point> others,
+                                 double apart) const;
   /// The turn or move towards a point nearby.
   sim::Action Steer(const Point& point);
 
@@ -92,6 +102,7 @@ class MapNavigator {
   bool HasFrontierNear(const Point& point, double radius) const;
 
   NavigatorSpec spec_;
+  std::optional<ScanMatch> match_;
   MetricMap map_;
   PathPlanner planner_;
   FrontierFinder frontiers_;
