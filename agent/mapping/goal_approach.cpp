@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "agent/mapping/goal_approach.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace bulletnav::agent {
@@ -13,10 +14,11 @@ constexpr double kNowhereToGo = 0.1;  // metres to a waypoint
 constexpr double kVainly = 0.2;       // metres to a goal that is not there
 constexpr double kAsideRadius = 1.5;  // metres
 constexpr double kAtSide = 0.3;       // metres
-constexpr double kAroundIt = 1.2;     // metres between a target and places beside what stands there
+constexpr double kBeside = 0.2;       // metres to the end of a way that ends beside the target
 constexpr double kOtherSide = 0.9;    // metres between two of these
 constexpr int kMostSides = 3;
-constexpr double kSeenMore = 6.0;  // m2 until what was set aside is tried again
+constexpr double kMostReceded = 12.0;  // metres that a goal told too near may go on before the body
+constexpr double kSeenMore = 6.0;      // m2 until what was set aside is tried again
 
 }  // namespace
 
@@ -34,6 +36,8 @@ void GoalApproach::Reset() {
   stopped_ = false;
   was_vain_ = false;
   was_stuck_ = false;
+  has_forgotten_ = false;
+  receded_ = 0.0;
   sides_.clear();
   side_.reset();
   aside_.reset();
@@ -50,12 +54,19 @@ void GoalApproach::See(const std::optional<RelativeGoal>& goal, const MapNavigat
   if (navigator.seen_area() >= seen_then_ + kSeenMore) aside_.reset();
   if (!std::exchange(asked_, false) || goal) missed_ = 0;
   if (!goal) return;
+  const std::optional<Point> before = track_.point();
   const bool is_elsewhere =
       track_.Add(navigator.PointAt(goal->distance, goal->bearing), goal->distance, goal->certainty);
+  if (before && track_.point()) {
+    const Point here = navigator.here();
+    const double farther = Distance(*track_.point(), here) - Distance(*before, here);
+    receded_ = std::clamp(receded_ + farther, 0.0, kMostReceded);
+  }
   if (!is_elsewhere) return;
   watch_.Forget(kGoal);
   was_vain_ = false;
   was_stuck_ = false;
+  has_forgotten_ = false;
   sides_.clear();
   side_.reset();
 }
@@ -74,18 +85,20 @@ std::optional<sim::Action> GoalApproach::Act(MapNavigator* navigator) {
   if (is_certain && distance <= spec_.stop_distance && is_open) return Stop();
   if (distance <= (was_vain_ ? kVainly : kAtGoal) && !is_certain) return Refute();
   if (IsSetAside(*target)) return std::nullopt;
-  if (IsNowhere(plan, *navigator) && navigator->IsBlocked(*target) && !is_certain) {
+  const bool is_beside = plan && Distance(plan->point, navigator->here()) < kBeside &&
+                         Distance(plan->point, *target) > kAtGoal;
+  if (is_beside && !is_certain) {
     return TryOtherSide(*target, navigator);
   }
-  if (IsNowhere(plan, *navigator)) {
+  if (IsNowhere(plan, *navigator) && !std::exchange(has_forgotten_, true)) {
     // Odometry may have smeared the map until it left no way.
     navigator->ForgetMap();
     plan = navigator->Plan(side_.value_or(*target), true);
-    if (IsNowhere(plan, *navigator)) {
-      return is_certain && distance <= kNearEnough ? Stop() : Refute();
-    }
   }
-  if (watch_.IsStuck(kGoal, plan->distance, navigator->seen_area())) {
+  if (IsNowhere(plan, *navigator)) {
+    return is_certain && distance <= kNearEnough ? Stop() : Refute();
+  }
+  if (watch_.IsStuck(kGoal, plan->distance - receded_, navigator->seen_area())) {
     if (is_certain && distance <= kNearEnough) return Stop();
     if (was_stuck_ && is_certain) return SetAside(*target, navigator->seen_area());
     navigator->ForgetMap();
@@ -124,6 +137,8 @@ std::optional<sim::Action> GoalApproach::Refute() {
   missed_ = 0;
   was_vain_ = false;
   was_stuck_ = false;
+  has_forgotten_ = false;
+  receded_ = 0.0;
   sides_.clear();
   side_.reset();
   return std::nullopt;
@@ -134,7 +149,7 @@ std::optional<sim::Action> GoalApproach::TryOtherSide(const Point& target,
   sides_.push_back(navigator->here());
   side_.reset();
   if (static_cast<int>(sides_.size()) < kMostSides) {
-    side_ = navigator->PlaceNear(target, kAroundIt, sides_, kOtherSide);
+    side_ = navigator->PlaceNear(target, sides_, kOtherSide);
   }
   if (!side_) return Refute();
   const auto plan = navigator->Plan(*side_, true);
@@ -148,6 +163,8 @@ std::optional<sim::Action> GoalApproach::SetAside(const Point& target, double se
   aside_ = target;
   seen_then_ = seen;
   was_stuck_ = false;
+  has_forgotten_ = false;
+  receded_ = 0.0;
   sides_.clear();
   side_.reset();
   return std::nullopt;

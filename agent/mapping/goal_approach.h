@@ -88,6 +88,8 @@ class GoalApproach {
   bool stopped_ = false;              // in the last step
   bool was_vain_ = false;             // a stop at the present target
   bool was_stuck_ = false;            // on the way there
+  bool has_forgotten_ = false;        // the map, for there was no way to the present target
+  double receded_ = 0.0;              // metres that the target has gone on before the body
   std::vector<Point> sides_;          // of the present target, where it was not found
   std::optional<Point> side_;         // where it is looked for now
   std::optional<Point> aside_;        // where the goal is that cannot be got to

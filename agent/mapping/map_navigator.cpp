@@ -56,12 +56,13 @@ void MapNavigator::Reset() {
   frontier_.reset();
   frontier_watch_.Reset();
   doubts_ = 0;
-  seen_before_ = map_.seen_cells();
+  heading_.reset();
+  most_seen_ = 0;
 }
 
 double MapNavigator::seen_area() const {
   const double cell = spec_.map.cell;
-  return static_cast<double>(map_.seen_cells() - seen_before_) * cell * cell;
+  return static_cast<double>(most_seen_) * cell * cell;
 }
 
 void MapNavigator::Observe(const Observation& observation) {
@@ -76,6 +77,7 @@ void MapNavigator::Observe(const Observation& observation) {
   FeelWalls(before);
   map_.Update(observation.panorama, pose_);
   DoubtMap(observation.panorama);
+  most_seen_ = std::max(most_seen_, map_.seen_cells());
 }
 
 void MapNavigator::DoubtMap(const Panorama& panorama) {
@@ -101,37 +103,17 @@ Point MapNavigator::PointAt(double distance, double bearing) const {
 }
 
 std::optional<Waypoint> MapNavigator::Plan(const Point& goal, bool through_unknown) {
-  return planner_.Plan(map_, {here(), goal, through_unknown});
+  return planner_.Plan(map_, {here(), goal, through_unknown, heading_});
 }
 
-bool MapNavigator::IsBlocked(const Point& point) const {
-  const sim::Cell cell = map_.CellAt(point);
-  return map_.states().Contains(cell) && map_.states()[cell] == sim::CellState::kBlocked;
-}
-
-std::optional<Point> MapNavigator::PlaceNear(const Point& point, double reach,
-                                             std::span<const Point> others, double apart) const {
-  const sim::Cell middle = map_.CellAt(point);
-  const int cells = static_cast<int>(reach / spec_.map.cell);
-  std::optional<Point> best;
-  for (int dy = -cells; dy <= cells; ++dy) {
-    for (int dx = -cells; dx <= cells; ++dx) {
-      const sim::Cell cell{middle.x + dx, middle.y + dy};
-      const Point place = map_.Centre(cell);
-      const double away = Distance(place, point);
-      if (away > reach || !map_.states().Contains(cell) || IsBlocked(place)) continue;
-      if (best && away >= Distance(*best, point)) continue;
-      const bool is_other = std::any_of(others.begin(), others.end(), [&](const Point& other) {
-        return Distance(place, other) < apart;
-      });
-      if (!is_other) best = place;
-    }
-  }
-  return best;
+std::optional<Point> MapNavigator::PlaceNear(const Point& point, std::span<const Point> others,
+                                             double apart) {
+  return planner_.PlaceNear(map_, {here(), point, true}, others, apart);
 }
 
 sim::Action MapNavigator::Steer(const Point& point) {
   const double heading = sim::Atan2(point.y - pose_.y, point.x - pose_.x);
+  heading_ = heading;
   const double off = sim::WrapAngle(heading - pose_.yaw);
   if (std::fabs(off) <= sim::DegToRad(spec_.turn_threshold_deg)) return sim::Action::kMoveForward;
   if (std::fabs(off) < kAboutFace) {

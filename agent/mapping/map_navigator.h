@@ -61,7 +61,8 @@ class MapNavigator {
   const sim::PlanarPose& pose() const { return pose_; }
   Point here() const { return {pose_.x, pose_.y}; }
   const MetricMap& map() const { return map_; }
-  /// Square metres of floor and walls seen since Reset; what was forgotten counts again.
+  /// Square metres of floor and walls seen since Reset. After the map was forgotten it grows only
+  /// when more is known than ever before.
   double seen_area() const;
   /// For a map that leaves no way out: forgets felt walls, or everything.
   void ForgetFeltWalls() { map_.ForgetFeltWalls(); }
@@ -70,12 +71,8 @@ class MapNavigator {
   /// The point in the agent's plane of a place seen from the body.
   Point PointAt(double distance, double bearing) const;
   std::optional<Waypoint> Plan(const Point& goal, bool through_unknown);
-  /// Whether the map has something in the way at a point.
-  bool IsBlocked(const Point& point) const;
-  /// The place nearest to a point, at most `reach` metres from it and `apart` from all `others`,
-  /// that the map does not block.
-  std::optional<Point> PlaceNear(const Point& point, double reach, std::span<const Point> others,
-                                 double apart) const;
+  /// PathPlanner::PlaceNear, through what is unknown too.
+  std::optional<Point> PlaceNear(const Point& point, std::span<const Point> others, double apart);
   /// The turn or move towards a point nearby.
   sim::Action Steer(const Point& point);
 
@@ -109,13 +106,14 @@ class MapNavigator {
   sim::PlanarPose pose_;
   sim::Action last_action_ = sim::Action::kStop;
   sim::Action last_turn_ = sim::Action::kTurnLeft;
+  std::optional<double> heading_;  // to where it last steered
   int wall_width_ = 1;
   std::optional<Point> frontier_;
   int frontier_number_ = 0;
   ProgressWatch frontier_watch_;
-  bool can_doubt_;                // the map; a mapper from colour errs too often
-  int doubts_ = 0;                // steps in a row
-  std::int64_t seen_before_ = 0;  // Reset
+  bool can_doubt_;              // the map; a mapper from colour errs too often
+  int doubts_ = 0;              // steps in a row
+  std::int64_t most_seen_ = 0;  // cells
 };
 
 }  // namespace bulletnav::agent

@@ -25,8 +25,8 @@ class GoalApproachTest : public testing::Test {
       navigator_.Observe({{{}, depth_}, motion_, false, steps_});
       const double distance = Distance(goal, navigator_.here());
       const double heading = std::atan2(goal.y - navigator_.here().y, goal.x - navigator_.here().x);
-      const RelativeGoal seen{distance, sim::WrapAngle(heading - navigator_.pose().yaw),
-                              certainty(distance)};
+      const RelativeGoal seen{std::min(distance, farthest_told_),
+                              sim::WrapAngle(heading - navigator_.pose().yaw), certainty(distance)};
       approach_.See(seen.certainty > 0.0 ? std::optional(seen) : std::nullopt, navigator_);
       last_ = approach_.Act(&navigator_);
       motion_ = {};
@@ -47,7 +47,8 @@ class GoalApproachTest : public testing::Test {
   sim::PlanarPose motion_;
   std::optional<Action> last_;
   int steps_ = 0;
-  bool is_held_ = false;  // something unseen is in the way, wherever it goes
+  double farthest_told_ = 100.0;  // metres
+  bool is_held_ = false;          // something unseen is in the way, wherever it goes
 };
 
 TEST_F(GoalApproachTest, WalksToAGoalAndStopsNearIt) {
@@ -125,6 +126,17 @@ TEST_F(GoalApproachTest, AfterAStopInVainItGoesNearerAndThenLooksElsewhere) {
   EXPECT_LE(Left(other), 0.5);
 }
 
+TEST_F(GoalApproachTest, AGoalSeenFromAfarIsGoneToAlthoughItIsToldTooNear) {
+  const Point goal{14.0, 3.0};
+  farthest_told_ = 3.0;
+  steps_ = 0;
+  Run(goal, [](double distance) {
+    return distance > 3.0 ? 0.8 : 0.99;
+  });
+  EXPECT_EQ(last_, Action::kStop);
+  EXPECT_LE(Left(goal), 0.6);
+}
+
 TEST(GoalApproach, LooksBehindACounterOnWhichTheGoalSeemsToStand) {
   // A room whose middle is the plane's origin, and a counter from x = 0.9 to 1.5 in the plane.
   sim::SceneMesh mesh = tests::BoxRoom(8, 2.6f, 8);
@@ -158,7 +170,9 @@ TEST(GoalApproach, LooksBehindACounterOnWhichTheGoalSeemsToStand) {
     navigator.Took(*action);
     constexpr double kTurn = sim::DegToRad(10.0);
     motion = {};
-    if (action == Action::kMoveForward) motion.x = 0.25;
+    const Point next = navigator.PointAt(0.25, 0.0);
+    const bool is_counter = next.x > 0.8 && next.x < 1.6 && std::fabs(next.y) < 1.3;
+    if (action == Action::kMoveForward && !is_counter) motion.x = 0.25;
     if (action == Action::kTurnLeft) motion.yaw = kTurn;
     if (action == Action::kTurnRight) motion.yaw = -kTurn;
   }
