@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "agent/mapping/goal_approach.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace bulletnav::agent {
@@ -12,7 +13,12 @@ constexpr double kNearEnough = 0.8;   // metres to stop in where one cannot come
 constexpr double kNowhereToGo = 0.1;  // metres to a waypoint
 constexpr double kVainly = 0.2;       // metres to a goal that is not there
 constexpr double kAsideRadius = 1.5;  // metres
-constexpr double kSeenMore = 6.0;     // m2 until what was set aside is tried again
+constexpr double kAtSide = 0.3;       // metres
+constexpr double kBeside = 0.2;       // metres to the end of a way that ends beside the target
+constexpr double kOtherSide = 0.9;    // metres between two of these
+constexpr int kMostSides = 3;
+constexpr double kMostReceded = 12.0;  // metres that a goal told too near may go on before the body
+constexpr double kSeenMore = 6.0;      // m2 until what was set aside is tried again
 
 }  // namespace
 
@@ -30,6 +36,10 @@ void GoalApproach::Reset() {
   stopped_ = false;
   was_vain_ = false;
   was_stuck_ = false;
+  has_forgotten_ = false;
+  receded_ = 0.0;
+  sides_.clear();
+  side_.reset();
   aside_.reset();
 }
 
@@ -44,12 +54,21 @@ void GoalApproach::See(const std::optional<RelativeGoal>& goal, const MapNavigat
   if (navigator.seen_area() >= seen_then_ + kSeenMore) aside_.reset();
   if (!std::exchange(asked_, false) || goal) missed_ = 0;
   if (!goal) return;
+  const std::optional<Point> before = track_.point();
   const bool is_elsewhere =
       track_.Add(navigator.PointAt(goal->distance, goal->bearing), goal->distance, goal->certainty);
+  if (before && track_.point()) {
+    const Point here = navigator.here();
+    const double farther = Distance(*track_.point(), here) - Distance(*before, here);
+    receded_ = std::clamp(receded_ + farther, 0.0, kMostReceded);
+  }
   if (!is_elsewhere) return;
   watch_.Forget(kGoal);
   was_vain_ = false;
   was_stuck_ = false;
+  has_forgotten_ = false;
+  sides_.clear();
+  side_.reset();
 }
 
 std::optional<sim::Action> GoalApproach::Act(MapNavigator* navigator) {
@@ -57,21 +76,29 @@ std::optional<sim::Action> GoalApproach::Act(MapNavigator* navigator) {
   if (!target) return std::nullopt;
   const double distance = Distance(*target, navigator->here());
   const bool is_certain = seen_ && seen_->certainty >= spec_.stop_certainty && !was_vain_;
-  auto plan = navigator->Plan(*target, true);
+  if (side_ && Distance(*side_, navigator->here()) <= kAtSide && !is_certain) {
+    return TryOtherSide(*target, navigator);
+  }
+  auto plan = navigator->Plan(side_.value_or(*target), true);
   // A sight of the goal across something that has to be gone round is no arrival.
   const bool is_open = plan && plan->distance <= distance + kSlack;
   if (is_certain && distance <= spec_.stop_distance && is_open) return Stop();
   if (distance <= (was_vain_ ? kVainly : kAtGoal) && !is_certain) return Refute();
   if (IsSetAside(*target)) return std::nullopt;
-  if (IsNowhere(plan, *navigator)) {
+  const bool is_beside = plan && Distance(plan->point, navigator->here()) < kBeside &&
+                         Distance(plan->point, *target) > kAtGoal;
+  if (is_beside && !is_certain) {
+    return TryOtherSide(*target, navigator);
+  }
+  if (IsNowhere(plan, *navigator) && !std::exchange(has_forgotten_, true)) {
     // Odometry may have smeared the map until it left no way.
     navigator->ForgetMap();
-    plan = navigator->Plan(*target, true);
-    if (IsNowhere(plan, *navigator)) {
-      return is_certain && distance <= kNearEnough ? Stop() : Refute();
-    }
+    plan = navigator->Plan(side_.value_or(*target), true);
   }
-  if (watch_.IsStuck(kGoal, plan->distance, navigator->seen_area())) {
+  if (IsNowhere(plan, *navigator)) {
+    return is_certain && distance <= kNearEnough ? Stop() : Refute();
+  }
+  if (watch_.IsStuck(kGoal, plan->distance - receded_, navigator->seen_area())) {
     if (is_certain && distance <= kNearEnough) return Stop();
     if (was_stuck_ && is_certain) return SetAside(*target, navigator->seen_area());
     navigator->ForgetMap();
@@ -110,7 +137,25 @@ std::optional<sim::Action> GoalApproach::Refute() {
   missed_ = 0;
   was_vain_ = false;
   was_stuck_ = false;
+  has_forgotten_ = false;
+  receded_ = 0.0;
+  sides_.clear();
+  side_.reset();
   return std::nullopt;
+}
+
+std::optional<sim::Action> GoalApproach::TryOtherSide(const Point& target,
+                                                      MapNavigator* navigator) {
+  sides_.push_back(navigator->here());
+  side_.reset();
+  if (static_cast<int>(sides_.size()) < kMostSides) {
+    side_ = navigator->PlaceNear(target, sides_, kOtherSide);
+  }
+  if (!side_) return Refute();
+  const auto plan = navigator->Plan(*side_, true);
+  if (IsNowhere(plan, *navigator)) return Refute();
+  watch_.Forget(kGoal);
+  return navigator->Steer(plan->point);
 }
 
 /// What is seen from everywhere around would be believed again at once if it were refuted.
@@ -118,6 +163,10 @@ std::optional<sim::Action> GoalApproach::SetAside(const Point& target, double se
   aside_ = target;
   seen_then_ = seen;
   was_stuck_ = false;
+  has_forgotten_ = false;
+  receded_ = 0.0;
+  sides_.clear();
+  side_.reset();
   return std::nullopt;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <optional>
+#include <vector>
 
 #include "agent/mapping/goal_track.h"
 #include "agent/mapping/map_navigator.h"
@@ -72,6 +73,8 @@ class GoalApproach {
  private:
   std::optional<sim::Action> Stop();
   std::optional<sim::Action> Refute();
+  /// The goal seems to be where something stands, as on a counter, and it is not on this side.
+  std::optional<sim::Action> TryOtherSide(const Point& target, MapNavigator* navigator);
   std::optional<sim::Action> SetAside(const Point& target, double seen);
   bool IsSetAside(const Point& point) const;
   bool IsNowhere(const std::optional<Waypoint>& plan, const MapNavigator& navigator) const;
@@ -85,6 +88,10 @@ class GoalApproach {
   bool stopped_ = false;              // in the last step
   bool was_vain_ = false;             // a stop at the present target
   bool was_stuck_ = false;            // on the way there
+  bool has_forgotten_ = false;        // the map, for there was no way to the present target
+  double receded_ = 0.0;              // metres that the target has gone on before the body
+  std::vector<Point> sides_;          // of the present target, where it was not found
+  std::optional<Point> side_;         // where it is looked for now
   std::optional<Point> aside_;        // where the goal is that cannot be got to
   double seen_then_ = 0.0;            // m2
 };

@@ -39,6 +39,7 @@ void NavigatorSpec::Validate() const {
 MapNavigator::MapNavigator(const Rig& rig, const NavigatorSpec& spec,
                            std::shared_ptr<FreeSpaceModel> mapper)
     : spec_(spec),
+      match_(rig.has_depth && spec.match_scans ? std::optional<ScanMatch>(rig) : std::nullopt),
       map_(rig, spec.map, std::move(mapper)),
       planner_(spec.map, spec.ahead),
       frontiers_(spec.map.cells(), spec.least_frontier),
@@ -48,18 +49,20 @@ MapNavigator::MapNavigator(const Rig& rig, const NavigatorSpec& spec,
 void MapNavigator::Reset() {
   pose_ = {};
   map_.Clear(pose_);
+  if (match_) match_->Reset();
   last_action_ = sim::Action::kStop;
   last_turn_ = sim::Action::kTurnLeft;
   wall_width_ = 1;
   frontier_.reset();
   frontier_watch_.Reset();
   doubts_ = 0;
-  seen_before_ = map_.seen_cells();
+  heading_.reset();
+  most_seen_ = 0;
 }
 
 double MapNavigator::seen_area() const {
   const double cell = spec_.map.cell;
-  return static_cast<double>(map_.seen_cells() - seen_before_) * cell * cell;
+  return static_cast<double>(most_seen_) * cell * cell;
 }
 
 void MapNavigator::Observe(const Observation& observation) {
@@ -69,11 +72,12 @@ void MapNavigator::Observe(const Observation& observation) {
     throw sim::Error("the odometry reads what no step can have done");
   }
   const sim::PlanarPose before = pose_;
-  pose_ = sim::Compose(pose_, observation.odometry);
+  pose_ = sim::Compose(pose_, match_ ? match_->Match(observation.panorama, motion) : motion);
   map_.MarkTrack(before, pose_);
   FeelWalls(before);
   map_.Update(observation.panorama, pose_);
   DoubtMap(observation.panorama);
+  most_seen_ = std::max(most_seen_, map_.seen_cells());
 }
 
 void MapNavigator::DoubtMap(const Panorama& panorama) {
@@ -99,11 +103,17 @@ Point MapNavigator::PointAt(double distance, double bearing) const {
 }
 
 std::optional<Waypoint> MapNavigator::Plan(const Point& goal, bool through_unknown) {
-  return planner_.Plan(map_, {here(), goal, through_unknown});
+  return planner_.Plan(map_, {here(), goal, through_unknown, heading_});
+}
+
+std::optional<Point> MapNavigator::PlaceNear(const Point& point, std::span<const Point> others,
+                                             double apart) {
+  return planner_.PlaceNear(map_, {here(), point, true}, others, apart);
 }
 
 sim::Action MapNavigator::Steer(const Point& point) {
   const double heading = sim::Atan2(point.y - pose_.y, point.x - pose_.x);
+  heading_ = heading;
   const double off = sim::WrapAngle(heading - pose_.yaw);
   if (std::fabs(off) <= sim::DegToRad(spec_.turn_threshold_deg)) return sim::Action::kMoveForward;
   if (std::fabs(off) < kAboutFace) {

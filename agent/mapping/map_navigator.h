@@ -2,12 +2,14 @@
 #pragma once
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "agent/mapping/frontier.h"
 #include "agent/mapping/metric_map.h"
 #include "agent/mapping/path_planner.h"
 #include "agent/mapping/progress_watch.h"
+#include "agent/mapping/scan_match.h"
 #include "agent/observation.h"
 #include "sim/base/action.h"
 
@@ -22,6 +24,7 @@ struct NavigatorSpec {
   double stuck_below = 0.05;         // shorter than this it is stuck, and the wall grows
   int widest_wall = 9;               // cells
   int least_frontier = 4;            // cells; ours
+  bool match_scans = true;           // mend the odometry by depth, if there is any; ours
 
   template <class V>
   void Visit(V& v) {
@@ -32,6 +35,7 @@ struct NavigatorSpec {
     v("stuck_below", stuck_below);
     v("widest_wall", widest_wall);
     v("least_frontier", least_frontier);
+    v("match_scans", match_scans);
   }
   void Validate() const;
 };
@@ -47,9 +51,9 @@ class MapNavigator {
                std::shared_ptr<FreeSpaceModel> mapper = nullptr);
 
   void Reset();
-  /// Moves the pose by the odometry, marks felt walls, adds what is seen to the map. A map that
-  /// what is seen contradicts for some steps has been turned by drift: it is forgotten but for the
-  /// view. Throws Error if the odometry is broken.
+  /// Moves the pose by the odometry, mended by depth, marks felt walls, adds what is seen to the
+  /// map. A map that what is seen contradicts for some steps has been turned by drift: it is
+  /// forgotten but for the view. Throws Error if the odometry is broken.
   void Observe(const Observation& observation);
   /// The action chosen; the next observation shows what came of it.
   void Took(sim::Action action) { last_action_ = action; }
@@ -57,7 +61,8 @@ class MapNavigator {
   const sim::PlanarPose& pose() const { return pose_; }
   Point here() const { return {pose_.x, pose_.y}; }
   const MetricMap& map() const { return map_; }
-  /// Square metres of floor and walls seen since Reset; what was forgotten counts again.
+  /// Square metres of floor and walls seen since Reset. After the map was forgotten it grows only
+  /// when more is known than ever before.
   double seen_area() const;
   /// For a map that leaves no way out: forgets felt walls, or everything.
   void ForgetFeltWalls() { map_.ForgetFeltWalls(); }
@@ -66,6 +71,8 @@ class MapNavigator {
   /// The point in the agent's plane of a place seen from the body.
   Point PointAt(double distance, double bearing) const;
   std::optional<Waypoint> Plan(const Point& goal, bool through_unknown);
+  /// PathPlanner::PlaceNear, through what is unknown too.
+  std::optional<Point> PlaceNear(const Point& point, std::span<const Point> others, double apart);
   /// The turn or move towards a point nearby.
   sim::Action Steer(const Point& point);
 
@@ -92,19 +99,21 @@ class MapNavigator {
   bool HasFrontierNear(const Point& point, double radius) const;
 
   NavigatorSpec spec_;
+  std::optional<ScanMatch> match_;
   MetricMap map_;
   PathPlanner planner_;
   FrontierFinder frontiers_;
   sim::PlanarPose pose_;
   sim::Action last_action_ = sim::Action::kStop;
   sim::Action last_turn_ = sim::Action::kTurnLeft;
+  std::optional<double> heading_;  // to where it last steered
   int wall_width_ = 1;
   std::optional<Point> frontier_;
   int frontier_number_ = 0;
   ProgressWatch frontier_watch_;
-  bool can_doubt_;                // the map; a mapper from colour errs too often
-  int doubts_ = 0;                // steps in a row
-  std::int64_t seen_before_ = 0;  // Reset
+  bool can_doubt_;              // the map; a mapper from colour errs too often
+  int doubts_ = 0;              // steps in a row
+  std::int64_t most_seen_ = 0;  // cells
 };
 
 }  // namespace bulletnav::agent

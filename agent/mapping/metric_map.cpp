@@ -61,6 +61,7 @@ void MetricMap::Clear(const sim::PlanarPose& pose) {
   track_.Fill(0);
   felt_.Fill(0);
   contradiction_ = {};
+  seen_cells_ = 0;
   low_ = {};
   const sim::Cell here = CellAt({pose.x, pose.y});
   low_ = {here.x - states_.size() / 2, here.y - states_.size() / 2};

@@ -68,7 +68,7 @@ class MetricMap {
     double share() const { return all == 0 ? 0.0 : static_cast<double>(through) / all; }
   };
   const Contradiction& contradiction() const { return contradiction_; }
-  /// Cells seen for the first time, since the map was made; what was forgotten counts again.
+  /// Cells seen since Clear.
   std::int64_t seen_cells() const { return seen_cells_; }
   MapPicture Picture() const;
 

@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/panoramas.h"
 #include "tests/support/rigs.h"
+#include "tests/support/scenes.h"
 
 namespace bulletnav::agent {
 namespace {
@@ -23,8 +25,8 @@ class GoalApproachTest : public testing::Test {
       navigator_.Observe({{{}, depth_}, motion_, false, steps_});
       const double distance = Distance(goal, navigator_.here());
       const double heading = std::atan2(goal.y - navigator_.here().y, goal.x - navigator_.here().x);
-      const RelativeGoal seen{distance, sim::WrapAngle(heading - navigator_.pose().yaw),
-                              certainty(distance)};
+      const RelativeGoal seen{std::min(distance, farthest_told_),
+                              sim::WrapAngle(heading - navigator_.pose().yaw), certainty(distance)};
       approach_.See(seen.certainty > 0.0 ? std::optional(seen) : std::nullopt, navigator_);
       last_ = approach_.Act(&navigator_);
       motion_ = {};
@@ -45,7 +47,8 @@ class GoalApproachTest : public testing::Test {
   sim::PlanarPose motion_;
   std::optional<Action> last_;
   int steps_ = 0;
-  bool is_held_ = false;  // something unseen is in the way, wherever it goes
+  double farthest_told_ = 100.0;  // metres
+  bool is_held_ = false;          // something unseen is in the way, wherever it goes
 };
 
 TEST_F(GoalApproachTest, WalksToAGoalAndStopsNearIt) {
@@ -121,6 +124,60 @@ TEST_F(GoalApproachTest, AfterAStopInVainItGoesNearerAndThenLooksElsewhere) {
   Run(other, lie);
   EXPECT_EQ(last_, Action::kStop);
   EXPECT_LE(Left(other), 0.5);
+}
+
+TEST_F(GoalApproachTest, AGoalSeenFromAfarIsGoneToAlthoughItIsToldTooNear) {
+  const Point goal{14.0, 3.0};
+  farthest_told_ = 3.0;
+  steps_ = 0;
+  Run(goal, [](double distance) {
+    return distance > 3.0 ? 0.8 : 0.99;
+  });
+  EXPECT_EQ(last_, Action::kStop);
+  EXPECT_LE(Left(goal), 0.6);
+}
+
+TEST(GoalApproach, LooksBehindACounterOnWhichTheGoalSeemsToStand) {
+  // A room whose middle is the plane's origin, and a counter from x = 0.9 to 1.5 in the plane.
+  sim::SceneMesh mesh = tests::BoxRoom(8, 2.6f, 8);
+  tests::AddBox({2.8f, 0, -5.5f}, {5.2f, 1.1f, -4.9f}, {9, 9, 9}, &mesh);
+  const auto scene = sim::MakeRenderScene(mesh, sim::Backend::kEmbree);
+  const Point goal{1.95, 0.0};
+  GoalApproach approach({.sightings = 1});
+  MapNavigator navigator({}, {});
+  sim::PlanarPose motion;
+  int steps = 0;
+  for (; steps < 150; ++steps) {
+    const sim::PlanarPose before = sim::Compose(navigator.pose(), motion);
+    const auto depth =
+        tests::RenderPanorama(
+            *scene, {},
+            {{4.0f - static_cast<float>(before.y), 1.25f, -4.0f - static_cast<float>(before.x)},
+             static_cast<float>(before.yaw)})
+            .depth;
+    navigator.Observe({{{}, depth}, motion, false, steps});
+    // From before the counter it is told too near, and not for sure.
+    const bool is_behind = navigator.here().x > 1.5;
+    const Point told = is_behind ? goal : Point{1.25, 0.0};
+    const double heading = std::atan2(told.y - navigator.here().y, told.x - navigator.here().x);
+    approach.See(
+        RelativeGoal{Distance(told, navigator.here()),
+                     sim::WrapAngle(heading - navigator.pose().yaw), is_behind ? 0.99 : 0.7},
+        navigator);
+    const auto action = approach.Act(&navigator);
+    ASSERT_TRUE(action) << "given up after " << steps;
+    if (action == Action::kStop) break;
+    navigator.Took(*action);
+    constexpr double kTurn = sim::DegToRad(10.0);
+    motion = {};
+    const Point next = navigator.PointAt(0.25, 0.0);
+    const bool is_counter = next.x > 0.8 && next.x < 1.6 && std::fabs(next.y) < 1.3;
+    if (action == Action::kMoveForward && !is_counter) motion.x = 0.25;
+    if (action == Action::kTurnLeft) motion.yaw = kTurn;
+    if (action == Action::kTurnRight) motion.yaw = -kTurn;
+  }
+  EXPECT_LT(steps, 100);
+  EXPECT_LE(Distance(goal, navigator.here()), 0.6);
 }
 
 TEST_F(GoalApproachTest, AGoalThatIsSeenButCannotBeGotToIsSetAside) {
