@@ -88,6 +88,19 @@ void WholeStep(benchmark::State& state) {
 }
 BENCHMARK(WholeStep)->Unit(benchmark::kMicrosecond)->Iterations(2 * kSteps);
 
+void MatchScans(benchmark::State& state) {
+  const auto& walk = Walk();
+  ScanMatch match(Rig{});
+  std::size_t step = 0;
+  for (auto _ : state) {
+    const Observation seen = View(walk[step % walk.size()], 0);
+    benchmark::DoNotOptimize(match.Match(seen.panorama, seen.odometry));
+    ++step;
+  }
+  state.SetItemsProcessed(state.iterations());
+}
+BENCHMARK(MatchScans)->Unit(benchmark::kMicrosecond);
+
 void MapUpdate(benchmark::State& state) {
   MetricMap map({}, {});
   const auto& depth = Walk()[kSteps / 2].depth;
