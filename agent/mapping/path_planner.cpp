@@ -77,6 +77,11 @@ std::optional<Point> PathPlanner::PlaceNear(const MetricMap& map, const Query& q
   const sim::Cell middle = map.CellAt(query.goal);
   const int reach = static_cast<int>(kSubstituteReach / map.spec().cell);
   march_.Run(map.states(), {map.CellAt(query.from), query.through_unknown});
+  const auto is_apart = [&](const Point& place) {
+    return std::none_of(others.begin(), others.end(), [&](const Point& other) {
+      return Distance(place, other) < apart;
+    });
+  };
   std::optional<Point> best;
   for (int dy = -reach; dy <= reach; ++dy) {
     for (int dx = -reach; dx <= reach; ++dx) {
@@ -84,11 +89,8 @@ std::optional<Point> PathPlanner::PlaceNear(const MetricMap& map, const Query& q
       const Point place = map.Centre(cell);
       const bool is_near = std::hypot(dx, dy) <= reach && map.states().Contains(cell);
       if (!is_near || !std::isfinite(march_.distance(cell))) continue;
-      const bool is_other = std::any_of(others.begin(), others.end(), [&](const Point& other) {
-        return Distance(place, other) < apart;
-      });
       const bool is_nearer = !best || Distance(place, query.goal) < Distance(*best, query.goal);
-      if (!is_other && is_nearer) best = place;
+      if (is_nearer && is_apart(place)) best = place;
     }
   }
   return best;

@@ -16,34 +16,42 @@ std::string NameWith(std::size_t folders, const fs::path& scene) {
   for (std::size_t i = 0; i < folders; ++i) {
     const std::string one = folder.filename().string();
     if (one.empty() || one == "." || one == "..") return name;
-    name = one + "/" + name;
+    name.insert(0, one + "/");
     folder = folder.parent_path();
   }
   return name;
+}
+
+/// Scenes by the name that they have for now.
+using Alike = std::map<std::string, std::vector<std::string>>;
+
+Alike Split(const std::vector<std::string>& scenes, std::size_t folders) {
+  Alike split;
+  for (const std::string& scene : scenes) split[NameWith(folders, scene)].push_back(scene);
+  return split;
 }
 
 }  // namespace
 
 std::map<std::string, std::string> SceneNames(std::span<const std::string> scenes) {
   std::map<std::string, std::string> names;
-  std::map<std::string, std::vector<std::string>> alike;  // by name, those that have it
+  std::vector<std::string> different;
   for (const std::string& scene : scenes) {
-    if (names.emplace(scene, "").second) alike[NameWith(0, scene)].push_back(scene);
+    if (names.emplace(scene, "").second) different.push_back(scene);
   }
+  Alike alike = Split(different, 0);
   for (std::size_t folders = 1; !alike.empty(); ++folders) {
-    std::map<std::string, std::vector<std::string>> longer;
+    Alike longer;
     for (const auto& [name, ones] : alike) {
+      Alike split = Split(ones, folders);
+      const bool is_at_end = split.size() == 1 && split.begin()->first == name;
       if (ones.size() == 1) {
         names[ones.front()] = name;
-        continue;
+      } else if (is_at_end) {
+        for (const std::string& scene : ones) names[scene] = scene;
+      } else {
+        longer.merge(split);
       }
-      std::map<std::string, std::vector<std::string>> split;
-      for (const std::string& scene : ones) split[NameWith(folders, scene)].push_back(scene);
-      const bool is_at_end = split.size() == 1 && split.begin()->first == name;
-      for (const std::string& scene : ones) {
-        if (is_at_end) names[scene] = scene;
-      }
-      if (!is_at_end) longer.merge(split);
     }
     alike = std::move(longer);
   }
