@@ -31,7 +31,10 @@ std::vector<MapLabel> LabelsFor(const SceneOptions& scene) {
   std::filesystem::path description = scene.file;
   description.replace_extension(".json");
   std::error_code unreadable;
-  if (scene.scale != 1.0 || !std::filesystem::exists(description, unreadable)) return {};
+  if (scene.scale != 1.0 || description == scene.file ||
+      !std::filesystem::exists(description, unreadable)) {
+    return {};
+  }
   try {
     return RoomLabels(sim::ReadHouseJson(description).plan);
   } catch (const sim::Error& e) {
