@@ -59,7 +59,7 @@ CheckedMeshFile CheckMeshFile(const std::filesystem::path& file) {
   if (std::find(kKnown.begin(), kKnown.end(), extension) == kKnown.end()) {
     throw FileError(file, "",
                     "is not a .glb, .gltf, .obj, .ply or .dae mesh; scenes of several meshes are "
-                    ".scene_instance.json");
+                    ".scene_instance.json, .sdf or .world");
   }
   if (bytes.empty()) throw FileError(file, "", "is empty");
   CheckedMeshFile checked;

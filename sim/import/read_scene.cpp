@@ -67,28 +67,33 @@ void ReadMesh(const std::filesystem::path& file, const ImportOptions& options,
   LoadTextures(source, &mesh, &scene->report);
 }
 
-void ReadParts(const std::filesystem::path& file, const SceneParts& parts,
-               const ImportOptions& options, ImportedScene* scene) {
-  scene->mesh = JoinParts(file, parts, &scene->report);
-  SetUp(file, options, parts.up, true, scene);
+/// Completes the report.
+void Measure(ImportedScene* scene) {
+  const SceneMesh& mesh = scene->mesh;
+  mesh.Validate();
+  ImportReport& report = scene->report;
+  report.triangles = mesh.triangles.size();
+  report.materials =
+      std::set(mesh.triangle_materials.begin(), mesh.triangle_materials.end()).size();
+  report.extent_m = mesh.Bounds().sizes();
 }
 
 }  // namespace
 
 ImportedScene ReadScene(const std::filesystem::path& file, const ImportOptions& options) {
+  if (IsHabitatScene(file)) return ReadScene(file, ReadHabitatScene(file), options);
   ImportedScene scene;
-  if (IsHabitatScene(file)) {
-    ReadParts(file, ReadHabitatScene(file), options, &scene);
-  } else {
-    ReadMesh(file, options, &scene);
-  }
-  SceneMesh& mesh = scene.mesh;
-  ImportReport& report = scene.report;
-  mesh.Validate();
-  report.triangles = mesh.triangles.size();
-  report.materials =
-      std::set(mesh.triangle_materials.begin(), mesh.triangle_materials.end()).size();
-  report.extent_m = mesh.Bounds().sizes();
+  ReadMesh(file, options, &scene);
+  Measure(&scene);
+  return scene;
+}
+
+ImportedScene ReadScene(const std::filesystem::path& file, const SceneParts& parts,
+                        const ImportOptions& options) {
+  ImportedScene scene;
+  scene.mesh = JoinParts(file, parts, &scene.report);
+  SetUp(file, options, parts.up, true, &scene);
+  Measure(&scene);
   return scene;
 }
 

@@ -30,6 +30,18 @@ struct Asset {
   std::uint32_t first_material = 0;
 };
 
+/// A rectangle, no larger than reaches 1 m beyond a box.
+ScenePart CutOff(const ScenePart& plane, const Eigen::AlignedBox3f& others) {
+  ScenePart cut = plane;
+  Eigen::AlignedBox3f box = others.transformed(plane.X_WA.inverse());
+  box.min().array() -= 1.0f;
+  box.max().array() += 1.0f;
+  for (Eigen::Vector3f& p : cut.mesh.positions) {
+    p.head<2>() = p.head<2>().cwiseMax(box.min().head<2>()).cwiseMin(box.max().head<2>());
+  }
+  return cut;
+}
+
 class Joiner {
  public:
   Joiner(const std::filesystem::path& scene, const SceneParts& parts, ImportReport* report)
@@ -44,16 +56,11 @@ class Joiner {
 
   SceneMesh Join() {
     for (const ScenePart& part : parts_.parts) {
-      if (part.asset.empty()) {
-        Asset own{part.mesh};
-        TakeMaterials(&own);
-        Place(part, own);
-        continue;
-      }
-      const Key key = KeyOf(part);
-      auto found = assets_.find(key);
-      if (found == assets_.end()) found = assets_.emplace(key, Read(part, scale_of_[key])).first;
-      Place(part, found->second);
+      if (!part.ends_with_scene) Add(part);
+    }
+    const Eigen::AlignedBox3f others = joined_.Bounds();
+    for (const ScenePart& part : parts_.parts) {
+      if (part.ends_with_scene) Add(others.isEmpty() ? part : CutOff(part, others));
     }
     for (const auto& [line, count] : skipped_) {
       report_.skipped.push_back(count == 1 ? line
@@ -67,6 +74,19 @@ class Joiner {
  private:
   using Key = std::pair<std::string, bool>;
   static Key KeyOf(const ScenePart& part) { return {part.asset.string(), part.keeps_axes}; }
+
+  void Add(const ScenePart& part) {
+    if (part.asset.empty()) {
+      Asset own{part.mesh};
+      TakeMaterials(&own);
+      Place(part, own);
+      return;
+    }
+    const Key key = KeyOf(part);
+    auto found = assets_.find(key);
+    if (found == assets_.end()) found = assets_.emplace(key, Read(part, scale_of_[key])).first;
+    Place(part, found->second);
+  }
 
   Asset Read(const ScenePart& part, float scale) try {
     AllowCpuSeconds(SecondsToRead(part.asset));
@@ -133,7 +153,11 @@ class Joiner {
 
   void PlaceObjects(const ScenePart& part, const SceneMesh& mesh) {
     if (!mesh.has_objects()) {
-      const std::uint32_t object = AddObject(part.object);
+      const std::string& name = part.object.name;
+      const auto known = object_of_part_.find(name);
+      const bool is_known = !name.empty() && known != object_of_part_.end();
+      const std::uint32_t object = is_known ? known->second : AddObject(part.object);
+      if (!name.empty()) object_of_part_[name] = object;
       joined_.triangle_objects.insert(joined_.triangle_objects.end(), mesh.triangles.size(),
                                       object);
       return;
@@ -167,6 +191,7 @@ class Joiner {
   std::map<std::string, int> skipped_;
   std::map<std::string, int> count_of_;  // of names wished for
   std::set<std::string> names_;
+  std::map<std::string, std::uint32_t> object_of_part_;  // by the name that parts have
 };
 
 }  // namespace

@@ -20,8 +20,10 @@ struct ScenePart {
   bool is_centred = false;
   /// Meshes of COLLADA in their own axes, whatever they say is up.
   bool keeps_axes = false;
-  /// Its category, room and, for a name, what others may be called too; not used where the asset
-  /// says what its triangles belong to.
+  /// A rectangle at z = 0, middle at the origin, that ends 1 m beyond all other parts.
+  bool ends_with_scene = false;
+  /// Not used where the asset says what its triangles belong to. Parts with the same name are one
+  /// object, those without one are an object each.
   SceneObject object;
   std::string place;  // in the scene's file, for complaints
 };
