@@ -83,10 +83,11 @@ void AddInspect(CLI::App* scenes) {
 }  // namespace
 
 void AddScenesCommand(CLI::App* program) {
-  CLI::App* scenes = program->add_subcommand("scenes", "Make and inspect scenes");
+  CLI::App* scenes = program->add_subcommand("scenes", "Make, inspect and export scenes");
   scenes->require_subcommand(1);
   AddGenerateCommand(scenes);
   AddInspect(scenes);
+  AddExportCommand(scenes);
 }
 
 }  // namespace bulletnav::bench
