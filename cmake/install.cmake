@@ -17,7 +17,11 @@ endif()
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/bulletnav)
 install(TARGETS ${installed} EXPORT bulletnav ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
   COMPONENT development)
-install(TARGETS bulletnav-import RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/bulletnav
+set(importers bulletnav-import)
+if(BULLETNAV_SDF)
+  list(APPEND importers bulletnav-import-sdf)
+endif()
+install(TARGETS ${importers} RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/bulletnav
   COMPONENT development)
 install(EXPORT bulletnav NAMESPACE bulletnav:: FILE bulletnav-targets.cmake
   DESTINATION ${package_dir} COMPONENT development)
@@ -37,7 +41,7 @@ install(FILES ${PROJECT_BINARY_DIR}/bulletnav-config.cmake
 # when it runs. cmake/make_deb.sh packs it.
 if(BULLETNAV_TOOLS)
   set(program_dir lib/bulletnav)
-  install(TARGETS bulletnav bulletnav-import RUNTIME DESTINATION ${program_dir} COMPONENT program)
+  install(TARGETS bulletnav ${importers} RUNTIME DESTINATION ${program_dir} COMPONENT program)
   foreach(library bulletnav_learning bulletnav_slam bulletnav_python_agent)
     if(TARGET ${library})
       install(TARGETS ${library} LIBRARY DESTINATION ${program_dir} COMPONENT program)

@@ -29,7 +29,9 @@ dependencies() {
   mkdir -p "$work/debian"
   printf 'Source: bulletnav\n\nPackage: bulletnav\nArchitecture: any\n' >"$work/debian/control"
   local libraries=() library
-  for library in "$stage"/usr/lib/bulletnav/*.so; do libraries+=(-e "$library"); done
+  for library in "$stage"/usr/lib/bulletnav/*.so "$stage"/usr/lib/bulletnav/bulletnav-import-sdf; do
+    [[ ! -e $library ]] || libraries+=(-e "$library")
+  done
   (cd "$work" && dpkg-shlibdeps -O -dDepends -e "$stage/usr/lib/bulletnav/bulletnav" \
     -e "$stage/usr/lib/bulletnav/bulletnav-import" -dRecommends "${libraries[@]}" \
     2>"$work/log") || { cat "$work/log" >&2; exit 1; }

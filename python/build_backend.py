@@ -117,7 +117,9 @@ def _contents():
             yield f"bulletnav/{file.name}", file.read_bytes(), False
     core = f"_core{_suffix()}"
     yield f"bulletnav/{core}", (PACKAGE / core).read_bytes(), False
-    yield "bulletnav/bulletnav-import", (BUILD / "bulletnav-import").read_bytes(), True
+    for program in ("bulletnav-import", "bulletnav-import-sdf"):  # the second is an option
+        if (BUILD / program).exists():
+            yield f"bulletnav/{program}", (BUILD / program).read_bytes(), True
     wheel = f"Wheel-Version: 1.0\nGenerator: bulletnav\nRoot-Is-Purelib: false\nTag: {_tag()}\n"
     yield f"{_dist_info()}/METADATA", _metadata().encode(), False
     yield f"{_dist_info()}/WHEEL", wheel.encode(), False

@@ -2,6 +2,7 @@
 #include "benchmark/base/scene_names.h"
 
 #include <filesystem>
+#include <string_view>
 #include <vector>
 
 namespace bulletnav::bench {
@@ -9,9 +10,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Without extension, Habitat's of two words too.
+std::string Stem(const fs::path& scene) {
+  constexpr std::string_view kInstance = ".scene_instance";
+  std::string stem = scene.stem().string();
+  if (stem.ends_with(kInstance)) stem.resize(stem.size() - kInstance.size());
+  return stem;
+}
+
 /// The file without extension, after the last `folders` of the folders that it is in.
 std::string NameWith(std::size_t folders, const fs::path& scene) {
-  std::string name = scene.stem().string();
+  std::string name = Stem(scene);
   fs::path folder = scene.parent_path();
   for (std::size_t i = 0; i < folders; ++i) {
     const std::string one = folder.filename().string();
@@ -63,7 +72,7 @@ std::string LongSceneName(const std::string& scene) {
 }
 
 std::string EpisodeName(const std::string& scene, const std::string& episode) {
-  const bool has_it = episode.find(fs::path(scene).stem().string()) != std::string::npos;
+  const bool has_it = episode.find(Stem(scene)) != std::string::npos;
   return has_it ? episode : LongSceneName(scene) + ", episode " + episode;
 }
 

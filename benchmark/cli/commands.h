@@ -17,8 +17,9 @@ void AddMergeCommand(CLI::App* program);
 void AddPlotCommand(CLI::App* program);
 void AddQuantiseCommand(CLI::App* program);
 void AddRenderCommand(CLI::App* program);
-/// Adds "generate" to the "scenes" command.
+/// Add "generate" and "export" to the "scenes" command.
 void AddGenerateCommand(CLI::App* scenes);
+void AddExportCommand(CLI::App* scenes);
 /// Makes a page of a run for a browser.
 void AddReplayCommand(CLI::App* program);
 void AddRunCommand(CLI::App* program);

@@ -21,7 +21,10 @@ std::string RequireNumber(const std::string& text) {
 }  // namespace
 
 void SceneOptions::AddTo(CLI::App* command) {
-  command->add_option("file", file, "Mesh: .glb, .gltf, .obj, .ply or .dae")->required();
+  command
+      ->add_option("file", file,
+                   "Scene: .glb, .gltf, .obj, .ply, .dae, .scene_instance.json, .sdf or .world")
+      ->required();
   AddImportOptions(command);
 }
 

@@ -31,7 +31,10 @@ std::vector<MapLabel> LabelsFor(const SceneOptions& scene) {
   std::filesystem::path description = scene.file;
   description.replace_extension(".json");
   std::error_code unreadable;
-  if (scene.scale != 1.0 || !std::filesystem::exists(description, unreadable)) return {};
+  if (scene.scale != 1.0 || description == scene.file ||
+      !std::filesystem::exists(description, unreadable)) {
+    return {};
+  }
   try {
     return RoomLabels(sim::ReadHouseJson(description).plan);
   } catch (const sim::Error& e) {
@@ -80,10 +83,11 @@ void AddInspect(CLI::App* scenes) {
 }  // namespace
 
 void AddScenesCommand(CLI::App* program) {
-  CLI::App* scenes = program->add_subcommand("scenes", "Make and inspect scenes");
+  CLI::App* scenes = program->add_subcommand("scenes", "Make, inspect and export scenes");
   scenes->require_subcommand(1);
   AddGenerateCommand(scenes);
   AddInspect(scenes);
+  AddExportCommand(scenes);
 }
 
 }  // namespace bulletnav::bench

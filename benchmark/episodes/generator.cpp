@@ -5,6 +5,7 @@
 #include <array>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string_view>
 
 #include "benchmark/base/json_cursor.h"
@@ -66,6 +67,38 @@ bool IsOtherForm(const fs::path& mesh) {
   return fs::exists(mesh.parent_path() / plain);
 }
 
+bool IsSceneInstance(const std::string& file) {
+  return file.ends_with(".scene_instance.json");
+}
+
+/// The folder at or above a scene instance that has its data set's config; empty if none has.
+fs::path DatasetOf(const fs::path& scene) {
+  std::error_code unreadable;
+  for (fs::path folder = scene.parent_path(); !folder.empty(); folder = folder.parent_path()) {
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, unreadable)) {
+      if (entry.path().string().ends_with(".scene_dataset_config.json")) return folder;
+    }
+    if (folder == folder.parent_path()) break;
+  }
+  return {};
+}
+
+/// Meshes of a data set whose scenes are made of several are parts, not scenes.
+void EraseParts(std::vector<std::string>* scenes) {
+  std::set<std::string> folders;
+  for (const std::string& scene : *scenes) {
+    if (!IsSceneInstance(scene)) continue;
+    const fs::path folder = DatasetOf(scene);
+    if (!folder.empty()) folders.insert((folder / "").string());
+  }
+  std::erase_if(*scenes, [&](const std::string& scene) {
+    return !IsSceneInstance(scene) &&
+           std::any_of(folders.begin(), folders.end(), [&](const std::string& folder) {
+             return scene.starts_with(folder);
+           });
+  });
+}
+
 /// In the order of their names.
 std::vector<std::string> MeshesBelow(const fs::path& folder) {
   constexpr std::array<std::string_view, 5> kMeshes = {".glb", ".gltf", ".obj", ".ply", ".dae"};
@@ -74,13 +107,15 @@ std::vector<std::string> MeshesBelow(const fs::path& folder) {
                        fs::directory_options::skip_permission_denied;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, options)) {
     const std::string extension = entry.path().extension().string();
-    if (std::find(kMeshes.begin(), kMeshes.end(), extension) == kMeshes.end()) continue;
+    const bool is_mesh = std::find(kMeshes.begin(), kMeshes.end(), extension) != kMeshes.end();
+    if (!is_mesh && !IsSceneInstance(entry.path().string())) continue;
     if (IsOtherForm(entry.path())) continue;
     meshes.push_back(entry.path().string());
   }
   if (meshes.empty()) {
     throw sim::FileError(folder, "", "holds no mesh (.glb, .gltf, .obj, .ply, .dae); put some in");
   }
+  EraseParts(&meshes);
   std::sort(meshes.begin(), meshes.end());
   return meshes;
 }

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include <assimp/Importer.hpp>
+#include <assimp/config.h>
 #include <assimp/material.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -200,12 +201,14 @@ std::string WhyNoScene(std::string reason) {
 
 }  // namespace
 
-AssimpScene::AssimpScene(const std::filesystem::path& file, const CheckedMeshFile& checked)
+AssimpScene::AssimpScene(const std::filesystem::path& file, const CheckedMeshFile& checked,
+                         bool keeps_axes)
     : file_(file), importer_(std::make_unique<Assimp::Importer>()) {
   importer_->SetIOHandler(
       new MeshIo(file, checked));  // NOLINT(cppcoreguidelines-owning-memory): it takes it
   importer_->SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                                 aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+  importer_->SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, keeps_axes);
   try {
     scene_ = importer_->ReadFile(file.string(), aiProcess_Triangulate | aiProcess_SortByPType);
   } catch (const std::bad_alloc&) {

@@ -18,8 +18,10 @@ namespace bulletnav::sim {
 /// allowed.
 class AssimpScene {
  public:
-  /// `checked`: of the same file, lent for the object's life. Throws FileError.
-  AssimpScene(const std::filesystem::path& file, const CheckedMeshFile& checked);
+  /// `checked`: of the same file, lent for the object's life. `keeps_axes`: COLLADA that says it is
+  /// z up is not turned. Throws FileError.
+  AssimpScene(const std::filesystem::path& file, const CheckedMeshFile& checked,
+              bool keeps_axes = false);
   ~AssimpScene();
   AssimpScene(const AssimpScene&) = delete;
   AssimpScene& operator=(const AssimpScene&) = delete;

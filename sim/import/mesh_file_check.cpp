@@ -57,7 +57,9 @@ CheckedMeshFile CheckMeshFile(const std::filesystem::path& file) {
   const std::string extension = LowerExtension(file);
   constexpr std::array kKnown = {".glb", ".gltf", ".obj", ".ply", ".dae"};
   if (std::find(kKnown.begin(), kKnown.end(), extension) == kKnown.end()) {
-    throw FileError(file, "", "is not a .glb, .gltf, .obj, .ply or .dae mesh");
+    throw FileError(file, "",
+                    "is not a .glb, .gltf, .obj, .ply or .dae mesh; scenes of several meshes are "
+                    ".scene_instance.json, .sdf or .world");
   }
   if (bytes.empty()) throw FileError(file, "", "is empty");
   CheckedMeshFile checked;

@@ -5,8 +5,10 @@
 
 #include "sim/import/assimp_scene.h"
 #include "sim/import/clean.h"
+#include "sim/import/habitat_scene.h"
 #include "sim/import/load_textures.h"
 #include "sim/import/mesh_file_check.h"
+#include "sim/import/scene_parts.h"
 #include "sim/import/up_axis.h"
 
 namespace bulletnav::sim {
@@ -36,33 +38,62 @@ void AddGroundPlane(SceneMesh* mesh) {
   mesh->triangle_objects.insert(mesh->triangle_objects.end(), 2, object);
 }
 
-}  // namespace
+/// Turns, cleans and completes a mesh that has the file's axes and units.
+void SetUp(const std::filesystem::path& file, const ImportOptions& options, UpAxis usual,
+           bool is_known, ImportedScene* scene) {
+  SceneMesh& mesh = scene->mesh;
+  if (options.scale != 1.0) {
+    for (Eigen::Vector3f& p : mesh.positions) p *= static_cast<float>(options.scale);
+  }
+  const UpAxis found = is_known || options.up ? usual : DetectUpAxis(mesh, usual);
+  scene->report.up_axis = options.up.value_or(found);
+  if (scene->report.up_axis == UpAxis::kZ) TurnZUpToYUp(&mesh);
+  CleanMesh(file, &mesh, &scene->report);
+  if (options.ground_plane) AddGroundPlane(&mesh);
+}
 
-ImportedScene ReadScene(const std::filesystem::path& file, const ImportOptions& options) {
+void ReadMesh(const std::filesystem::path& file, const ImportOptions& options,
+              ImportedScene* scene) {
   const CheckedMeshFile checked = CheckMeshFile(file);
-  ImportedScene scene;
-  ImportReport& report = scene.report;
-  report.skipped = checked.ignored;
+  scene->report.skipped = checked.ignored;
   const AssimpScene source(file, checked);
-  scene.mesh = source.Convert(&report);
-  SceneMesh& mesh = scene.mesh;
+  SceneMesh& mesh = scene->mesh;
+  mesh = source.Convert(&scene->report);
   if (checked.objects.of_triangles.size() == mesh.triangles.size()) {
     mesh.objects = checked.objects.objects;
     mesh.triangle_objects = checked.objects.of_triangles;
   }
-  if (options.scale != 1.0) {
-    for (Eigen::Vector3f& p : mesh.positions) p *= static_cast<float>(options.scale);
-  }
-  report.up_axis = options.up ? *options.up : DetectUpAxis(mesh, checked.usual_up);
-  if (report.up_axis == UpAxis::kZ) TurnZUpToYUp(&mesh);
-  CleanMesh(file, &mesh, &report);
-  if (options.ground_plane) AddGroundPlane(&mesh);
-  LoadTextures(source, &mesh, &report);
+  SetUp(file, options, checked.usual_up, false, scene);
+  LoadTextures(source, &mesh, &scene->report);
+}
+
+/// Completes the report.
+void Measure(ImportedScene* scene) {
+  const SceneMesh& mesh = scene->mesh;
   mesh.Validate();
+  ImportReport& report = scene->report;
   report.triangles = mesh.triangles.size();
   report.materials =
       std::set(mesh.triangle_materials.begin(), mesh.triangle_materials.end()).size();
   report.extent_m = mesh.Bounds().sizes();
+}
+
+}  // namespace
+
+ImportedScene ReadScene(const std::filesystem::path& file, const ImportOptions& options) {
+  if (IsHabitatScene(file)) return ReadScene(file, ReadHabitatScene(file), options);
+  ImportedScene scene;
+  ReadMesh(file, options, &scene);
+  Measure(&scene);
+  return scene;
+}
+
+ImportedScene ReadScene(const std::filesystem::path& file, const SceneParts& parts,
+                        const ImportOptions& options) {
+  ImportedScene scene;
+  scene.mesh = JoinParts(file, parts, &scene.report);
+  SetUp(file, options, parts.up, true, &scene);
+  Measure(&scene);
   return scene;
 }
 

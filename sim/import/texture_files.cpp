@@ -44,7 +44,8 @@ std::optional<fs::path> FindTextureFile(const fs::path& mesh_file, const std::st
   if (IsFile(folder / relative)) return folder / relative;  // also an absolute path that exists
   const std::string base = relative.filename().string();
   if (base.empty()) return std::nullopt;
-  for (const char* sub : std::array{"", "textures", "texture", "tex", "images", "materials"}) {
+  for (const char* sub : std::array{"", "textures", "texture", "tex", "images", "materials",
+                                    "../materials/textures"}) {  // the last: Gazebo's models
     const fs::path place = folder / sub;
     if (IsFile(place / base)) return place / base;
     if (auto found = FindIgnoringCase(place, base); found && IsFile(*found)) return found;

@@ -43,11 +43,11 @@ struct ImportedScene {
   const SceneMesh& drawn_mesh() const { return drawn ? *drawn : mesh; }
 };
 
-/// Loads an indoor mesh: glb, gltf (quantised or meshoptimizer's, too), obj + mtl, ply (vertex
-/// colours), dae; turned y-up and cleaned (see CleanMesh), textures no larger than can be seen (see
-/// LoadTextures). A texture that is missing or cannot be read is drawn grey and named in the
-/// report. Throws FileError, with place and remedy, for what is not a scene: missing, empty,
-/// damaged or truncated files, indices out of range, no triangles, sizes that no building has.
+/// Loads an indoor scene: glb, gltf (quantised or meshoptimizer's, too), obj + mtl, ply (vertex
+/// colours), dae, habitat-sim's scene_instance.json; turned y-up and cleaned (see CleanMesh),
+/// textures no larger than can be seen (see LoadTextures). One that is missing or cannot be read is
+/// drawn grey and named in the report. Throws FileError, with place and remedy, for what is no
+/// scene: missing, empty, damaged or cut off files, bad indices, no triangles, no building's size.
 ImportedScene ImportScene(const std::filesystem::path& file, const ImportOptions& options = {});
 
 }  // namespace bulletnav::sim

@@ -29,6 +29,7 @@ TEST(SceneNames, AreAsShortAsTellsThemApart) {
               ElementsAre("room_0/habitat/mesh", "room_1/habitat/mesh"));
   EXPECT_THAT(NamesOf({"scene.obj", "a/scene.obj"}), ElementsAre("scene", "a/scene"));
   EXPECT_THAT(NamesOf({"a/scene.obj", "a/scene.glb"}), ElementsAre("a/scene.obj", "a/scene.glb"));
+  EXPECT_THAT(NamesOf({"scenes/apt_0.scene_instance.json"}), ElementsAre("apt_0"));
   EXPECT_THAT(NamesOf({"a/b.glb", "a/b.glb"}), ElementsAre("b", "b"));
 }
 

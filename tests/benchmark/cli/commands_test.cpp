@@ -176,6 +176,11 @@ TEST_F(CommandsTest, BadInputIsOneLineThatNamesThePlaceAndStatusOne) {
 TEST_F(CommandsTest, ScenesAreGeneratedInspectedAndDrawn) {
   WriteExperiment();
   EXPECT_THAT(Output("scenes inspect corridor.glb --topdown plan.png"), HasSubstr("walkable"));
+  const std::string instance = Output("scenes export corridor.glb --format scene_instance --out s");
+  EXPECT_EQ(instance, "s/scenes/corridor.scene_instance.json\n");
+  EXPECT_THAT(Output("scenes inspect s/scenes/corridor.scene_instance.json"),
+              HasSubstr("walkable"));
+  EXPECT_EQ(Output("scenes export corridor.glb --format sdf --out s"), "s/corridor.sdf\n");
   EXPECT_THAT(Output("scenes inspect corridor.glb --json"), StartsWith("{"));
   EXPECT_TRUE(Has("plan.png"));
   Output("render corridor.glb --random 2 --seed 5 --size 64x16 --backend embree --out pictures");

@@ -198,5 +198,19 @@ TEST(ScenesOf, AFolderOfScansHasEachOnce) {
   EXPECT_EQ(names, (std::vector<std::string>{"a.glb", "b.basis.glb", "c.ply"}));
 }
 
+TEST(ScenesOf, MeshesThatScenesAreMadeOfAreNoScenes) {
+  const tests::TemporaryFolder folder;
+  for (const char* name : {"set/x.scene_dataset_config.json", "set/stages/room.glb",
+                           "set/objects/chair.glb", "set/scenes/one.scene_instance.json",
+                           "set_of_scans/y.scene_dataset_config.json", "set_of_scans/house.glb"}) {
+    folder.Write(name, "");
+  }
+  GeneratorSpec spec;
+  spec.scenes = {folder.path().string()};
+  std::vector<std::string> names;
+  for (const std::filesystem::path scene : ScenesOf(spec)) names.push_back(scene.filename());
+  EXPECT_EQ(names, (std::vector<std::string>{"one.scene_instance.json", "house.glb"}));
+}
+
 }  // namespace
 }  // namespace bulletnav::bench

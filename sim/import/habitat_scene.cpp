@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "sim/import/habitat_scene.h"
+
+#include <algorithm>
+#include <cctype>
+#include <string>
+
+#include "sim/base/error.h"
+#include "sim/base/files.h"
+#include "sim/config/json_node.h"
+#include "sim/import/habitat_dataset.h"
+
+namespace bulletnav::sim {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Node = JsonNode<Json>;
+using Vec = Eigen::Vector3f;
+using Kind = HabitatDataset::Kind;
+
+Vec ReadVector(const Node& instance, const char* key, const Vec& otherwise) {
+  if (!instance.Has(key)) return otherwise;
+  const Node node = instance.At(key);
+  node.ExpectList(3);
+  Vec v = Vec::Zero();
+  for (int i = 0; i < 3; ++i) {
+    v[i] = static_cast<float>(node.Item(static_cast<std::size_t>(i)).Number());
+  }
+  return v;
+}
+
+Eigen::Matrix3f ReadRotation(const Node& instance) {
+  if (!instance.Has("rotation")) return Eigen::Matrix3f::Identity();
+  const Node node = instance.At("rotation");
+  node.ExpectList(4);
+  Eigen::Vector4d q = Eigen::Vector4d::Zero();
+  for (int i = 0; i < 4; ++i) q[i] = node.Item(static_cast<std::size_t>(i)).Number();
+  if (!(q.norm() > 1e-6)) node.Fail("is no rotation: a quaternion w, x, y, z other than 0");
+  q.normalize();
+  return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix().cast<float>();
+}
+
+Vec ReadScale(const Node& instance) {
+  Vec scale = ReadVector(instance, "non_uniform_scale", Vec::Ones());
+  if (instance.Has("uniform_scale")) {
+    scale *= static_cast<float>(instance.At("uniform_scale").Positive());
+  }
+  if (scale.cwiseAbs().minCoeff() < 1e-9f) instance.Fail("has a scale of 0; give it another");
+  return scale;
+}
+
+/// Whether translations are those of the assets' origins; `otherwise` if not said.
+bool IsAssetLocal(const Node& node, bool otherwise) {
+  if (!node.Has("translation_origin")) return otherwise;
+  const Node origin = node.At("translation_origin");
+  std::string text = origin.Text();
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) {
+    return static_cast<char>(std::tolower(c));
+  });
+  if (text == "asset_local") return true;
+  if (text == "com" || text == "unknown" || text == "default") return false;
+  origin.Fail("'" + text + "' is not one of: asset_local, COM");
+}
+
+class SceneReader {
+ public:
+  explicit SceneReader(const std::filesystem::path& file)
+      : file_(file), json_(ParseJson<Json>(ReadTextFile(file), file)), dataset_(file) {}
+
+  SceneParts Read() {
+    const Node root(json_, file_);
+    if (!json_.is_object()) root.Fail("is no scene instance; take a sound copy of the file");
+    is_asset_local_ = IsAssetLocal(root, false);
+    if (root.Has("stage_instance")) {
+      Add(Kind::kStage, root.At("stage_instance"), "stage_instance");
+    }
+    if (root.Has("object_instances")) {
+      const Node objects = root.At("object_instances");
+      for (std::size_t i = 0; i < objects.Size(); ++i) {
+        Add(Kind::kObject, objects.Item(i), "object_instances[" + std::to_string(i) + "]");
+      }
+    }
+    CountArticulated(root);
+    if (scene_.parts.empty()) root.Fail("names no stage and no objects; is it the right file?");
+    return std::move(scene_);
+  }
+
+ private:
+  HabitatTemplate Find(Kind kind, const std::string& name, const std::string& place) const try {
+    return dataset_.Find(kind, name);
+  } catch (const Error& e) {
+    throw FileError(file_, place + ".template_name", "'" + name + "': " + e.what());
+  }
+
+  void Add(Kind kind, const Node& instance, const std::string& place) {
+    const std::string name = instance.At("template_name").Text();
+    if (kind == Kind::kStage && name == "NONE") return;
+    const HabitatTemplate made = Find(kind, name, place);
+    ScenePart part;
+    part.asset = made.asset;
+    part.place = place;
+    part.object = {kind == Kind::kStage ? "stage" : made.name, "", ""};
+    const Eigen::Matrix3f X = ReadRotation(instance) * ReadScale(instance).asDiagonal();
+    part.X_WA.linear() = X * made.turn_and_scale;
+    part.X_WA.translation() = ReadVector(instance, "translation", Vec::Zero());
+    if (kind == Kind::kObject && !IsAssetLocal(instance, is_asset_local_)) {
+      part.is_centred = !made.center_of_mass;
+      if (made.center_of_mass) part.X_WA.translation() -= X * *made.center_of_mass;
+    }
+    scene_.parts.push_back(std::move(part));
+  }
+
+  void CountArticulated(const Node& root) {
+    if (!root.Has("articulated_object_instances")) return;
+    const std::size_t count = root.At("articulated_object_instances").Size();
+    if (count == 0) return;
+    scene_.skipped.push_back(std::to_string(count) +
+                             " articulated objects (URDF), which are not read");
+  }
+
+  const std::filesystem::path& file_;
+  Json json_;
+  HabitatDataset dataset_;
+  bool is_asset_local_ = false;
+  SceneParts scene_;
+};
+
+}  // namespace
+
+bool IsHabitatScene(const std::filesystem::path& file) {
+  return file.filename().string().ends_with(".scene_instance.json");
+}
+
+SceneParts ReadHabitatScene(const std::filesystem::path& file) {
+  return SceneReader(file).Read();
+}
+
+}  // namespace bulletnav::sim

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sim/base/error.h"
+#include "sim/scene/import.h"
+#include "tests/support/temporary_folder.h"
+
+namespace bulletnav::sim {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+using Vec = Eigen::Vector3f;
+
+/// Worlds whose only model with a mesh is a table of 2 x 1 x 1 m, standing on its origin.
+class GazeboWorld : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_.Write("models/table/meshes/table.obj",
+                  "mtllib table.mtl\nusemtl red\nv -1 -0.5 0\nv 1 -0.5 0\nv 1 0.5 0\nv -1 0.5 0\n"
+                  "v -1 -0.5 1\nv 1 -0.5 1\nv 1 0.5 1\nv -1 0.5 1\nf 1 2 3 4\nf 5 6 7 8\n"
+                  "f 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
+    folder_.Write("models/table/meshes/table.mtl", "newmtl red\nKd 1 0 0\n");
+    folder_.Write("models/table/model.config",
+                  "<model><name>table</name><sdf version='1.6'>model.sdf</sdf></model>");
+    folder_.Write("models/table/model.sdf",
+                  "<sdf version='1.6'><model name='table'><link name='top'><visual name='v'>"
+                  "<geometry><mesh><uri>model://table/meshes/table.obj</uri></mesh></geometry>"
+                  "</visual></link></model></sdf>");
+  }
+  std::filesystem::path World(const std::string& content) const {
+    return folder_.Write("worlds/one.world",
+                         "<sdf version='1.6'><world name='one'>" + content + "</world></sdf>");
+  }
+  static std::string Model(const std::string& name, const std::string& pose,
+                           const std::string& shape) {
+    return "<model name='" + name + "'><pose>" + pose +
+           "</pose><link name='l'><visual name='v'><geometry>" + shape +
+           "</geometry><material><diffuse>0 0 1 1</diffuse></material></visual></link></model>";
+  }
+  static std::string ErrorOf(const std::filesystem::path& file) {
+    try {
+      ImportScene(file);
+    } catch (const Error& e) {
+      return e.what();
+    }
+    return "no error";
+  }
+  static Eigen::AlignedBox3f BoxOf(const SceneMesh& mesh, const std::string& name) {
+    Eigen::AlignedBox3f box;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      if (mesh.objects[mesh.triangle_objects[t]].name != name) continue;
+      for (const std::uint32_t v : mesh.triangles[t]) box.extend(mesh.positions[v]);
+    }
+    return box;
+  }
+  static void ExpectBox(const Eigen::AlignedBox3f& box, const Vec& low, const Vec& high) {
+    EXPECT_TRUE(box.min().isApprox(low, 1e-5f)) << box.min().transpose();
+    EXPECT_TRUE(box.max().isApprox(high, 1e-5f)) << box.max().transpose();
+  }
+
+  tests::TemporaryFolder folder_;
+};
+
+constexpr const char* kBox = "<box><size>1 2 3</size></box>";
+
+TEST_F(GazeboWorld, ShapesStandWhereTheirPosesSayZUp) {
+  const ImportedScene scene = ImportScene(World(
+      Model("crate", "1 2 1.5 0 0 0", kBox) +
+      Model("post", "4 0 1 0 0 0", "<cylinder><radius>0.5</radius><length>2</length></cylinder>") +
+      Model("ball", "0 0 5 0 0 0", "<sphere><radius>1</radius></sphere>")));
+  // (x, y, z) becomes (x, z, -y).
+  ExpectBox(BoxOf(scene.mesh, "crate"), Vec(0.5f, 0, -3), Vec(1.5f, 3, -1));
+  ExpectBox(BoxOf(scene.mesh, "post"), Vec(3.5f, 0, -0.5f), Vec(4.5f, 2, 0.5f));
+  ExpectBox(BoxOf(scene.mesh, "ball"), Vec(-1, 4, -1), Vec(1, 6, 1));
+  EXPECT_EQ(scene.report.up_axis, UpAxis::kZ);
+  EXPECT_EQ(scene.mesh.materials[0].base_color, (Rgb8{0, 0, 255}));
+}
+
+TEST_F(GazeboWorld, ModelsAreIncludedAndTurned) {
+  const ImportedScene scene = ImportScene(
+      World("<include><uri>model://table</uri><pose>5 0 0 0 0 1.57079632679</pose></include>"
+            "<include><uri>model://table</uri><name>other</name></include>"
+            "<include><uri>model://sun</uri></include>"));
+  ExpectBox(BoxOf(scene.mesh, "table"), Vec(4.5f, 0, -1), Vec(5.5f, 1, 1));
+  ExpectBox(BoxOf(scene.mesh, "other"), Vec(-1, 0, -0.5f), Vec(1, 1, 0.5f));
+  EXPECT_EQ(scene.report.triangles, 24u);
+  EXPECT_THAT(scene.report.skipped, ElementsAre(HasSubstr("Gazebo's own")));
+  EXPECT_EQ(scene.mesh.materials[scene.mesh.triangle_materials[0]].base_color, (Rgb8{255, 0, 0}));
+}
+
+TEST_F(GazeboWorld, ModelsWithinModelsStandInThem) {
+  folder_.Write("models/set/model.config",
+                "<model><name>set</name><sdf version='1.8'>model.sdf</sdf></model>");
+  folder_.Write("models/set/model.sdf",
+                "<sdf version='1.8'><model name='set'><include><uri>model://table</uri>"
+                "<pose>2 0 0 0 0 0</pose></include><link name='l'/></model></sdf>");
+  const ImportedScene scene =
+      ImportScene(World("<include><uri>model://set</uri><pose>0 0 1 0 0 0</pose></include>"));
+  ExpectBox(BoxOf(scene.mesh, "set::table"), Vec(1, 1, -0.5f), Vec(3, 2, 0.5f));
+}
+
+TEST_F(GazeboWorld, ThePlaneEndsAMetreBeyondTheRest) {
+  const ImportedScene scene = ImportScene(World(
+      Model("ground", "0 0 0 0 0 0", "<plane><normal>0 0 1</normal><size>100 100</size></plane>") +
+      Model("crate", "1 2 1.5 0 0 0", kBox)));
+  ExpectBox(BoxOf(scene.mesh, "ground"), Vec(-0.5f, 0, -4), Vec(2.5f, 0, 0));
+}
+
+TEST_F(GazeboWorld, WhatIsMissingIsNamed) {
+  EXPECT_THAT(ErrorOf(World("<include><uri>model://sofa</uri></include>")),
+              AllOf(HasSubstr("one.world:1: "), HasSubstr("model://sofa"),
+                    HasSubstr("GZ_SIM_RESOURCE_PATH")));
+  const std::string mesh = "<mesh><uri>model://table/meshes/gone.dae</uri></mesh>";
+  EXPECT_THAT(ErrorOf(World(Model("m", "0 0 0 0 0 0", mesh))),
+              AllOf(HasSubstr("visual 'm::l::v'"), HasSubstr("gone.dae' is not found")));
+  EXPECT_THAT(ErrorOf(World("")), HasSubstr("shows nothing"));
+  EXPECT_THAT(ErrorOf(folder_.path() / "none.sdf"), HasSubstr("none.sdf"));
+}
+
+TEST_F(GazeboWorld, BadContentIsRefusedInOneLine) {
+  for (const std::string text : {"", "<sdf", "hello", "<html></html>", "<sdf version='99'/>"}) {
+    const std::string error = ErrorOf(folder_.Write("bad.sdf", text));
+    EXPECT_THAT(error, HasSubstr("bad.sdf")) << text;
+    EXPECT_THAT(error, Not(HasSubstr("\n"))) << text;
+  }
+}
+
+TEST_F(GazeboWorld, AModelThatIncludesItselfIsRefused) {
+  folder_.Write("models/table/model.sdf",
+                "<sdf version='1.6'><model name='table'><include><uri>model://table</uri>"
+                "</include></model></sdf>");
+  EXPECT_THAT(ErrorOf(World("<include><uri>model://table</uri></include>")),
+              HasSubstr("includes itself by 'model://table'"));
+}
+
+TEST_F(GazeboWorld, OneModelIsASceneToo) {
+  EXPECT_EQ(ImportScene(folder_.path() / "models/table/model.sdf").report.triangles, 12u);
+}
+
+}  // namespace
+}  // namespace bulletnav::sim
