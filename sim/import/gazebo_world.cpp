@@ -9,6 +9,7 @@
 #include <sdf/sdf.hh>
 
 #include "sim/base/error.h"
+#include "sim/import/cpu_time.h"
 #include "sim/import/gazebo_files.h"
 #include "sim/import/primitives.h"
 
@@ -17,6 +18,9 @@ namespace {
 
 using Vec = Eigen::Vector3f;
 using Pose = ignition::math::Pose3d;
+
+// libsdformat takes some milliseconds a model; a large warehouse has thousands.
+constexpr int kSecondsForSdf = 60;
 
 Vec ToEigen(const ignition::math::Vector3d& v) {
   return Eigen::Vector3d(v.X(), v.Y(), v.Z()).cast<float>();
@@ -53,6 +57,7 @@ class WorldReader {
       : file_(file), folders_(ModelFolders(file)) {}
 
   SceneParts Read() {
+    AllowCpuSeconds(kSecondsForSdf);
     RequireNoCycle(folders_, file_);
     const auto find = [this](const std::string& uri) {
       const auto found = FindModelFile(folders_, file_, uri);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "sim/base/error.h"
+#include "sim/base/files.h"
 #include "sim/import/assimp_scene.h"
 #include "sim/import/cpu_time.h"
 #include "sim/import/load_textures.h"
@@ -117,14 +118,28 @@ class Joiner {
 
   /// Moves materials and textures into the scene.
   void TakeMaterials(Asset* asset) {
-    const auto first_texture = static_cast<int>(joined_.textures.size());
+    std::vector<int> numbers;
+    for (Texture& texture : asset->mesh.textures) numbers.push_back(NumberOf(std::move(texture)));
+    asset->mesh.textures.clear();
     asset->first_material = static_cast<std::uint32_t>(joined_.materials.size());
     for (Material material : asset->mesh.materials) {
-      if (material.texture >= 0) material.texture += first_texture;
+      if (material.texture >= 0) {
+        material.texture = numbers[static_cast<std::size_t>(material.texture)];
+      }
       joined_.materials.push_back(std::move(material));
     }
-    for (Texture& texture : asset->mesh.textures) joined_.textures.push_back(std::move(texture));
-    asset->mesh.textures.clear();
+  }
+
+  /// Assets that come in files of their own have many a picture in common.
+  int NumberOf(Texture texture) {
+    std::vector<int>& alike = textures_[Hash64(texture.image.pixels)];
+    for (const int i : alike) {
+      const Image& image = joined_.textures[static_cast<std::size_t>(i)].image;
+      if (image.width == texture.image.width && image.pixels == texture.image.pixels) return i;
+    }
+    alike.push_back(static_cast<int>(joined_.textures.size()));
+    joined_.textures.push_back(std::move(texture));
+    return alike.back();
   }
 
   void Place(const ScenePart& part, const Asset& asset) {
@@ -189,7 +204,8 @@ class Joiner {
   std::map<Key, float> scale_of_;
   std::map<Key, Asset> assets_;
   std::map<std::string, int> skipped_;
-  std::map<std::string, int> count_of_;  // of names wished for
+  std::map<std::uint64_t, std::vector<int>> textures_;  // by the hash of their pixels
+  std::map<std::string, int> count_of_;                 // of names wished for
   std::set<std::string> names_;
   std::map<std::string, std::uint32_t> object_of_part_;  // by the name that parts have
 };
