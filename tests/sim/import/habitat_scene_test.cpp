@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -127,6 +129,33 @@ TEST_F(HabitatScene, AFileThatNamesItsObjectsKeepsThem) {
   const SceneMesh mesh = ImportScene(With(R"({"template_name": "box"})")).mesh;
   EXPECT_THAT(mesh.objects, ElementsAre(SceneObject{}, SceneObject{"wall", "wall_7", "hall_1"},
                                         SceneObject{"box", "box_1", ""}));
+}
+
+TEST_F(HabitatScene, PicturesThatMeshesHaveInCommonAreHeldOnce) {
+  const auto with_texture = [](SceneMesh mesh, std::uint8_t grey) {
+    Image image(8, 8, 4);
+    std::fill(image.pixels.begin(), image.pixels.end(), grey);
+    mesh.textures.push_back({"picture", image});
+    mesh.materials[0].texture = 0;
+    return mesh;
+  };
+  SceneMesh box;
+  tests::AddBox(Vec::Zero(), Vec::Ones(), kWhite, &box);
+  WriteMesh("stages/room.glb", with_texture(tests::BoxRoom(8, 3, 8), 60));
+  WriteMesh("objects/a/box.glb", with_texture(box, 60));
+  WriteMesh("bare/stone.glb", with_texture(box, 200));
+  const SceneMesh mesh =
+      ImportScene(
+          With(
+              R"({"template_name": "a/box"}, {"template_name": "stone", "translation": [3, 0, -3]})"))
+          .mesh;
+  ASSERT_EQ(mesh.textures.size(), 2u);
+  const auto grey_of = [&](std::size_t triangle) {
+    const int texture = mesh.materials[mesh.triangle_materials[triangle]].texture;
+    return texture < 0 ? -1 : int{mesh.textures[static_cast<std::size_t>(texture)].image.pixels[0]};
+  };
+  EXPECT_NEAR(grey_of(12), 60, 5);
+  EXPECT_NEAR(grey_of(24), 200, 5);
 }
 
 TEST_F(HabitatScene, ArticulatedObjectsAreCounted) {
