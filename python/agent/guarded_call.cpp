@@ -45,6 +45,12 @@ struct GuardedCall::State {
     ++number;
     began_ns = NowNs();
   }
+  /// If it is still at work.
+  void InterruptCall(std::uint64_t call) {
+    if (number != call || began_ns == kIdle) return;
+    is_interrupted = true;
+    PyThreadState_SetAsyncExc(thread, TimeLimit());
+  }
   void End() {
     began_ns = kIdle;
     PyThreadState_SetAsyncExc(thread, nullptr);  // what has come too late is not the next call's
@@ -87,10 +93,7 @@ void GuardedCall::Interrupt() {
   std::thread([state = state_, number = state_->number.load()] {
     {
       const py::gil_scoped_acquire lock;
-      if (state->number == number && state->began_ns != State::kIdle) {
-        state->is_interrupted = true;
-        PyThreadState_SetAsyncExc(state->thread, TimeLimit());
-      }
+      state->InterruptCall(number);
     }
     state->is_interrupting = false;
   }).detach();

@@ -64,27 +64,29 @@ void RefineEdges(SceneMesh* mesh, std::vector<int>* tag, int rounds,
   for (int round = 0; round < rounds; ++round) {
     std::unordered_map<std::uint64_t, std::uint32_t> middles;
     middles.reserve(2 * mesh->triangles.size());
+    const auto middle_of = [&](std::uint32_t a, std::uint32_t b) {
+      const auto [place, is_new] = middles.try_emplace(EdgeKey(a, b), kNone);
+      if (is_new && should_split(a, b)) place->second = AddMiddle(a, b, mesh);
+      return place->second;
+    };
     bool changed = false;
     const std::vector<Triangle> before = std::exchange(mesh->triangles, {});
     const std::vector<std::uint32_t> materials = std::exchange(mesh->triangle_materials, {});
     const std::vector<std::uint32_t> objects = std::exchange(mesh->triangle_objects, {});
     const std::vector<int> tags = std::exchange(*tag, {});
     for (std::size_t i = 0; i < before.size(); ++i) {
-      Triangle m{};
-      for (std::size_t k = 0; k < 3; ++k) {
-        const std::uint32_t a = before[i][k];
-        const std::uint32_t b = before[i][(k + 1) % 3];
-        const auto [place, is_new] = middles.try_emplace(EdgeKey(a, b), kNone);
-        if (is_new && should_split(a, b)) place->second = AddMiddle(a, b, mesh);
-        m[k] = place->second;
-        changed = changed || m[k] != kNone;
-      }
-      ForParts(before[i], m, [&](const Triangle& part) {
+      const Triangle m = {middle_of(before[i][0], before[i][1]),
+                          middle_of(before[i][1], before[i][2]),
+                          middle_of(before[i][2], before[i][0])};
+      const std::size_t first = mesh->triangles.size();
+      ForParts(before[i], m, [mesh](const Triangle& part) {
         mesh->triangles.push_back(part);
-        mesh->triangle_materials.push_back(materials[i]);
-        if (!objects.empty()) mesh->triangle_objects.push_back(objects[i]);
-        tag->push_back(tags[i]);
       });
+      const std::size_t count = mesh->triangles.size();
+      changed = changed || count > first + 1;
+      mesh->triangle_materials.resize(count, materials[i]);
+      if (!objects.empty()) mesh->triangle_objects.resize(count, objects[i]);
+      tag->resize(count, tags[i]);
     }
     if (!changed) return;
   }

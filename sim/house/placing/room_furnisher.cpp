@@ -56,7 +56,7 @@ RoomFurnisher::Draft RoomFurnisher::Build(std::string_view kind, const PieceRequ
 
 std::string RoomFurnisher::Show(const Draft& draft, const Eigen::Affine3f& pose) {
   const MeshBuilder::Frame frame(builder_, pose);
-  const std::string name = builder_->BeginObject(draft.kind->name, space_.room().name).name;
+  std::string name = builder_->BeginObject(draft.kind->name, space_.room().name).name;
   builder_->Append(draft.piece.mesh);
   return name;
 }

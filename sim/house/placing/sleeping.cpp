@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <array>
-#include <numbers>
 
 #include "sim/house/placing/programs.h"
 
 namespace bulletnav::sim::placing {
 namespace {
 
-constexpr float kQuarter = 0.5f * std::numbers::pi_v<float>;
 constexpr std::array<std::string_view, 4> kNightClutter = {"table_lamp", "books_pile", "candles",
                                                            "picture_frame"};
 constexpr std::array<std::string_view, 5> kDresserClutter = {"vase", "picture_frame", "small_plant",
