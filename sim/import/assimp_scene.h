@@ -8,7 +8,7 @@
 #include "sim/scene/import.h"
 
 struct aiScene;
-namespace Assimp {
+namespace Assimp {  // NOLINT(readability-identifier-naming): assimp's own
 class Importer;
 }
 

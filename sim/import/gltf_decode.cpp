@@ -27,6 +27,7 @@ constexpr const char* kTransform = "KHR_texture_transform";
 struct UvTransform {
   std::array<float, 4> linear = {1.0f, 0.0f, 0.0f, 1.0f};  // row by row
   std::array<float, 2> offset = {0.0f, 0.0f};
+  // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 takes what is compared with for a pointer
   auto operator<=>(const UvTransform&) const = default;
 };
 

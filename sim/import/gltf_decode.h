@@ -10,7 +10,7 @@
 namespace bulletnav::sim {
 
 /// A glTF document without what assimp does not read.
-struct DecodedGltf {
+struct DecodedGltf {  // NOLINT(bugprone-exception-escape): moving JSON throws nothing
   GltfDocument::Json json;
   std::vector<std::uint8_t> buffer;  // what `json` calls kDecodedBuffer; may be empty
   bool is_changed = false;
