@@ -40,6 +40,23 @@ Alike Split(const std::vector<std::string>& scenes, std::size_t folders) {
   return split;
 }
 
+/// Gives their names to scenes that no other is called like or that have no more folders; the
+/// others are left, by names with `folders` of these.
+Alike NameThoseThatDiffer(const Alike& alike, std::size_t folders,
+                          std::map<std::string, std::string>* names) {
+  Alike longer;
+  for (const auto& [name, ones] : alike) {
+    Alike split = Split(ones, folders);
+    const bool is_at_end = split.size() == 1 && split.begin()->first == name;
+    if (ones.size() > 1 && !is_at_end) {
+      longer.merge(split);
+      continue;
+    }
+    for (const std::string& scene : ones) (*names)[scene] = ones.size() == 1 ? name : scene;
+  }
+  return longer;
+}
+
 }  // namespace
 
 std::map<std::string, std::string> SceneNames(std::span<const std::string> scenes) {
@@ -50,19 +67,7 @@ std::map<std::string, std::string> SceneNames(std::span<const std::string> scene
   }
   Alike alike = Split(different, 0);
   for (std::size_t folders = 1; !alike.empty(); ++folders) {
-    Alike longer;
-    for (const auto& [name, ones] : alike) {
-      Alike split = Split(ones, folders);
-      const bool is_at_end = split.size() == 1 && split.begin()->first == name;
-      if (ones.size() == 1) {
-        names[ones.front()] = name;
-      } else if (is_at_end) {
-        for (const std::string& scene : ones) names[scene] = scene;
-      } else {
-        longer.merge(split);
-      }
-    }
-    alike = std::move(longer);
+    alike = NameThoseThatDiffer(alike, folders, &names);
   }
   return names;
 }

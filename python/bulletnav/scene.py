@@ -11,13 +11,15 @@ class Scene:
     """A mesh file, ready to be drawn from anywhere and walked in.
 
     Frame: metres, y up; yaw in radians about +y, 0 looks along -z, positive turns left.
-    Arguments by name: import={"up": "y" | "z", "scale", "ground_plane"}, navmesh={...},
-    backend="auto" | "egl" | "embree". Raises FileError for what is no scene;
+    Arguments by name: import_={"up": "y" | "z", "scale", "ground_plane", "finish": {...}},
+    navmesh={...}, backend="auto" | "egl" | "embree". Raises FileError for what is no scene;
     warns of what is drawn grey.
     """
 
     def __init__(self, file, **options):
         self.file = os.fspath(file)
+        if "import_" in options:  # a word of Python's own without the line
+            options["import"] = options.pop("import_")
         self._scene = _core.Scene(self.file, json.dumps(options))
         grey = self._scene.grey()
         if grey:

@@ -130,7 +130,10 @@ bool AreSame(const std::vector<HouseEntry>& a, const std::vector<HouseEntry>& b)
 
 std::string HousesText(const std::vector<HouseEntry>& houses) {
   if (houses.empty()) return "no houses";
-  if (houses.size() == 1) return fmt::format("one house of seed {}", houses[0].seed);
+  if (houses.size() == 1) {
+    const std::string& kind = houses[0].kind;
+    return fmt::format("one {} of seed {}", kind.empty() ? "house" : kind, houses[0].seed);
+  }
   return fmt::format("{} houses of seeds {} to {}", houses.size(), houses.front().seed,
                      houses.back().seed);
 }
@@ -157,7 +160,7 @@ bool HasHouseSet(const std::filesystem::path& folder, const HouseSetSpec& spec) 
   throw FileError(
       index, "",
       fmt::format(
-          "lists {}; asked for: {}; give its own count and first seed, or name another folder",
+          "lists {}; asked for: {}; give its own kind, count and first seed, or name another folder",
           HousesText(old), HousesText(planned)));
 }
 

@@ -69,6 +69,9 @@ void RefineEdges(SceneMesh* mesh, std::vector<int>* tag, int rounds,
       if (is_new && should_split(a, b)) place->second = AddMiddle(a, b, mesh);
       return place->second;
     };
+    const auto add = [mesh](const Triangle& part) {
+      mesh->triangles.push_back(part);
+    };
     bool changed = false;
     const std::vector<Triangle> before = std::exchange(mesh->triangles, {});
     const std::vector<std::uint32_t> materials = std::exchange(mesh->triangle_materials, {});
@@ -79,9 +82,7 @@ void RefineEdges(SceneMesh* mesh, std::vector<int>* tag, int rounds,
                           middle_of(before[i][1], before[i][2]),
                           middle_of(before[i][2], before[i][0])};
       const std::size_t first = mesh->triangles.size();
-      ForParts(before[i], m, [mesh](const Triangle& part) {
-        mesh->triangles.push_back(part);
-      });
+      ForParts(before[i], m, add);
       const std::size_t count = mesh->triangles.size();
       changed = changed || count > first + 1;
       mesh->triangle_materials.resize(count, materials[i]);

@@ -49,19 +49,22 @@ void ForEachWalkable(const rcHeightfield& heights, const Visit& visit) {
   }
 }
 
-/// How high each column bars the way, 0 where a body can pass under what it has.
+/// How high a column of spans bars the way, 0 where a body can pass under what it has.
+int WallTop(const rcSpan* lowest) {
+  int top = 0;
+  for (const rcSpan* span = lowest; span != nullptr; span = span->next) {
+    if (span->area != RC_NULL_AREA && span->next != nullptr) return 0;
+    top = static_cast<int>(span->smax);
+  }
+  return top;
+}
+
+/// Of all columns.
 std::vector<int> WallTops(const rcHeightfield& heights) {
   const int columns = heights.width * heights.height;
   std::vector<int> tops(static_cast<std::size_t>(columns), 0);
   for (int column = 0; column < columns; ++column) {
-    int& top = tops[static_cast<std::size_t>(column)];
-    for (const rcSpan* span = heights.spans[column]; span != nullptr; span = span->next) {
-      if (span->area != RC_NULL_AREA && span->next != nullptr) {
-        top = 0;
-        break;
-      }
-      top = static_cast<int>(span->smax);
-    }
+    tops[static_cast<std::size_t>(column)] = WallTop(heights.spans[column]);
   }
   return tops;
 }
@@ -79,18 +82,17 @@ std::vector<int> HighestOnTheWay(const std::vector<int>& walls, int width, int h
   const auto is_inside = [&](int x, int y) {
     return x >= 0 && x < width && y >= 0 && y < height;
   };
+  const auto higher = [&](int top, const std::vector<int>& tops, int x, int y) {
+    return is_inside(x, y) ? std::max(top, tops[index(x, y)]) : top;
+  };
   // From the far side back, so that where a step leads is known.
   for (int row = 0; row < height; ++row) {
     const int y = down ? height - 1 - row : row;
     for (int column = 0; column < width; ++column) {
       const int x = right ? width - 1 - column : column;
       int& top = highest[index(x, y)];
-      for (const Step& p : way.passed) {
-        if (is_inside(x + p.x, y + p.y)) top = std::max(top, walls[index(x + p.x, y + p.y)]);
-      }
-      const int to_x = x + way.step.x;
-      const int to_y = y + way.step.y;
-      if (is_inside(to_x, to_y)) top = std::max(top, highest[index(to_x, to_y)]);
+      for (const Step& p : way.passed) top = higher(top, walls, x + p.x, y + p.y);
+      top = higher(top, highest, x + way.step.x, y + way.step.y);
     }
   }
   return highest;

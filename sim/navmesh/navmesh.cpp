@@ -94,9 +94,8 @@ struct Navmesh::Impl {
       if (!IsFloor(i)) continue;
       for (unsigned k = tile().polys[i].firstLink; k != DT_NULL_LINK; k = tile().links[k].next) {
         const auto other = static_cast<int>(detour->decodePolyIdPoly(tile().links[k].ref));
-        if (IsFloor(other)) {
-          parent[static_cast<std::size_t>(Root(&parent, i))] = Root(&parent, other);
-        }
+        if (!IsFloor(other)) continue;
+        parent[static_cast<std::size_t>(Root(&parent, i))] = Root(&parent, other);
       }
     }
     for (int i = 0; i < polygon_count(); ++i) {

@@ -50,11 +50,15 @@ class Judge {
     for (int y = 0; y < compact_.height; ++y) {
       for (int x = 0; x < compact_.width; ++x) {
         const rcCompactCell& cell = compact_.cells[x + y * compact_.width];
-        const auto first = static_cast<int>(cell.index);
-        for (int i = first; i < first + static_cast<int>(cell.count); ++i) {
-          if (compact_.spans[i].reg != 0) visit(x, y, i);
-        }
+        VisitColumn(x, y, cell, visit);
       }
+    }
+  }
+  template <class Visit>
+  void VisitColumn(int x, int y, const rcCompactCell& cell, const Visit& visit) const {
+    const auto first = static_cast<int>(cell.index);
+    for (int i = first; i < first + static_cast<int>(cell.count); ++i) {
+      if (compact_.spans[i].reg != 0) visit(x, y, i);
     }
   }
 

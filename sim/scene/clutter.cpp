@@ -34,7 +34,7 @@ struct Stand {
   Vector3f along;
   Vector3f across;
   Vector3f size;  // along, up, across
-  Rgb8 color;
+  Rgb8 color = kWhite;
 };
 
 /// Whether a point lies in a triangle seen along `normal`.

@@ -37,17 +37,17 @@ void DoubleSurfaces(const Doubled& doubled, std::uint64_t seed, SceneMesh* mesh)
   const Eigen::Vector3f offset(static_cast<float>(doubled.offset * Cos(turn)), 0.0f,
                                static_cast<float>(doubled.offset * Sin(turn)));
   std::unordered_map<std::uint32_t, std::uint32_t> copies;
+  const auto copy_of = [&](std::uint32_t corner) {
+    const auto [found, is_new] = copies.try_emplace(corner, 0);
+    if (!is_new) return found->second;
+    found->second = CopyVertex(corner, mesh);
+    mesh->positions[found->second] += offset;
+    return found->second;
+  };
   for (std::size_t t = 0; t < values.size(); ++t) {
     if (values[t] <= threshold) continue;
     auto corners = mesh->triangles[t];
-    for (std::uint32_t& corner : corners) {
-      const auto [found, is_new] = copies.try_emplace(corner, 0);
-      if (is_new) {
-        found->second = CopyVertex(corner, mesh);
-        mesh->positions[found->second] += offset;
-      }
-      corner = found->second;
-    }
+    for (std::uint32_t& corner : corners) corner = copy_of(corner);
     AddTriangleLike(t, corners, mesh);
   }
 }

@@ -44,11 +44,10 @@ std::vector<Part> SplitByMaterial(const SceneMesh& mesh) {
     for (const std::uint32_t v : mesh.triangles[t]) {
       const auto next = static_cast<std::uint32_t>(parts[m].vertices.size());
       const auto [place, is_new] = number[m].try_emplace(std::uint64_t{object} << 32 | v, next);
-      if (is_new) {
-        parts[m].vertices.push_back(v);
-        parts[m].objects.push_back(static_cast<float>(object));
-      }
       parts[m].indices.push_back(place->second);
+      if (!is_new) continue;
+      parts[m].vertices.push_back(v);
+      parts[m].objects.push_back(static_cast<float>(object));
     }
   }
   return parts;

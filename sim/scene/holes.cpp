@@ -135,27 +135,31 @@ void OpenFloor(double share, std::uint64_t seed, float floor, SceneMesh* mesh) {
     areas.push_back(is_floor ? AreaOf(*mesh, t) : 0.0);
   }
   const float threshold = ThresholdOf(values, areas, share);
-  std::vector<char> kept;
-  for (const float value : values) kept.push_back(value > threshold ? 0 : 1);
+  std::vector<char> kept(values.size());
+  std::transform(values.begin(), values.end(), kept.begin(), [threshold](float value) {
+    return static_cast<char>(value > threshold ? 0 : 1);
+  });
   if (std::count(kept.begin(), kept.end(), 1) > 0) KeepTriangles(kept, mesh);
 }
 
-void AddMirrored(float floor, float level, SceneMesh* mesh) {
+/// A copy of a vertex below a level, and darker.
+std::uint32_t Reflected(std::uint32_t vertex, float level, SceneMesh* mesh) {
   constexpr int kLight = 6;  // tenths
+  const std::uint32_t copy = CopyVertex(vertex, mesh);
+  Eigen::Vector3f& p = mesh->positions[copy];
+  p.y() = 2.0f * level - p.y();
+  for (auto& value : mesh->colors[copy]) value = static_cast<std::uint8_t>(value * kLight / 10);
+  return copy;
+}
+
+void AddMirrored(float floor, float level, SceneMesh* mesh) {
   constexpr float kHighest = 3.0f;
   const std::size_t count = mesh->triangles.size();
   for (std::size_t t = 0; t < count; ++t) {
     if (IsOnTheFloor(*mesh, t, floor) || HighestOf(*mesh, t) < level) continue;
     if (LowestOf(*mesh, t) > level + kHighest) continue;
     std::array<std::uint32_t, 3> corners = mesh->triangles[t];
-    for (std::uint32_t& corner : corners) {
-      corner = CopyVertex(corner, mesh);
-      Eigen::Vector3f& p = mesh->positions[corner];
-      p.y() = 2.0f * level - p.y();
-      for (auto& value : mesh->colors[corner]) {
-        value = static_cast<std::uint8_t>(value * kLight / 10);
-      }
-    }
+    for (std::uint32_t& corner : corners) corner = Reflected(corner, level, mesh);
     std::swap(corners[1], corners[2]);
     AddTriangleLike(t, corners, mesh);
   }

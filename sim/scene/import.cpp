@@ -33,6 +33,15 @@ namespace {
   throw FileError(file, place, text.substr(end + 2));
 }
 
+ImportedScene Finished(ImportedScene scene, const Finish& finish) {
+  ApplyFinish(finish, &scene.mesh);
+  if (finish.damage != Damage{}) {
+    scene.drawn = scene.mesh;
+    ApplyDamage(finish.damage, &*scene.drawn);
+  }
+  return scene;
+}
+
 }  // namespace
 
 ImportedScene ImportScene(const std::filesystem::path& file, const ImportOptions& options) {
@@ -47,15 +56,7 @@ ImportedScene ImportScene(const std::filesystem::path& file, const ImportOptions
   const std::span<const std::uint8_t> content = output.first(output.size() - 1);
   switch (static_cast<ImportEnd>(output.back())) {
     case ImportEnd::kScene:
-      if (!reader.signal()) {
-        ImportedScene scene = FromBlob(content);
-        ApplyFinish(options.finish, &scene.mesh);
-        if (options.finish.damage != Damage{}) {
-          scene.drawn = scene.mesh;
-          ApplyDamage(options.finish.damage, &*scene.drawn);
-        }
-        return scene;
-      }
+      if (!reader.signal()) return Finished(FromBlob(content), options.finish);
       break;
     case ImportEnd::kError:
       FailAsTold(file, std::string(content.begin(), content.end()));

@@ -15,7 +15,6 @@ namespace {
 constexpr float kSamePlace = 1e-3f;  // metres between vertices that are one
 constexpr float kOfThinnest = 0.6f;  // a cell's part of a part's least extent
 constexpr float kExtent = 5e-3f;     // metres; less is none
-constexpr std::size_t kNone = ~std::size_t{0};
 
 using CellKey = std::array<std::int64_t, 3>;
 

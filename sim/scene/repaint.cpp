@@ -62,8 +62,8 @@ void Cover(const Paint& paint, Image* image) {
   std::vector<std::uint8_t>& pixels = image->pixels;
   double sum = 0.0;
   for (std::size_t i = 0; i < pixels.size(); i += 4) sum += GreyOf(&pixels[i]);
-  const double count = std::max(1.0, static_cast<double>(pixels.size() / 4));
-  const double mean = std::max(kLeastDetail, sum / count);
+  const std::size_t count = std::max<std::size_t>(1, pixels.size() / 4);
+  const double mean = std::max(kLeastDetail, sum / static_cast<double>(count));
   for (std::size_t i = 0; i < pixels.size(); i += 4) {
     Cover(paint, GreyOf(&pixels[i]) / mean, &pixels[i]);
   }

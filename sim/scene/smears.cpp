@@ -65,20 +65,28 @@ int Wrapped(int pixel, int size) {
   return rest < 0 ? rest + size : rest;
 }
 
+/// Mean of the pixels at some steps from one.
+std::array<int, 3> MeanAlong(const Image& image, int x, int y,
+                             const std::vector<std::array<int, 2>>& steps) {
+  std::array<int, 3> sums{};
+  for (const auto& [dx, dy] : steps) {
+    const std::uint8_t* pixel =
+        image.at(Wrapped(x + dx, image.width), Wrapped(y + dy, image.height));
+    for (std::size_t c = 0; c < sums.size(); ++c) sums[c] += pixel[c];
+  }
+  for (int& sum : sums) sum = (sum + kTaps / 2) / kTaps;
+  return sums;
+}
+
 Image Smeared(const Image& image, const Mask& mask, const std::vector<std::array<int, 2>>& steps) {
   Image smeared = image;
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
       if (!mask.Has(x, y, image)) continue;
-      std::array<int, 3> sums{};
-      for (const auto& [dx, dy] : steps) {
-        const std::uint8_t* pixel =
-            image.at(Wrapped(x + dx, image.width), Wrapped(y + dy, image.height));
-        for (std::size_t c = 0; c < sums.size(); ++c) sums[c] += pixel[c];
-      }
-      for (std::size_t c = 0; c < sums.size(); ++c) {
-        smeared.at(x, y)[c] = static_cast<std::uint8_t>((sums[c] + kTaps / 2) / kTaps);
-      }
+      const std::array<int, 3> mean = MeanAlong(image, x, y, steps);
+      std::transform(mean.begin(), mean.end(), smeared.at(x, y), [](int value) {
+        return static_cast<std::uint8_t>(value);
+      });
     }
   }
   return smeared;
