@@ -44,21 +44,33 @@ std::vector<fs::path> FilesOf(const fs::path& model) {
   return files;
 }
 
-void Follow(const std::vector<fs::path>& folders, const fs::path& model,
-            std::vector<fs::path>* above) {
-  above->push_back(model);
-  for (const fs::path& file : FilesOf(model)) {
-    for (const std::string& uri : IncludesOf(file)) {
-      const auto included = FindModelFile(folders, file, uri);
-      if (!included) continue;
-      if (std::find(above->begin(), above->end(), *included) != above->end()) {
-        throw FileError(file, "", "includes itself by '" + uri + "'; take the include out");
-      }
-      Follow(folders, *included, above);
+/// Follows the includes of models, depth first.
+class IncludeWalk {
+ public:
+  explicit IncludeWalk(const std::vector<fs::path>& folders) : folders_(folders) {}
+
+  /// Throws FileError where a model includes itself.
+  void Follow(const fs::path& model) {
+    above_.push_back(model);
+    for (const fs::path& file : FilesOf(model)) {
+      for (const std::string& uri : IncludesOf(file)) FollowUri(file, uri);
     }
+    above_.pop_back();
   }
-  above->pop_back();
-}
+
+ private:
+  void FollowUri(const fs::path& file, const std::string& uri) {
+    const auto included = FindModelFile(folders_, file, uri);
+    if (!included) return;
+    if (std::find(above_.begin(), above_.end(), *included) != above_.end()) {
+      throw FileError(file, "", "includes itself by '" + uri + "'; take the include out");
+    }
+    Follow(*included);
+  }
+
+  const std::vector<fs::path>& folders_;
+  std::vector<fs::path> above_;
+};
 
 }  // namespace
 
@@ -98,8 +110,7 @@ std::optional<fs::path> FindModelFile(const std::vector<fs::path>& folders, cons
 }
 
 void RequireNoCycle(const std::vector<fs::path>& folders, const fs::path& model) {
-  std::vector<fs::path> above;
-  Follow(folders, model, &above);
+  IncludeWalk(folders).Follow(model);
 }
 
 }  // namespace bulletnav::sim

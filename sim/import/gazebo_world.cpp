@@ -37,12 +37,13 @@ Eigen::Affine3f ToEigen(const Pose& pose) {
   const auto& q = pose.Rot();
   const Eigen::Matrix3d rotation =
       Eigen::Quaterniond(q.W(), q.X(), q.Y(), q.Z()).normalized().toRotationMatrix();
-  Eigen::Affine3f X = Eigen::Affine3f::Identity();
-  X.linear() = rotation.unaryExpr([](double v) {
+  Eigen::Affine3f rounded = Eigen::Affine3f::Identity();
+  rounded.linear() = rotation.unaryExpr([](double v) {
     return Rounded(v);
   });
-  X.translation() = Vec(Rounded(pose.Pos().X()), Rounded(pose.Pos().Y()), Rounded(pose.Pos().Z()));
-  return X;
+  rounded.translation() =
+      Vec(Rounded(pose.Pos().X()), Rounded(pose.Pos().Y()), Rounded(pose.Pos().Z()));
+  return rounded;
 }
 
 /// Models that Gazebo brings itself, whose absence no one minds.
@@ -126,13 +127,13 @@ class WorldReader {
     const std::string name = above + model.Name();
     for (std::uint64_t l = 0; l < model.LinkCount(); ++l) {
       const sdf::Link& link = *model.LinkByIndex(l);
-      const Eigen::Affine3f X_WL = X_WM * PoseOf(link);
+      const Eigen::Affine3f link_pose = X_WM * PoseOf(link);
       for (std::uint64_t v = 0; v < link.VisualCount(); ++v) {
         const sdf::Visual& visual = *link.VisualByIndex(v);
         ScenePart part;
         part.place = " visual '" + name + "::" + link.Name() + "::" + visual.Name() + "'";
         part.object = {model.Name(), name, ""};
-        part.X_WA = X_WL * PoseOf(visual);
+        part.X_WA = link_pose * PoseOf(visual);
         if (AddShape(visual, &part)) scene_.parts.push_back(std::move(part));
       }
     }

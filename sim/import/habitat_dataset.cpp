@@ -172,14 +172,16 @@ std::vector<HabitatDataset::Entry> HabitatDataset::EntriesOf(Kind kind) const {
   const Node root(json_, file_);
   if (!root.Has(KeyOf(kind).c_str())) return entries;
   const Node section = root.At(KeyOf(kind).c_str());
+  const auto add_files = [&](const Node& patterns, const std::string& end, bool is_asset) {
+    for (const fs::path& file : FilesOf(patterns, file_.parent_path(), end)) {
+      entries.push_back({WithoutEnd(file.generic_string(), end), file, is_asset, Json::object()});
+    }
+  };
   if (section.Has("paths")) {
     const Node paths = section.At("paths");
     for (const auto& [extension, patterns] : paths.value().items()) {
       const bool is_asset = extension != ".json";
-      const std::string end = is_asset ? extension : EndOf(kind);
-      for (const fs::path& file : FilesOf(paths.At(extension.c_str()), file_.parent_path(), end)) {
-        entries.push_back({WithoutEnd(file.generic_string(), end), file, is_asset, Json::object()});
-      }
+      add_files(paths.At(extension.c_str()), is_asset ? extension : EndOf(kind), is_asset);
     }
   }
   if (section.Has("configs")) AddConfigs(section.At("configs").value(), kind, &entries);

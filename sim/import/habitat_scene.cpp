@@ -100,12 +100,13 @@ class SceneReader {
     part.asset = made.asset;
     part.place = place;
     part.object = {kind == Kind::kStage ? "stage" : made.name, "", ""};
-    const Eigen::Matrix3f X = ReadRotation(instance) * ReadScale(instance).asDiagonal();
-    part.X_WA.linear() = X * made.turn_and_scale;
+    const Eigen::Matrix3f turn_and_scale =
+        ReadRotation(instance) * ReadScale(instance).asDiagonal();
+    part.X_WA.linear() = turn_and_scale * made.turn_and_scale;
     part.X_WA.translation() = ReadVector(instance, "translation", Vec::Zero());
     if (kind == Kind::kObject && !IsAssetLocal(instance, is_asset_local_)) {
       part.is_centred = !made.center_of_mass;
-      if (made.center_of_mass) part.X_WA.translation() -= X * *made.center_of_mass;
+      if (made.center_of_mass) part.X_WA.translation() -= turn_and_scale * *made.center_of_mass;
     }
     scene_.parts.push_back(std::move(part));
   }
