@@ -66,16 +66,18 @@ int Wrapped(int pixel, int size) {
 }
 
 /// Mean of the pixels at some steps from one.
-std::array<int, 3> MeanAlong(const Image& image, int x, int y,
-                             const std::vector<std::array<int, 2>>& steps) {
+Rgb8 MeanAlong(const Image& image, int x, int y, const std::vector<std::array<int, 2>>& steps) {
   std::array<int, 3> sums{};
   for (const auto& [dx, dy] : steps) {
     const std::uint8_t* pixel =
         image.at(Wrapped(x + dx, image.width), Wrapped(y + dy, image.height));
     for (std::size_t c = 0; c < sums.size(); ++c) sums[c] += pixel[c];
   }
-  for (int& sum : sums) sum = (sum + kTaps / 2) / kTaps;
-  return sums;
+  Rgb8 mean{};
+  for (std::size_t c = 0; c < mean.size(); ++c) {
+    mean[c] = static_cast<std::uint8_t>((sums[c] + kTaps / 2) / kTaps);
+  }
+  return mean;
 }
 
 Image Smeared(const Image& image, const Mask& mask, const std::vector<std::array<int, 2>>& steps) {
@@ -83,10 +85,8 @@ Image Smeared(const Image& image, const Mask& mask, const std::vector<std::array
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
       if (!mask.Has(x, y, image)) continue;
-      const std::array<int, 3> mean = MeanAlong(image, x, y, steps);
-      std::transform(mean.begin(), mean.end(), smeared.at(x, y), [](int value) {
-        return static_cast<std::uint8_t>(value);
-      });
+      const Rgb8 mean = MeanAlong(image, x, y, steps);
+      std::copy(mean.begin(), mean.end(), smeared.at(x, y));
     }
   }
   return smeared;
