@@ -157,11 +157,10 @@ bool HasHouseSet(const std::filesystem::path& folder, const HouseSetSpec& spec) 
   const std::vector<HouseEntry> old = ReadHouseIndex(index);
   const std::vector<HouseEntry> planned = Entries(Plan(spec));
   if (AreSame(old, planned)) return true;
-  throw FileError(
-      index, "",
-      fmt::format(
-          "lists {}; asked for: {}; give its own kind, count and first seed, or name another folder",
-          HousesText(old), HousesText(planned)));
+  throw FileError(index, "",
+                  fmt::format("lists {}; asked for: {}; give its own kind, count and first seed, "
+                              "or name another folder",
+                              HousesText(old), HousesText(planned)));
 }
 
 int CountUnmade(const std::filesystem::path& folder, const HouseSetSpec& spec) {
