@@ -35,11 +35,8 @@ void GoalApproach::Reset() {
   asked_ = false;
   stopped_ = false;
   was_vain_ = false;
-  was_stuck_ = false;
-  has_forgotten_ = false;
+  attempt_ = {};
   receded_ = 0.0;
-  sides_.clear();
-  side_.reset();
   aside_.reset();
 }
 
@@ -65,10 +62,7 @@ void GoalApproach::See(const std::optional<RelativeGoal>& goal, const MapNavigat
   if (!is_elsewhere) return;
   watch_.Forget(kGoal);
   was_vain_ = false;
-  was_stuck_ = false;
-  has_forgotten_ = false;
-  sides_.clear();
-  side_.reset();
+  attempt_ = {};
 }
 
 std::optional<sim::Action> GoalApproach::Act(MapNavigator* navigator) {
@@ -76,10 +70,10 @@ std::optional<sim::Action> GoalApproach::Act(MapNavigator* navigator) {
   if (!target) return std::nullopt;
   const double distance = Distance(*target, navigator->here());
   const bool is_certain = seen_ && seen_->certainty >= spec_.stop_certainty && !was_vain_;
-  if (side_ && Distance(*side_, navigator->here()) <= kAtSide && !is_certain) {
+  if (attempt_.side && Distance(*attempt_.side, navigator->here()) <= kAtSide && !is_certain) {
     return TryOtherSide(*target, navigator);
   }
-  auto plan = navigator->Plan(side_.value_or(*target), true);
+  auto plan = navigator->Plan(attempt_.side.value_or(*target), true);
   // A sight of the goal across something that has to be gone round is no arrival.
   const bool is_open = plan && plan->distance <= distance + kSlack;
   if (is_certain && distance <= spec_.stop_distance && is_open) return Stop();
@@ -90,20 +84,20 @@ std::optional<sim::Action> GoalApproach::Act(MapNavigator* navigator) {
   if (is_beside && !is_certain) {
     return TryOtherSide(*target, navigator);
   }
-  if (IsNowhere(plan, *navigator) && !std::exchange(has_forgotten_, true)) {
+  if (IsNowhere(plan, *navigator) && !std::exchange(attempt_.has_forgotten, true)) {
     // Odometry may have smeared the map until it left no way.
     navigator->ForgetMap();
-    plan = navigator->Plan(side_.value_or(*target), true);
+    plan = navigator->Plan(attempt_.side.value_or(*target), true);
   }
   if (IsNowhere(plan, *navigator)) {
     return is_certain && distance <= kNearEnough ? Stop() : Refute();
   }
   if (watch_.IsStuck(kGoal, plan->distance - receded_, navigator->seen_area())) {
     if (is_certain && distance <= kNearEnough) return Stop();
-    if (was_stuck_ && is_certain) return SetAside(*target, navigator->seen_area());
+    if (attempt_.was_stuck && is_certain) return SetAside(*target, navigator->seen_area());
     navigator->ForgetMap();
     if (!is_certain) return Refute();
-    was_stuck_ = true;
+    attempt_.was_stuck = true;
   }
   if (Misses(*target, plan->distance, *navigator)) return Refute();
   return navigator->Steer(plan->point);
@@ -136,23 +130,20 @@ std::optional<sim::Action> GoalApproach::Refute() {
   watch_.Forget(kGoal);
   missed_ = 0;
   was_vain_ = false;
-  was_stuck_ = false;
-  has_forgotten_ = false;
+  attempt_ = {};
   receded_ = 0.0;
-  sides_.clear();
-  side_.reset();
   return std::nullopt;
 }
 
 std::optional<sim::Action> GoalApproach::TryOtherSide(const Point& target,
                                                       MapNavigator* navigator) {
-  sides_.push_back(navigator->here());
-  side_.reset();
-  if (static_cast<int>(sides_.size()) < kMostSides) {
-    side_ = navigator->PlaceNear(target, sides_, kOtherSide);
+  attempt_.sides.push_back(navigator->here());
+  attempt_.side.reset();
+  if (static_cast<int>(attempt_.sides.size()) < kMostSides) {
+    attempt_.side = navigator->PlaceNear(target, attempt_.sides, kOtherSide);
   }
-  if (!side_) return Refute();
-  const auto plan = navigator->Plan(*side_, true);
+  if (!attempt_.side) return Refute();
+  const auto plan = navigator->Plan(*attempt_.side, true);
   if (IsNowhere(plan, *navigator)) return Refute();
   watch_.Forget(kGoal);
   return navigator->Steer(plan->point);
@@ -162,11 +153,8 @@ std::optional<sim::Action> GoalApproach::TryOtherSide(const Point& target,
 std::optional<sim::Action> GoalApproach::SetAside(const Point& target, double seen) {
   aside_ = target;
   seen_then_ = seen;
-  was_stuck_ = false;
-  has_forgotten_ = false;
+  attempt_ = {};
   receded_ = 0.0;
-  sides_.clear();
-  side_.reset();
   return std::nullopt;
 }
 

@@ -71,6 +71,13 @@ class GoalApproach {
   bool Misses(const Point& point, double way, const MapNavigator& navigator);
 
  private:
+  struct Attempt {
+    bool was_stuck = false;      // on the way there
+    bool has_forgotten = false;  // the map, for there was no way
+    std::vector<Point> sides;    // where it was not found
+    std::optional<Point> side;   // where it is looked for now
+  };
+
   std::optional<sim::Action> Stop();
   std::optional<sim::Action> Refute();
   /// The goal seems to be where something stands, as on a counter, and it is not on this side.
@@ -87,11 +94,8 @@ class GoalApproach {
   bool asked_ = false;                // in this step, whether it is missed
   bool stopped_ = false;              // in the last step
   bool was_vain_ = false;             // a stop at the present target
-  bool was_stuck_ = false;            // on the way there
-  bool has_forgotten_ = false;        // the map, for there was no way to the present target
+  Attempt attempt_;                   // at the present target
   double receded_ = 0.0;              // metres that the target has gone on before the body
-  std::vector<Point> sides_;          // of the present target, where it was not found
-  std::optional<Point> side_;         // where it is looked for now
   std::optional<Point> aside_;        // where the goal is that cannot be got to
   double seen_then_ = 0.0;            // m2
 };

@@ -76,9 +76,12 @@ std::string LongSceneName(const std::string& scene) {
   return NameWith(1, scene);
 }
 
+bool NamesScene(const std::string& scene, const std::string& episode) {
+  return episode.find(Stem(scene)) != std::string::npos;
+}
+
 std::string EpisodeName(const std::string& scene, const std::string& episode) {
-  const bool has_it = episode.find(Stem(scene)) != std::string::npos;
-  return has_it ? episode : LongSceneName(scene) + ", episode " + episode;
+  return NamesScene(scene, episode) ? episode : LongSceneName(scene) + ", episode " + episode;
 }
 
 }  // namespace bulletnav::bench

@@ -14,6 +14,9 @@ std::map<std::string, std::string> SceneNames(std::span<const std::string> scene
 /// Of a scene alone, where others are not known: with the folder that it is in, if it says one.
 std::string LongSceneName(const std::string& scene);
 
+/// Whether an episode's name has that of its scene in it.
+bool NamesScene(const std::string& scene, const std::string& episode);
+
 /// The name of an episode with that of its scene, which drawn episodes have in theirs.
 std::string EpisodeName(const std::string& scene, const std::string& episode);
 

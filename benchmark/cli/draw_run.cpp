@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "benchmark/base/counted.h"
+#include "benchmark/base/warn_line.h"
 #include "benchmark/cli/progress.h"
 #include "benchmark/play/belief_reader.h"
 #include "benchmark/report/agent_title.h"
@@ -68,7 +69,7 @@ std::optional<sim::FloorPlan> PlanOf(const fs::path& scene, double scale) {
   try {
     return PlanOfScene(scene, scale);
   } catch (const sim::Error& e) {
-    fmt::print(stderr, "bulletnav: warning: drawn without the house's plan: {}\n", e.what());
+    WarnLine(std::string("drawn without the house's plan: ") + e.what());
     return std::nullopt;
   }
 }

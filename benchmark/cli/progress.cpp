@@ -56,10 +56,6 @@ std::string Progress::Line(double elapsed_s) const {
                      left_s);
 }
 
-void WarnLine(const std::string& what) {
-  fmt::print(stderr, "bulletnav: warning: {}\n", what);
-}
-
 std::function<void()> StartLine(const std::string& what, int total) {
   const auto line = std::make_shared<Progress>(what, total);
   return [line] {

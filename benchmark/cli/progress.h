@@ -29,9 +29,6 @@ class Progress {
   LiveText line_;
 };
 
-/// "bulletnav: warning: ..." on standard error.
-void WarnLine(const std::string& what);
-
 /// A new one, and what to call for each that is done.
 std::function<void()> StartLine(const std::string& what, int total);
 

@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "benchmark/base/warn_line.h"
 #include "benchmark/cli/camera_options.h"
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/progress.h"

@@ -13,6 +13,7 @@
 
 #include "benchmark/base/counted.h"
 #include "benchmark/base/program_version.h"
+#include "benchmark/base/warn_line.h"
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/draw_run.h"
 #include "benchmark/cli/out_option.h"
@@ -68,7 +69,7 @@ RunHooks MakeHooks(const fs::path& folder, RunProgress* progress) {
   hooks.warn = WarnLine;
   hooks.missing = [](std::span<const std::string> missing) {
     for (const std::string& one : missing) {
-      fmt::print(stderr, "bulletnav: warning: not played: {}\n", one);
+      WarnLine("not played: " + one);
     }
   };
   hooks.begin = [progress, folder](std::size_t total, std::span<const EpisodeResult> before) {

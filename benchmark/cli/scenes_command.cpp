@@ -8,6 +8,7 @@
 
 #include <fmt/core.h>
 
+#include "benchmark/base/warn_line.h"
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/progress.h"
 #include "benchmark/cli/scene_options.h"
@@ -38,7 +39,7 @@ std::vector<MapLabel> LabelsFor(const SceneOptions& scene) {
   try {
     return RoomLabels(sim::ReadHouseJson(description).plan);
   } catch (const sim::Error& e) {
-    fmt::print(stderr, "bulletnav: warning: the plan gets no room names: {}\n", e.what());
+    WarnLine(std::string("the plan gets no room names: ") + e.what());
     return {};
   }
 }

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>
-#include <functional>
 #include <string>
 
+#include "benchmark/base/warn_line.h"
 #include "sim/scene/import.h"
 
 namespace bulletnav::bench {
-
-/// Takes a line that warns the user.
-using Warn = std::function<void(const std::string& line)>;
 
 /// One line that says what of a scene is drawn grey since its picture or material is missing or
 /// cannot be read; empty if nothing is.

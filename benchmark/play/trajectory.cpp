@@ -116,9 +116,8 @@ std::filesystem::path TrajectoryPath(const std::filesystem::path& run_folder,
       fmt::format("{}-{}-{}-{}", key.agent, key.setting, key.condition, key.seed);
   const std::string stem = std::filesystem::path(key.scene).stem().string();
   // Scans are all called alike, and their episodes 0, 1, 2.
-  const bool names_scene = key.episode.find(stem) != std::string::npos;
-  const std::string episode =
-      fmt::format("{}-{}.json", names_scene ? stem : LongSceneName(key.scene), key.episode);
+  const std::string scene = NamesScene(key.scene, key.episode) ? stem : LongSceneName(key.scene);
+  const std::string episode = fmt::format("{}-{}.json", scene, key.episode);
   return run_folder / "trajectories" / FileName(row) / FileName(episode);
 }
 

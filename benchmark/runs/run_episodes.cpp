@@ -43,6 +43,16 @@ std::string FaultOf(const Episode& episode, const Ground& ground, const RunConfi
   }
 }
 
+/// Those at the places that `is_kept` names, in their order.
+template <class IsKept>
+void KeepPlaces(const IsKept& is_kept, std::vector<Episode>* episodes) {
+  std::vector<Episode> kept;
+  for (std::size_t i = 0; i < episodes->size(); ++i) {
+    if (is_kept(i)) kept.push_back(std::move((*episodes)[i]));
+  }
+  *episodes = std::move(kept);
+}
+
 /// Leaves out the episodes with a fault, and says so in one line.
 void LeaveOut(const std::vector<std::string>& faults, const RunConfig& config, const Warn& warn,
               std::vector<Episode>* episodes) {
@@ -55,10 +65,10 @@ void LeaveOut(const std::vector<std::string>& faults, const RunConfig& config, c
   if (count == static_cast<std::ptrdiff_t>(faults.size())) {
     throw sim::FileError(config.episodes.file, "", "no episode can be played, as: " + *first);
   }
-  std::size_t i = 0;
-  std::erase_if(*episodes, [&](const Episode& /*episode*/) {
-    return !faults[i++].empty();
-  });
+  const auto is_sound = [&](std::size_t i) {
+    return faults[i].empty();
+  };
+  KeepPlaces(is_sound, episodes);
   if (!warn) return;
   warn(fmt::format("{}: {} of {} episodes are left out (skip_unplayable), as {}",
                    config.episodes.file, count, faults.size(), *first));
@@ -113,10 +123,10 @@ void KeepEvenly(std::size_t count, std::vector<Episode>* episodes) {
   const auto places = EvenPlaces(*episodes);
   auto sorted = places;
   std::sort(sorted.begin(), sorted.end());
-  std::size_t i = 0;
-  std::erase_if(*episodes, [&](const Episode& /*episode*/) {
-    return count == 0 || places[i++] > sorted[count - 1];
-  });
+  const auto is_early = [&](std::size_t i) {
+    return count > 0 && places[i] <= sorted[count - 1];
+  };
+  KeepPlaces(is_early, episodes);
 }
 
 void KeepOnly(const std::vector<std::string>& names, std::vector<Episode>* episodes) {

@@ -90,15 +90,6 @@ void Override(const Json& with, Json* attributes) {
   for (const auto& [key, value] : with.items()) (*attributes)[key] = value;
 }
 
-Vec ReadVector(const Node& node) {
-  node.ExpectList(3);
-  Vec v = Vec::Zero();
-  for (int i = 0; i < 3; ++i) {
-    v[i] = static_cast<float>(node.Item(static_cast<std::size_t>(i)).Number());
-  }
-  return v;
-}
-
 /// From axes with that up and front to +y and -z.
 Eigen::Matrix3f TurnOf(const Node& attributes) {
   const Vec up = attributes.Has("up") ? ReadVector(attributes.At("up")) : Vec::UnitY();
@@ -133,6 +124,15 @@ HabitatTemplate ReadTemplate(const Node& attributes) {
 }
 
 }  // namespace
+
+Eigen::Vector3f ReadVector(const JsonNode<nlohmann::ordered_json>& node) {
+  node.ExpectList(3);
+  Vec v = Vec::Zero();
+  for (int i = 0; i < 3; ++i) {
+    v[i] = static_cast<float>(node.Item(static_cast<std::size_t>(i)).Number());
+  }
+  return v;
+}
 
 HabitatDataset::HabitatDataset(const fs::path& scene) {
   std::error_code ignored;

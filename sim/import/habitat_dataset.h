@@ -8,6 +8,8 @@
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 
+#include "sim/config/json_node.h"
+
 namespace bulletnav::sim {
 
 /// What a stage or an object of a data set is made from.
@@ -18,6 +20,9 @@ struct HabitatTemplate {
   Eigen::Matrix3f turn_and_scale = Eigen::Matrix3f::Identity();
   std::optional<Eigen::Vector3f> center_of_mass;  // in the asset's axes turned, metres
 };
+
+/// A list of three numbers. Throws FileError for anything else.
+Eigen::Vector3f ReadVector(const JsonNode<nlohmann::ordered_json>& node);
 
 /// The data set that a *.scene_instance.json is of: the first *.scene_dataset_config.json, from the
 /// scene's folder upwards and in the order of names, whose `scene_instances.paths` list the scene.

@@ -19,14 +19,7 @@ using Vec = Eigen::Vector3f;
 using Kind = HabitatDataset::Kind;
 
 Vec ReadVector(const Node& instance, const char* key, const Vec& otherwise) {
-  if (!instance.Has(key)) return otherwise;
-  const Node node = instance.At(key);
-  node.ExpectList(3);
-  Vec v = Vec::Zero();
-  for (int i = 0; i < 3; ++i) {
-    v[i] = static_cast<float>(node.Item(static_cast<std::size_t>(i)).Number());
-  }
-  return v;
+  return instance.Has(key) ? ReadVector(instance.At(key)) : otherwise;
 }
 
 Eigen::Matrix3f ReadRotation(const Node& instance) {

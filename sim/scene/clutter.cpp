@@ -69,13 +69,11 @@ class Clutterer {
 
  private:
   void Survey() {
-    double height = 0.0;
     for (std::size_t t = 0; t < count_; ++t) {
       const Vector3f normal = NormalOf(*mesh_, t);
       const double area = AreaOf(*mesh_, t);
       const float foot = LowestOf(*mesh_, t) - floor_;
       if (IsOnTheFloor(*mesh_, t, floor_)) {
-        height += area * double{CentreOf(*mesh_, t).y()};
         floor_area_ += area;
       } else if (IsLevel(*mesh_, t)) {
         const bool is_top = normal.y() > 0.0f && foot > kLowestTop && foot < kHighestTop;
@@ -85,7 +83,7 @@ class Clutterer {
         walls_.push_back(t);
       }
     }
-    level_ = floor_area_ > 0.0 ? static_cast<float>(height / floor_area_) : floor_;
+    level_ = ExactFloor(*mesh_, floor_);
     for (const std::size_t t : tops_) top_areas_.push_back(AreaOf(*mesh_, t));
     for (const std::size_t t : walls_) wall_areas_.push_back(AreaOf(*mesh_, t));
   }

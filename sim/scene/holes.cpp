@@ -45,6 +45,15 @@ std::vector<float> ReadinessOf(const SceneMesh& mesh) {
   return readiness;
 }
 
+/// Takes triangles out by their values, unless nothing would be left.
+void RemoveAbove(float threshold, const std::vector<float>& values, SceneMesh* mesh) {
+  std::vector<char> kept(values.size());
+  std::transform(values.begin(), values.end(), kept.begin(), [threshold](float value) {
+    return static_cast<char>(value > threshold ? 0 : 1);
+  });
+  if (std::count(kept.begin(), kept.end(), 1) > 0) KeepTriangles(kept, mesh);
+}
+
 class HolePuncher {
  public:
   HolePuncher(const Holes& holes, std::uint64_t seed, SceneMesh* mesh)
@@ -59,9 +68,7 @@ class HolePuncher {
     Measure();
     RefineBorders();
     Measure();
-    std::vector<char> kept;
-    for (const float value : values_) kept.push_back(value > threshold_ ? 0 : 1);
-    if (std::count(kept.begin(), kept.end(), 1) > 0) KeepTriangles(kept, mesh_);
+    RemoveAbove(threshold_, values_, mesh_);
   }
 
  private:
@@ -103,18 +110,6 @@ class HolePuncher {
   float threshold_ = 0.0f;
 };
 
-/// Mean height of the triangles on the floor.
-float ExactFloor(const SceneMesh& mesh, float floor) {
-  double sum = 0.0;
-  double area = 0.0;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (!IsOnTheFloor(mesh, t, floor)) continue;
-    sum += AreaOf(mesh, t) * double{CentreOf(mesh, t).y()};
-    area += AreaOf(mesh, t);
-  }
-  return area > 0.0 ? static_cast<float>(sum / area) : floor;
-}
-
 void OpenFloor(double share, std::uint64_t seed, float floor, SceneMesh* mesh) {
   constexpr double kSize = 0.25;         // metres from gap to gap
   constexpr double kEdge = 0.12;         // metres
@@ -135,11 +130,7 @@ void OpenFloor(double share, std::uint64_t seed, float floor, SceneMesh* mesh) {
     areas.push_back(is_floor ? AreaOf(*mesh, t) : 0.0);
   }
   const float threshold = ThresholdOf(values, areas, share);
-  std::vector<char> kept(values.size());
-  std::transform(values.begin(), values.end(), kept.begin(), [threshold](float value) {
-    return static_cast<char>(value > threshold ? 0 : 1);
-  });
-  if (std::count(kept.begin(), kept.end(), 1) > 0) KeepTriangles(kept, mesh);
+  RemoveAbove(threshold, values, mesh);
 }
 
 /// A copy of a vertex below a level, and darker.

@@ -75,6 +75,17 @@ bool IsOnTheFloor(const SceneMesh& mesh, std::size_t triangle, float floor) {
   return std::abs(LowestOf(mesh, triangle) - floor) <= kOnTheFloor && IsLevel(mesh, triangle);
 }
 
+float ExactFloor(const SceneMesh& mesh, float floor) {
+  double sum = 0.0;
+  double area = 0.0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (!IsOnTheFloor(mesh, t, floor)) continue;
+    sum += AreaOf(mesh, t) * double{CentreOf(mesh, t).y()};
+    area += AreaOf(mesh, t);
+  }
+  return area > 0.0 ? static_cast<float>(sum / area) : floor;
+}
+
 std::array<double, 3> MeanOf(const Image& image) {
   std::array<std::uint64_t, 3> sums{};
   for (std::size_t i = 0; i < image.pixels.size(); i += 4) {

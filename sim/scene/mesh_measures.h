@@ -28,6 +28,9 @@ float FloorHeight(const SceneMesh& mesh);
 /// Whether a triangle is level and at the floor's height, within 15 cm.
 bool IsOnTheFloor(const SceneMesh& mesh, std::size_t triangle, float floor);
 
+/// Mean height of the triangles on the floor; `floor` if there are none.
+float ExactFloor(const SceneMesh& mesh, float floor);
+
 /// Mean colour of a picture's pixels, red, green, blue; 0 to 255.
 std::array<double, 3> MeanOf(const Image& image);
 /// What is seen of a material on the whole, without its vertices' colours.

@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include "benchmark/base/program_version.h"
+#include "benchmark/base/warn_line.h"
 #include "benchmark/training/supervised/scene_batches.h"
 #include "benchmark/training/supervised/train_lanes.h"
 #include "sim/config/yaml_reader.h"
@@ -29,9 +30,7 @@ std::shared_ptr<const BatchSource> Batches(const DataConfig& data, const BatchSp
     if (!scene.note.empty()) fmt::print(stderr, "{}\n", scene.note);
     labelled();
   };
-  progress.warn = [](const std::string& line) {
-    fmt::print(stderr, "bulletnav: warning: {}\n", line);
-  };
+  progress.warn = WarnLine;
   progress.on_loading = [&] {
     loaded = context.start("loading scenes", scenes);
   };

@@ -12,6 +12,7 @@
 #include "agent/policy/integer_policy.h"
 #include "agent/policy/learned_policy.h"
 #include "benchmark/base/program_version.h"
+#include "benchmark/base/warn_line.h"
 #include "sim/base/error.h"
 #include "sim/sensors/noise/sensor_noise.h"
 
@@ -44,9 +45,7 @@ NavigationScenes LoadScenes(const NavigationData& data, const TrainContext& cont
   if (context.start) {
     loaded = context.start(what, static_cast<int>(ScenesOf(data.as_data()).size()));
   }
-  return NavigationScenes(data, sim::BodySpec{}, 0, loaded, [](const std::string& line) {
-    fmt::print(stderr, "bulletnav: warning: {}\n", line);
-  });
+  return NavigationScenes(data, sim::BodySpec{}, 0, loaded, WarnLine);
 }
 
 }  // namespace
