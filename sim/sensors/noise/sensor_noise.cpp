@@ -13,7 +13,9 @@ namespace bulletnav::sim {
 namespace {
 
 constexpr const char* kNone = "none";
-constexpr double kMaxBlur = 0.8;  // of what three pixels in a row can spread
+constexpr double kMaxBlur = 0.8;    // of what three pixels in a row can spread
+constexpr double kMostDepth = 1e6;  // of all numbers of a depth noise
+constexpr double kMostElectrons = 1e9;
 
 struct ModelsConfig {
   std::string schema;
@@ -43,7 +45,9 @@ void DepthNoise::Validate() const {
   for (const double value :
        {axial_m, axial_per_m2, axial_from_m, grazing_m, disparity_m, lateral_rad, baseline_m,
         min_range_m, max_range_m, min_signal, panes}) {
-    if (!(value >= 0.0 && value <= 1e6)) throw Error("depth noise is numbers from 0 to a million");
+    if (!(value >= 0.0 && value <= kMostDepth)) {
+      throw Error("depth noise is numbers from 0 to a million");
+    }
   }
   if (!(max_angle_deg > 0.0 && max_angle_deg <= 90.0)) {
     throw KeyError("max_angle_deg", "must be above 0 and at most 90");
@@ -63,7 +67,8 @@ void ColorNoise::Validate() const {
   if (!(blur_px >= 0.0 && blur_px <= kMaxBlur)) {
     throw KeyError("blur_px", "must be from 0 to 0.8");
   }
-  if (!(electrons >= 0.0 && electrons <= 1e9 && read_electrons >= 0.0 && read_electrons <= 1e6)) {
+  if (!(electrons >= 0.0 && electrons <= kMostElectrons && read_electrons >= 0.0 &&
+        read_electrons <= 1e6)) {
     throw Error("electrons are from 0 to a billion, read_electrons from 0 to a million");
   }
 }
@@ -100,12 +105,12 @@ SensorNoise Scaled(const SensorNoise& noise, double strength) {
                         &depth.lateral_rad, &depth.min_signal, &depth.panes}) {
     *value *= strength;
   }
-  depth.disparity_m /= strength;
+  depth.disparity_m = std::min(kMostDepth, depth.disparity_m / strength);
   ColorNoise& color = scaled.color;
   color.exposure_stops *= strength;
   color.white_balance = std::min(0.9, color.white_balance * strength);
   color.blur_px = std::min(kMaxBlur, color.blur_px * strength);
-  color.electrons /= strength * strength;
+  color.electrons = std::min(kMostElectrons, color.electrons / (strength * strength));
   return scaled;
 }
 

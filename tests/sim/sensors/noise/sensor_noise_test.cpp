@@ -90,7 +90,9 @@ TEST(SensorNoise, IsScaled) {
   EXPECT_DOUBLE_EQ(half.depth.max_range_m, noise.depth.max_range_m);
   EXPECT_DOUBLE_EQ(half.color.electrons, 4.0 * noise.color.electrons);
   for (const std::string& name : SensorNoiseNames()) {
-    EXPECT_NO_THROW(Scaled(NamedSensorNoise(name), 4.0).Validate()) << name;
+    for (const double strength : {1e-9, 1e-3, 4.0}) {
+      EXPECT_NO_THROW(Scaled(NamedSensorNoise(name), strength).Validate()) << name << strength;
+    }
   }
 }
 
