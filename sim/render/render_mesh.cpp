@@ -86,7 +86,8 @@ void FillUvs(const std::array<Eigen::Vector2f, 3>& uv, double side, double area,
 
 }  // namespace
 
-RenderMesh::RenderMesh(const SceneMesh& mesh) : objects(mesh.triangle_objects) {
+RenderMesh::RenderMesh(const SceneMesh& mesh)
+    : objects(mesh.triangle_objects), back_faces(mesh.back_faces) {
   textures.infos.push_back({0, 0});
   textures.texels.push_back(0xffffffffu);
   for (const Texture& texture : mesh.textures) AddTexture(texture.image, &textures);

@@ -25,6 +25,7 @@ struct RenderMesh {
   std::vector<TriangleShading> shading;
   TexturePyramids textures;
   std::vector<std::uint32_t> objects;  // one a triangle; empty where they are not known
+  bool back_faces;                     // whether triangles are seen from behind
 };
 
 }  // namespace bulletnav::sim

@@ -235,6 +235,7 @@ void ApplyFinish(const Finish& finish, SceneMesh* mesh) {
     }
   }
   Develop(finish, mesh);
+  mesh->back_faces = finish.back_faces;
 }
 
 }  // namespace bulletnav::sim

@@ -48,6 +48,8 @@ struct Finish {
   double contrast = 1.0;                         // around middle grey
   double saturation = 1.0;                       // 0: grey
   std::array<double, 3> tint = {1.0, 1.0, 1.0};  // factors of red, green, blue
+  /// False: triangles seen from behind are not drawn. For scenes whose windings can be trusted.
+  bool back_faces = true;
   /// Of what is drawn; see ImportedScene::drawn.
   Damage damage = {};
 
@@ -65,6 +67,7 @@ struct Finish {
     v("contrast", contrast);
     v("saturation", saturation);
     v("tint", tint);
+    v("back_faces", back_faces);
     v("damage", damage);
   }
   /// Throws Error.

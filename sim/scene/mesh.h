@@ -54,6 +54,8 @@ struct SceneMesh {
   // What triangles belong to; both empty where nobody knows, as in most files of others.
   std::vector<SceneObject> objects;             // [0] is for what belongs to nothing known
   std::vector<std::uint32_t> triangle_objects;  // one a triangle, index into objects
+  /// False: pictures leave out triangles seen from behind. In front, corners go anticlockwise.
+  bool back_faces = true;
 
   bool has_objects() const { return !triangle_objects.empty(); }
 

@@ -18,7 +18,8 @@ struct EmbreeData {
   }
   KernelScene kernel() const {
     return {bvh.nodes.data(),    bvh.leaves.data(),           nullptr,
-            mesh.shading.data(), mesh.textures.texels.data(), mesh.textures.infos.data()};
+            mesh.shading.data(), mesh.textures.texels.data(), mesh.textures.infos.data(),
+            mesh.back_faces};
   }
 
   RenderMesh mesh;

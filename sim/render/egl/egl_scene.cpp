@@ -105,7 +105,8 @@ class CpuResolveRenderer final : public Renderer {
               scene.mesh.corners.front().front().data(),
               scene.mesh.shading.data(),
               scene.mesh.textures.texels.data(),
-              scene.mesh.textures.infos.data()};
+              scene.mesh.textures.infos.data(),
+              scene.mesh.back_faces};
   }
   ~CpuResolveRenderer() override {
     const EglContext::Current current(*context_);

@@ -45,6 +45,13 @@ void IdPass::Begin(std::size_t layer) {
   glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_GREATER);
+  if (scene_.mesh.back_faces) {
+    glDisable(GL_CULL_FACE);
+  } else {
+    glEnable(GL_CULL_FACE);
+    glCullFace(GL_BACK);
+    glFrontFace(GL_CCW);
+  }
   glUseProgram(program_.get());
   glBindVertexArray(vertices_.get());
   glUniform1f(4, kNear);

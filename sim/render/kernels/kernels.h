@@ -27,6 +27,7 @@ struct KernelScene {
   const TriangleShading* shading;
   const std::uint32_t* texels;
   const TextureInfo* textures;
+  bool back_faces;  // whether find_visible draws triangles seen from behind
 };
 
 /// The picture's sampling pattern; made once a renderer.

@@ -19,8 +19,8 @@ constexpr float kRowTolerance = 1e-4f;
 class LeafPainter {
  public:
   LeafPainter(const KernelGrid& grid, const KernelFrame& frame, const KernelHits& hits,
-              std::uint16_t* dirty)
-      : grid_(grid), frame_(frame), hits_(hits), dirty_(dirty) {}
+              std::uint16_t* dirty, bool back_faces)
+      : grid_(grid), frame_(frame), hits_(hits), dirty_(dirty), back_faces_(back_faces) {}
 
   /// Writes what is nearer than what is there. Of triangles that are equally near the first stays.
   void Draw(const BvhLeaf& leaf) {
@@ -84,7 +84,9 @@ class LeafPainter {
     // A plane that passes within a micrometre of the camera is seen from its edge.
     const I8 solid = volume * volume > 1e-12f * Dot(normal, normal);
     SetTriangleRect(grid_, frame_, v, u, w, &out->rect);
-    out->usable = solid & (out->rect.first_row <= out->rect.last_row) &
+    // The normal points to where corners go anticlockwise: away from the camera behind.
+    const I8 faces = back_faces_ ? solid : solid & (volume < 0.0f);
+    out->usable = faces & (out->rect.first_row <= out->rect.last_row) &
                   (out->rect.first_col <= out->rect.last_col);
   }
 
@@ -188,6 +190,7 @@ class LeafPainter {
   const KernelFrame& frame_;
   const KernelHits& hits_;
   std::uint16_t* dirty_;  // as in KernelScratch
+  bool back_faces_;
 };
 
 }  // namespace

@@ -23,7 +23,7 @@ class Sweep {
         frame_(frame),
         scratch_(scratch),
         hits_(hits),
-        painter_(grid, frame, hits, scratch.dirty) {}
+        painter_(grid, frame, hits, scratch.dirty, scene.back_faces) {}
 
   void Run() {
     Clear();

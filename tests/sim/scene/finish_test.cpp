@@ -50,6 +50,15 @@ TEST(Finish, ByItselfChangesNothing) {
   EXPECT_EQ(mesh.textures[0].image.pixels, Room().textures[0].image.pixels);
 }
 
+TEST(Finish, LeavesOutBackFaces) {
+  SceneMesh mesh = Room();
+  Finish finish;
+  finish.back_faces = false;
+  ApplyFinish(finish, &mesh);
+  EXPECT_FALSE(mesh.back_faces);
+  EXPECT_EQ(mesh.triangles, Room().triangles);
+}
+
 TEST(Finish, TheFloorIsWhereMostFacesUp) {
   EXPECT_NEAR(FloorHeight(Room()), 0.02f, 0.1f);
   SceneMesh low = Room();
