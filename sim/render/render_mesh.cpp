@@ -86,28 +86,32 @@ void FillUvs(const std::array<Eigen::Vector2f, 3>& uv, double side, double area,
 
 }  // namespace
 
-RenderMesh::RenderMesh(const SceneMesh& mesh)
-    : objects(mesh.triangle_objects), back_faces(mesh.back_faces) {
+RenderMesh::RenderMesh(const SceneMesh& mesh) : back_faces(mesh.back_faces) {
   textures.infos.push_back({0, 0});
   textures.texels.push_back(0xffffffffu);
   for (const Texture& texture : mesh.textures) AddTexture(texture.image, &textures);
   corners.reserve(mesh.triangles.size());
   shading.reserve(mesh.triangles.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const auto& [a, b, c] = mesh.triangles[t];
-    const Material& material = mesh.materials[mesh.triangle_materials[t]];
-    corners.push_back({mesh.positions[a], mesh.positions[b], mesh.positions[c]});
-    TriangleShading& out = shading.emplace_back();
-    FillPlanes(corners.back(), &out);
-    out.color[0] = PackColor(material.base_color, mesh.colors[a]);
-    out.color[1] = PackColor(material.base_color, mesh.colors[b]);
-    out.color[2] = PackColor(material.base_color, mesh.colors[c]);
-    out.texture = static_cast<std::uint32_t>(material.texture + 1);
-    const double side = std::exp2(textures.infos[out.texture].log2_side);
-    const auto& p = corners.back();
-    const double area = 0.5 * (p[1] - p[0]).cross(p[2] - p[0]).norm();
-    FillUvs({mesh.uvs[a], mesh.uvs[b], mesh.uvs[c]}, side, area, &out);
-  }
+  if (mesh.has_objects()) objects.reserve(mesh.triangles.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) Add(mesh, mesh.triangles[t], t);
+}
+
+void RenderMesh::Add(const SceneMesh& mesh, const std::array<std::uint32_t, 3>& vertices,
+                     std::size_t like) {
+  const auto& [a, b, c] = vertices;
+  const Material& material = mesh.materials[mesh.triangle_materials[like]];
+  corners.push_back({mesh.positions[a], mesh.positions[b], mesh.positions[c]});
+  TriangleShading& out = shading.emplace_back();
+  FillPlanes(corners.back(), &out);
+  out.color[0] = PackColor(material.base_color, mesh.colors[a]);
+  out.color[1] = PackColor(material.base_color, mesh.colors[b]);
+  out.color[2] = PackColor(material.base_color, mesh.colors[c]);
+  out.texture = static_cast<std::uint32_t>(material.texture + 1);
+  const double side = std::exp2(textures.infos[out.texture].log2_side);
+  const auto& p = corners.back();
+  const double area = 0.5 * (p[1] - p[0]).cross(p[2] - p[0]).norm();
+  FillUvs({mesh.uvs[a], mesh.uvs[b], mesh.uvs[c]}, side, area, &out);
+  if (mesh.has_objects()) objects.push_back(mesh.triangle_objects[like]);
 }
 
 }  // namespace bulletnav::sim

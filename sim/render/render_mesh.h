@@ -21,6 +21,10 @@ struct TexturePyramids {
 struct RenderMesh {
   explicit RenderMesh(const SceneMesh& mesh);
 
+  /// Adds a triangle between three vertices of the mesh that this was made of, with the material
+  /// and object of its triangle `like`.
+  void Add(const SceneMesh& mesh, const std::array<std::uint32_t, 3>& vertices, std::size_t like);
+
   std::vector<std::array<Eigen::Vector3f, 3>> corners;
   std::vector<TriangleShading> shading;
   TexturePyramids textures;

@@ -236,6 +236,7 @@ void ApplyFinish(const Finish& finish, SceneMesh* mesh) {
   }
   Develop(finish, mesh);
   mesh->back_faces = finish.back_faces;
+  mesh->levels_of_detail = finish.levels_of_detail;
 }
 
 }  // namespace bulletnav::sim

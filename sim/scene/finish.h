@@ -50,6 +50,8 @@ struct Finish {
   std::array<double, 3> tint = {1.0, 1.0, 1.0};  // factors of red, green, blue
   /// False: triangles seen from behind are not drawn. For scenes whose windings can be trusted.
   bool back_faces = true;
+  /// True: what is far is drawn with fewer triangles, wrong by less than half a pixel (embree).
+  bool levels_of_detail = false;
   /// Of what is drawn; see ImportedScene::drawn.
   Damage damage = {};
 
@@ -68,6 +70,7 @@ struct Finish {
     v("saturation", saturation);
     v("tint", tint);
     v("back_faces", back_faces);
+    v("levels_of_detail", levels_of_detail);
     v("damage", damage);
   }
   /// Throws Error.

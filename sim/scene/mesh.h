@@ -56,6 +56,8 @@ struct SceneMesh {
   std::vector<std::uint32_t> triangle_objects;  // one a triangle, index into objects
   /// False: pictures leave out triangles seen from behind. In front, corners go anticlockwise.
   bool back_faces = true;
+  /// True: the CPU's renderer makes coarse copies of fine parts and draws those far away.
+  bool levels_of_detail = false;
 
   bool has_objects() const { return !triangle_objects.empty(); }
 

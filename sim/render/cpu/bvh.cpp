@@ -10,7 +10,7 @@
 namespace bulletnav::sim {
 namespace {
 
-using Triangles = std::span<const std::array<Eigen::Vector3f, 3>>;
+using Triangles = Bvh::Triangles;
 
 /// What Embree's builder makes through our callbacks, in its own arena; flattened afterwards.
 struct BuiltNode {
@@ -96,7 +96,9 @@ const BuiltNode* Build(RTCBVH bvh, std::vector<RTCBuildPrimitive>* primitives) {
 
 class Flattener {
  public:
-  Flattener(Triangles triangles, Bvh* bvh) : triangles_(triangles), bvh_(*bvh) {}
+  /// `first`: the number of the first triangle that the tree was built over.
+  Flattener(Triangles triangles, std::size_t first, Bvh* bvh)
+      : triangles_(triangles), first_(first), bvh_(*bvh) {}
 
   /// Returns the reference a parent stores.
   std::int32_t Add(const BuiltNode& built) {
@@ -139,7 +141,7 @@ class Flattener {
     BvhLeaf leaf{};
     leaf.count = static_cast<std::int32_t>(built.count);
     for (unsigned i = 0; i < kBvhWidth; ++i) {
-      const unsigned t = built.triangles[std::min(i, built.count - 1)];
+      const std::size_t t = first_ + built.triangles[std::min(i, built.count - 1)];
       leaf.id[i] = static_cast<std::int32_t>(t);
       for (std::size_t k = 0; k < 3; ++k) {
         const Eigen::Vector3f& corner = triangles_[t][k];
@@ -151,6 +153,7 @@ class Flattener {
   }
 
   Triangles triangles_;
+  std::size_t first_;
   Bvh& bvh_;
 };
 
@@ -162,7 +165,7 @@ Bvh::Bvh(Triangles triangles) {
   const EmbreeBvh built(rtcNewBVH(device.get()));
   std::vector<RTCBuildPrimitive> primitives = MakePrimitives(triangles);
   const BuiltNode* root = Build(built.get(), &primitives);
-  Flattener flattener(triangles, this);
+  Flattener flattener(triangles, 0, this);
   if (!root->is_leaf) {
     flattener.AddNode(*root);
     return;
@@ -180,6 +183,24 @@ Bvh::Bvh(Triangles triangles) {
   }
   top.bounds[0] = {low.x(), low.y(), low.z(), 0.0f, high.x(), high.y(), high.z(), 0.0f};
   flattener.AddNode(top);
+}
+
+std::int32_t Bvh::Graft(Triangles triangles, std::size_t first) {
+  BULLETNAV_CHECK_LT(first, triangles.size());
+  const EmbreeDevice device = NewEmbreeDevice();
+  const EmbreeBvh built(rtcNewBVH(device.get()));
+  std::vector<RTCBuildPrimitive> primitives = MakePrimitives(triangles.subspan(first));
+  return Flattener(triangles, first, this).Add(*Build(built.get(), &primitives));
+}
+
+std::int32_t Bvh::AddDetail(std::int32_t fine, std::int32_t coarse, float error) {
+  BvhNode node{};
+  node.count = kDetailNode;
+  node.child[0] = fine;
+  node.child[1] = coarse;
+  node.low[0][0] = error;
+  nodes.push_back(node);
+  return static_cast<std::int32_t>(nodes.size()) - 1;
 }
 
 }  // namespace bulletnav::sim

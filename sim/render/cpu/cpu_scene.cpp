@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sim/render/cpu/bvh.h"
+#include "sim/render/detail/levels_of_detail.h"
 #include "sim/render/kernels/sampling.h"
 #include "sim/render/render_mesh.h"
 
@@ -13,6 +14,7 @@ namespace {
 /// Geometry and shading, shared by all renderers of a scene.
 struct EmbreeData {
   explicit EmbreeData(const SceneMesh& scene) : mesh(scene), bvh(mesh.corners) {
+    if (scene.levels_of_detail) AddLevelsOfDetail(scene, &mesh, &bvh);
     mesh.corners.clear();
     mesh.corners.shrink_to_fit();
   }

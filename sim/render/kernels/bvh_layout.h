@@ -6,7 +6,11 @@ namespace bulletnav::sim {
 
 inline constexpr int kBvhWidth = 8;
 
+inline constexpr std::int32_t kDetailNode = -1;
+
 /// Inner node: boxes of up to 8 children, side by side for SIMD. Missing children have empty boxes.
+/// If `count` is kDetailNode: one of two that are drawn in the same place, child[1] where it is so
+/// far away that an error of low[0][0] metres is less than half a pixel, child[0] nearer by.
 struct alignas(64) BvhNode {
   float low[3][kBvhWidth];
   float high[3][kBvhWidth];

@@ -43,6 +43,7 @@ struct KernelGrid {
   const float* y_squared;  // [rows]
   const float* area;       // [rows], see RayGrid
   float xz_max;            // largest hypot(x, z)
+  float half_pixel;        // half the least step of (x, y, z) from pixel to pixel
   float max_depth;
   // Bounds of boxes and triangles in fixed point with 8 fractional bits; true values lie between
   // an entry and the entry plus the slack.

@@ -158,6 +158,17 @@ void Sampling::FillTables(const Places& places) {
   grid_.slope_scale = static_cast<float>(row_cells) / 2.0f;
 }
 
+float Sampling::HalfPixel() const {
+  float least = 1.0f;
+  for (std::size_t r = 1; r < rays_.y.size(); ++r) {
+    least = std::min(least, std::abs(rays_.y[r] - rays_.y[r - 1]));
+  }
+  for (std::size_t c = 1; c < rays_.x.size(); ++c) {
+    least = std::min(least, std::hypot(rays_.x[c] - rays_.x[c - 1], rays_.z[c] - rays_.z[c - 1]));
+  }
+  return 0.5f * least;
+}
+
 void Sampling::FillGrid() {
   std::visit(
       [this](const auto& spec) {
@@ -178,6 +189,7 @@ void Sampling::FillGrid() {
   grid_.y_squared = y_squared_.data();
   grid_.area = rays_.area.data();
   grid_.xz_max = xz_max;
+  grid_.half_pixel = HalfPixel();
   grid_.max_depth = MaxDepthOf(spec_);
   grid_.column_of_angle = columns_.least.data();
   grid_.row_of_slope = rows_.least.data();

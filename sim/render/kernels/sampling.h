@@ -43,6 +43,8 @@ class Sampling {
   template <class Places>
   void FillTables(const Places& places);
   void FillGrid();
+  /// Half of the least step from pixel to pixel, as in KernelGrid.
+  float HalfPixel() const;
 
   CameraSpec spec_;
   RayGrid rays_;

@@ -74,11 +74,23 @@ class Sweep {
       Prefetch(next.reference);
     }
     if (IsHidden(entry)) return;
-    if (entry.reference < 0) {
-      painter_.Draw(scene_.leaves[~entry.reference]);
+    const std::int32_t reference = WithDetail(entry);
+    if (reference < 0) {
+      painter_.Draw(scene_.leaves[~reference]);
     } else {
-      Expand(scene_.nodes[entry.reference], bucket);
+      Expand(scene_.nodes[reference], bucket);
     }
+  }
+
+  /// The entry's node or leaf, or the coarse one that may be drawn for it.
+  std::int32_t WithDetail(const QueueEntry& entry) const {
+    std::int32_t reference = entry.reference;
+    while (reference >= 0 && scene_.nodes[reference].count == kDetailNode) {
+      const BvhNode& node = scene_.nodes[reference];
+      const bool is_far = node.low[0][0] * entry.inverse_near <= grid_.half_pixel;
+      reference = node.child[is_far ? 1 : 0];
+    }
+    return reference;
   }
 
   void Prefetch(std::int32_t reference) const {
