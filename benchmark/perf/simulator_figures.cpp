@@ -78,6 +78,8 @@ class SimulatorBench {
     Tell("panoramas_512x128_two_workers", two, "panoramas/s", "embree", 2);
     Tell("two_workers_over_one", two / Batch(1), "ratio", "embree", 2);
     Panoramas(world_->render_scene(), 256, "panoramas_256x64");
+    sim::SceneMesh mesh = mesh_;
+    Faster(&mesh);
     Steps();
     Egl();
     Million();
@@ -211,12 +213,27 @@ class SimulatorBench {
   }
 
   void Million() {
-    const sim::SceneMesh fine = Subdivided(mesh_, kMillion);
+    sim::SceneMesh fine = Subdivided(mesh_, kMillion);
     const std::string name = name_;
     name_ +=
         fmt::format(" in {:.1f}M triangles", static_cast<double>(fine.triangles.size()) * 1e-6);
     Panoramas(*sim::MakeRenderScene(fine, Backend::kEmbree), 512, "panoramas_512x128");
+    Faster(&fine);
     name_ = name;
+  }
+
+  /// With the finishes that leave out what can hardly be seen.
+  void Faster(sim::SceneMesh* mesh) {
+    mesh->back_faces = false;
+    Both(*mesh, "no_back_faces");
+    mesh->levels_of_detail = true;
+    Both(*mesh, "no_back_faces_levels_of_detail");
+  }
+
+  void Both(const sim::SceneMesh& mesh, const std::string& finish) {
+    const auto scene = sim::MakeRenderScene(mesh, Backend::kEmbree);
+    Panoramas(*scene, 512, "panoramas_512x128_" + finish);
+    Panoramas(*scene, 256, "panoramas_256x64_" + finish);
   }
 
   /// A process of its own: from its start to its first observation, and the memory it then holds.

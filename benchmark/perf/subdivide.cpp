@@ -20,7 +20,8 @@ std::uint32_t AddMiddle(std::uint32_t a, std::uint32_t b, sim::SceneMesh* mesh) 
   return static_cast<std::uint32_t>(mesh->positions.size()) - 1;
 }
 
-/// Cuts `cut` of the mesh's triangles, evenly spread over the list, into four.
+/// Cuts `cut` of the mesh's triangles, evenly spread over the list, into four, and their neighbours
+/// where they meet, so that edges still fit.
 class Cutter {
  public:
   explicit Cutter(sim::SceneMesh* mesh) : mesh_(*mesh) {}
@@ -33,16 +34,39 @@ class Cutter {
     mesh_.triangle_objects.clear();
     const std::size_t n = before.size();
     for (std::size_t t = 0; t < n; ++t) {
-      if ((t + 1) * cut / n == t * cut / n) {
-        Add(before[t], materials[t]);
-      } else {
-        Cut(before[t], materials[t]);
-      }
+      if ((t + 1) * cut / n == t * cut / n) continue;
+      for (std::size_t k = 0; k < 3; ++k) Middle(before[t][k], before[t][(k + 1) % 3]);
     }
+    for (std::size_t t = 0; t < n; ++t) Cut(before[t], materials[t]);
   }
 
  private:
-  void Cut(const std::array<std::uint32_t, 3>& triangle, std::uint32_t material) {
+  bool IsCut(std::uint32_t a, std::uint32_t b) const {
+    return middles_.contains(std::minmax(a, b));
+  }
+
+  /// Cuts a triangle at those of its edges that have a middle.
+  void Cut(std::array<std::uint32_t, 3> triangle, std::uint32_t material) {
+    const auto is_cut = [&](std::size_t k) {
+      return IsCut(triangle[k], triangle[(k + 1) % 3]);
+    };
+    const int cuts = (is_cut(0) ? 1 : 0) + (is_cut(1) ? 1 : 0) + (is_cut(2) ? 1 : 0);
+    if (cuts == 3) return CutInFour(triangle, material);
+    // So that the first edge is cut, and the last is not.
+    for (int turn = 0; turn < 3 && cuts > 0 && !(is_cut(0) && !is_cut(2)); ++turn) {
+      std::rotate(triangle.begin(), triangle.begin() + 1, triangle.end());
+    }
+    const auto [a, b, c] = triangle;
+    if (cuts == 0) return Add(triangle, material);
+    const std::uint32_t ab = Middle(a, b);
+    Add({a, ab, c}, material);
+    if (cuts == 1) return Add({ab, b, c}, material);
+    const std::uint32_t bc = Middle(b, c);
+    Add({ab, b, bc}, material);
+    Add({ab, bc, c}, material);
+  }
+
+  void CutInFour(const std::array<std::uint32_t, 3>& triangle, std::uint32_t material) {
     const auto [a, b, c] = triangle;
     const std::uint32_t ab = Middle(a, b);
     const std::uint32_t bc = Middle(b, c);
@@ -74,7 +98,8 @@ sim::SceneMesh Subdivided(const sim::SceneMesh& mesh, std::size_t triangles) {
   sim::SceneMesh fine = mesh;
   while (fine.triangles.size() < triangles) {
     const std::size_t n = fine.triangles.size();
-    Cutter(&fine).Run(std::min(n, (triangles - n + 2) / 3));
+    const std::size_t missing = triangles - n;
+    Cutter(&fine).Run(missing >= 3 * n ? n : (missing + 5) / 6);
   }
   return fine;
 }

@@ -17,6 +17,7 @@ using Vec = Eigen::Vector3d;
 using Corners = std::array<std::uint32_t, 3>;
 
 constexpr double kLeastChange = 6.0;  // of 255, of a vertex's colour: what can be seen
+constexpr double kHill = 0.02;        // metres that stand for it
 
 /// What makes a vertex the same as another.
 struct VertexKey {
@@ -70,9 +71,31 @@ std::vector<Part> PartsOf(const SceneMesh& mesh, std::span<const std::uint32_t> 
   return parts;
 }
 
-std::vector<Corners> Simplify(const SceneMesh& mesh, const Part& part, double largest_error) {
+/// Where the vertices are, moved out of the surface by how light they are: the simplifier knows
+/// shapes alone, and keeps light as it keeps hills. A change that can be seen is `hill` metres
+/// high.
+std::vector<Eigen::Vector3f> LightAsHills(const SceneMesh& mesh, const Part& part, double hill) {
+  std::vector<Eigen::Vector3f> normals(part.vertices.size(), Eigen::Vector3f::Zero());
+  for (const Corners& corners : part.triangles) {
+    const auto at = [&](std::size_t k) {
+      return mesh.positions[part.vertices[corners[k]]];
+    };
+    const Eigen::Vector3f normal = (at(1) - at(0)).cross(at(2) - at(0));
+    for (const std::uint32_t corner : corners) normals[corner] += normal;
+  }
+  const auto height = static_cast<float>(hill / kLeastChange / 3.0);
   std::vector<Eigen::Vector3f> positions;
-  for (const std::uint32_t v : part.vertices) positions.push_back(mesh.positions[v]);
+  for (std::size_t i = 0; i < part.vertices.size(); ++i) {
+    const Rgb8& color = mesh.colors[part.vertices[i]];
+    const auto light = static_cast<float>(color[0] + color[1] + color[2]);
+    positions.push_back(mesh.positions[part.vertices[i]] +
+                        height * light * normals[i].stableNormalized());
+  }
+  return positions;
+}
+
+std::vector<Corners> Simplify(const SceneMesh& mesh, const Part& part, double largest_error) {
+  const std::vector<Eigen::Vector3f> positions = LightAsHills(mesh, part, kHill);
   const float* place = positions.front().data();
   const float scale = meshopt_simplifyScale(place, positions.size(), sizeof(Eigen::Vector3f));
   if (!(scale > 0.0f)) return part.triangles;
@@ -195,6 +218,24 @@ void Add(const Part& part, const std::vector<Corners>& triangles, CoarsePatch* o
   }
 }
 
+/// A part's triangles, fewer or as they were.
+struct CoarsePart {
+  std::vector<Corners> triangles;
+  double error = 0.0;
+};
+
+/// The simplifier's errors are means of a kind: what it takes out too boldly it is asked for again,
+/// more carefully.
+CoarsePart BestOf(const SceneMesh& mesh, const Part& part, double largest_error) {
+  for (const double care : {1.0, 0.25, 0.05}) {
+    std::vector<Corners> coarse = Simplify(mesh, part, care * largest_error);
+    if (coarse.empty() || 2 * coarse.size() > part.triangles.size()) break;
+    const double error = ErrorOf(mesh, part, coarse).Largest();
+    if (error <= largest_error) return {std::move(coarse), error};
+  }
+  return {part.triangles, 0.0};
+}
+
 }  // namespace
 
 std::optional<CoarsePatch> Simplified(const SceneMesh& mesh,
@@ -202,13 +243,9 @@ std::optional<CoarsePatch> Simplified(const SceneMesh& mesh,
                                       double largest_error) {
   CoarsePatch patch;
   for (const Part& part : PartsOf(mesh, triangles)) {
-    const std::vector<Corners> coarse = Simplify(mesh, part, largest_error);
-    const bool is_less = !coarse.empty() && 2 * coarse.size() <= part.triangles.size();
-    const double error =
-        is_less ? ErrorOf(mesh, part, coarse).Largest() : std::numeric_limits<double>::infinity();
-    const bool is_good = error <= 2.0 * largest_error;
-    Add(part, is_good ? coarse : part.triangles, &patch);
-    if (is_good) patch.error = std::max(patch.error, error);
+    const CoarsePart coarse = BestOf(mesh, part, largest_error);
+    Add(part, coarse.triangles, &patch);
+    patch.error = std::max(patch.error, coarse.error);
   }
   if (2 * patch.triangles.size() > triangles.size()) return std::nullopt;
   return patch;

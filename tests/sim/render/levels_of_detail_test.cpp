@@ -36,9 +36,15 @@ float Rough(float x, float z) {
 Rgb8 White(float, float) {
   return kWhite;
 }
-Rgb8 Checked(float x, float z) {
-  return static_cast<int>(4.0f * x) % 2 == static_cast<int>(4.0f * z) % 2 ? Rgb8{250, 40, 40}
-                                                                          : kWhite;
+/// Red or white without order, from vertex to vertex of a sheet with 20 of them to the metre.
+Rgb8 Speckled(float x, float z) {
+  const long i = std::lround(20.0f * x);
+  const long j = std::lround(20.0f * z);
+  return (i * i * j + i * j * j / 3 + i / 2) % 2 == 0 ? Rgb8{250, 40, 40} : kWhite;
+}
+/// Darker by steps of half a metre.
+Rgb8 Stepped(float x, float) {
+  return x < 0.5f ? kWhite : Rgb8{90, 80, 70};
 }
 
 /// A square of `side` metres in the x-z plane, cut into 2 n^2 triangles that share their vertices.
@@ -92,7 +98,13 @@ TEST(CoarsePatch, OfAFlatSheetIsTheSheet) {
   const SceneMesh mesh = Sheet(1, 20, Flat, White);
   const auto patch = Simplified(mesh, All(mesh), 0.01);
   ASSERT_TRUE(patch);
-  EXPECT_LT(patch->triangles.size(), 120u);  // no fewer than the 80 edges of its border allow
+  EXPECT_LT(patch->triangles.size(),
+            120u);  // no fewer
+                    // than the
+                    // 80 edges
+                    // of its
+                    // border
+                    // allow
   EXPECT_LT(patch->error, 1e-6);
   EXPECT_NEAR(AreaOf(mesh, patch->triangles), 1.0, 1e-5);
 }
@@ -117,8 +129,28 @@ TEST(CoarsePatch, IsAsWrongAsItSays) {
 
 TEST(CoarsePatch, KeepsBordersColoursAndRoughness) {
   EXPECT_FALSE(Simplified(Sheet(1, 20, Rough, White), All(Sheet(1, 20, Rough, White)), 0.01));
-  const SceneMesh checked = Sheet(1, 20, Flat, Checked);
-  EXPECT_FALSE(Simplified(checked, All(checked), 0.01));
+  const SceneMesh speckled = Sheet(1, 20, Flat, Speckled);
+  EXPECT_FALSE(Simplified(speckled, All(speckled), 0.01));
+}
+
+TEST(CoarsePatch, ColoursStayWhereTheyWere) {
+  const SceneMesh mesh = Sheet(1, 20, Flat, Stepped);
+  const auto patch = Simplified(mesh, All(mesh), 0.01);
+  ASSERT_TRUE(patch);
+  // Only triangles
+  // between the last
+  // white column and the
+  // first dark one have
+  // both colours.
+  for (const auto& corners : patch->triangles) {
+    float least = 1.0f;
+    float most = 0.0f;
+    for (const std::uint32_t v : corners) {
+      least = std::min(least, mesh.positions[v].x());
+      most = std::max(most, mesh.positions[v].x());
+    }
+    EXPECT_TRUE(most < 0.5f || least > 0.44f) << least << " to " << most;
+  }
 }
 
 TEST(CoarsePatch, MaterialsStayApart) {
@@ -134,7 +166,8 @@ TEST(CoarsePatch, MaterialsStayApart) {
   EXPECT_NEAR(red, 0.5, 1e-5);
 }
 
-/// A closed room with a finely cut wavy floor.
+/// A closed room with a
+/// finely cut wavy floor.
 SceneMesh FineRoom() {
   SceneMesh mesh = tests::BoxRoom(12, 3, 12);
   const SceneMesh floor = Sheet(
@@ -207,4 +240,5 @@ TEST(LevelsOfDetail, KernelsDrawTheSameBits) {
 }
 
 }  // namespace
-}  // namespace bulletnav::sim
+}  // namespace
+   // bulletnav::sim
