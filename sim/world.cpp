@@ -25,6 +25,7 @@ World::World(std::string name, const ImportedScene& scene, const WorldOptions& o
       physics_(scene.mesh),
       navmesh_(scene.mesh, options.navmesh),
       objects_(scene.drawn_mesh().objects),
+      doors_(scene.doors),
       render_scene_(MakeRenderScene(scene.drawn_mesh(), options.backend)) {}
 
 std::shared_ptr<const World> World::Load(const std::filesystem::path& file,

@@ -47,6 +47,8 @@ class World {
   const Navmesh& navmesh() const { return navmesh_; }
   /// What the numbers of the channel `semantic` stand for; empty where nobody knows.
   const std::vector<SceneObject>& objects() const { return objects_; }
+  /// Doors that can be turned, as they stand, where ImportOptions::doors is given.
+  const std::vector<DoorLeaf>& doors() const { return doors_; }
   const RenderScene& render_scene() const { return *render_scene_; }
   /// What sensors are made for.
   SensorScene sensor_scene() const { return {*render_scene_, physics_, navmesh_}; }
@@ -61,6 +63,7 @@ class World {
   PhysicsWorld physics_;
   Navmesh navmesh_;
   std::vector<SceneObject> objects_;
+  std::vector<DoorLeaf> doors_;
   std::unique_ptr<const RenderScene> render_scene_;
 };
 

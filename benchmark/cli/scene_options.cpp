@@ -36,6 +36,9 @@ void SceneOptions::AddImportOptions(CLI::App* command) {
       ->check(RequireNumber);
   command->add_flag("--ground-plane", ground_plane,
                     "Add a floor under the mesh, for scenes made without one");
+  command->add_option("--doors", doors,
+                      "How doors stand: as_built, open, closed, or as YAML "
+                      "\"{open_share: 0.5, seed: 3}\"; see docs/scenes.md");
   command->add_option(
       "--finish", finish,
       "Another look, as YAML: \"{ceiling: false, surfaces: flat}\"; see docs/rendering.md");
@@ -47,6 +50,7 @@ sim::ImportOptions SceneOptions::import() const {
   if (up == "z") options.up = sim::UpAxis::kZ;
   options.scale = scale;
   options.ground_plane = ground_plane;
+  if (!doors.empty()) options.doors = sim::LoadYamlText<sim::DoorSpec>(doors, "--doors");
   if (!finish.empty()) options.finish = sim::LoadYamlText<sim::Finish>(finish, "--finish");
   return options;
 }

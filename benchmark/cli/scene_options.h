@@ -16,13 +16,14 @@ struct SceneOptions {
   std::string up = "auto";
   double scale = 1.0;
   bool ground_plane = false;
+  std::string doors;   // sim::DoorSpec as YAML; empty: as built
   std::string finish;  // sim::Finish as YAML; empty: none
 
   /// Adds FILE and the options to a command.
   void AddTo(CLI::App* command);
   /// Adds the options alone.
   void AddImportOptions(CLI::App* command);
-  /// Throws sim::FileError if the finish cannot be read.
+  /// Throws sim::FileError if doors or finish cannot be read.
   sim::ImportOptions import() const;
 };
 

@@ -55,7 +55,8 @@ void Inspect(const InspectOptions& options) {
   progress->Rename("finding the walkable floor of " + file);
   const sim::Navmesh navmesh(scene.mesh, {});
   progress->Rename("measuring " + file);
-  const SceneReport report = InspectScene(scene.report, navmesh);
+  SceneReport report = InspectScene(scene.report, navmesh);
+  report.doors = scene.doors;
   if (!options.topdown.empty()) {
     progress->Rename("drawing " + options.topdown.string());
     sim::WritePng(options.topdown, DrawTopDown(scene.mesh, navmesh, LabelsFor(options.scene)));

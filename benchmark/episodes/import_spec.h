@@ -20,10 +20,11 @@ struct ImportSpec {
   std::optional<sim::UpAxis> up;  // found from the mesh if not given
   double scale = 1.0;
   bool ground_plane = false;
+  std::optional<sim::DoorSpec> doors;
   std::optional<sim::Finish> finish;
 
   sim::ImportOptions options() const {
-    return {up, scale, ground_plane, finish.value_or(sim::Finish{})};
+    return {up, scale, ground_plane, doors, finish.value_or(sim::Finish{})};
   }
 
   template <class V>
@@ -31,6 +32,7 @@ struct ImportSpec {
     v("up", up);
     v("scale", scale);
     v("ground_plane", ground_plane);
+    v("doors", doors);
     v("finish", finish);
   }
   void Validate() const {

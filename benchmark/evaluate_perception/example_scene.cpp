@@ -5,6 +5,7 @@
 
 #include "sim/base/error.h"
 #include "sim/house/house_json.h"
+#include "sim/house/turn_leaves.h"
 #include "sim/scene/import.h"
 
 namespace bulletnav::bench {
@@ -20,12 +21,15 @@ DataConfig Finer(const DataConfig& config) {
 }
 
 /// Of a generated house; a picture without room names will do where there is none.
-std::optional<sim::FloorPlan> PlanBeside(const std::filesystem::path& scene, double scale) {
+std::optional<sim::FloorPlan> PlanBeside(const std::filesystem::path& scene, double scale,
+                                         const std::vector<sim::DoorLeaf>& doors) {
   const std::filesystem::path description = std::filesystem::path(scene).replace_extension(".json");
   std::error_code unreadable;
   if (scale != 1.0 || !std::filesystem::exists(description, unreadable)) return std::nullopt;
   try {
-    return sim::ReadHouseJson(description).plan;
+    sim::FloorPlan plan = sim::ReadHouseJson(description).plan;
+    sim::TurnLeaves(doors, &plan);
+    return plan;
   } catch (const sim::Error&) {
     return std::nullopt;
   }
@@ -43,7 +47,7 @@ ExampleScene::ExampleScene(const SceneCases& cases, const DataConfig& finer,
       render_(sim::MakeRenderScene(scene.drawn_mesh(), sim::Backend::kEmbree)),
       panoramas_(*render_, finer),
       map_(MakeSceneMap(scene.mesh, sim::Navmesh(scene.mesh, finer.navmesh),
-                        PlanBeside(cases.scene, finer.import.scale))) {}
+                        PlanBeside(cases.scene, finer.import.scale, scene.doors))) {}
 
 sim::Image ExampleScene::Panorama(int place) {
   sim::BodyPose turned = cases_.samples.poses[static_cast<std::size_t>(place)];

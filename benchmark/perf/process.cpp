@@ -68,6 +68,7 @@ FirstObservation MeasureFirstObservation(const std::filesystem::path& program,
                         fmt::format(" --scale {}", import.scale);
   if (import.up) command += *import.up == sim::UpAxis::kY ? " --up y" : " --up z";
   if (import.ground_plane) command += " --ground-plane";
+  if (import.doors) command += " --doors " + Quoted(import.doors->ToYaml());
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
   const std::unique_ptr<FILE, int (*)(FILE*)> pipe(::popen(command.c_str(), "r"), ::pclose);

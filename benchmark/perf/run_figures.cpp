@@ -49,6 +49,7 @@ class RunBench {
     config_.import.scale = scene.import.scale;
     config_.import.up = scene.import.up;
     config_.import.ground_plane = scene.import.ground_plane;
+    config_.import.doors = scene.import.doors;
     agents_ = FindAgents(config_);
     RequireAll(agents_);
     RunConfig copy = config_;

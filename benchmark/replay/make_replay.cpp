@@ -49,7 +49,7 @@ OpenScene Open(const fs::path& file, const std::string& name, const RunConfig& c
   scene.imported = sim::ImportScene(file, as_run.import);
   scene.world =
       std::make_shared<const sim::World>(file.filename().string(), scene.imported, as_run);
-  scene.plan = PlanOfScene(file, config.import.scale);
+  scene.plan = PlanOfScene(file, config.import.scale, scene.imported.doors);
   return scene;
 }
 

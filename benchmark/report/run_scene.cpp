@@ -6,14 +6,18 @@
 #include "benchmark/base/file_hash.h"
 #include "sim/base/error.h"
 #include "sim/house/house_json.h"
+#include "sim/house/turn_leaves.h"
 
 namespace bulletnav::bench {
 
-std::optional<sim::FloorPlan> PlanOfScene(const std::filesystem::path& scene, double scale) {
+std::optional<sim::FloorPlan> PlanOfScene(const std::filesystem::path& scene, double scale,
+                                          const std::vector<sim::DoorLeaf>& doors) {
   const auto description = std::filesystem::path(scene).replace_extension(".json");
   std::error_code unreadable;
   if (scale != 1.0 || !std::filesystem::exists(description, unreadable)) return std::nullopt;
-  return sim::ReadHouseJson(description).plan;
+  sim::FloorPlan plan = sim::ReadHouseJson(description).plan;
+  sim::TurnLeaves(doors, &plan);
+  return plan;
 }
 
 void RequireSceneOfRun(const std::filesystem::path& file, const std::string& scene,

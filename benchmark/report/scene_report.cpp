@@ -7,6 +7,8 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "sim/math/pose.h"
+
 namespace bulletnav::bench {
 namespace {
 
@@ -50,6 +52,20 @@ double LongestGeodesic(const sim::Navmesh& navmesh) {
   return longest;
 }
 
+nlohmann::ordered_json DoorsJson(const std::vector<sim::DoorLeaf>& doors) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const sim::DoorLeaf& door : doors) {
+    list.push_back({{"object", door.object},
+                    {"hinge", {door.hinge.x(), door.hinge.y(), door.hinge.z()}},
+                    {"axis", {door.axis.x(), door.axis.y(), door.axis.z()}},
+                    {"width_m", door.width},
+                    {"angle_deg", sim::RadToDeg(double{door.angle})},
+                    {"open", door.is_open()},
+                    {"leads_outside", door.leads_outside}});
+  }
+  return list;
+}
+
 }  // namespace
 
 SceneReport InspectScene(const sim::ImportReport& import, const sim::Navmesh& navmesh) {
@@ -63,7 +79,7 @@ SceneReport InspectScene(const sim::ImportReport& import, const sim::Navmesh& na
 
 std::string ToJson(const SceneReport& report) {
   const sim::ImportReport& import = report.import;
-  const nlohmann::ordered_json json = {
+  nlohmann::ordered_json json = {
       {"triangles", import.triangles},
       {"materials", import.materials},
       {"textures_found", import.textures_found},
@@ -76,6 +92,7 @@ std::string ToJson(const SceneReport& report) {
       {"skipped", import.skipped},
       {"missing_textures", import.textures_missing},
   };
+  if (!report.doors.empty()) json["doors"] = DoorsJson(report.doors);
   return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
@@ -93,6 +110,13 @@ std::string ToText(const SceneReport& report) {
       import.extent_m.x(), import.extent_m.y(), import.extent_m.z(),
       import.up_axis == sim::UpAxis::kY ? "y" : "z", report.walkable_m2, report.islands,
       report.islands == 1 ? "" : "s", report.longest_geodesic_m);
+  if (!report.doors.empty()) {
+    const auto open =
+        std::count_if(report.doors.begin(), report.doors.end(), [](const sim::DoorLeaf& door) {
+          return door.is_open();
+        });
+    text += fmt::format("doors             {}, {} open\n", report.doors.size(), open);
+  }
   for (const std::string& line : import.skipped) text += "skipped           " + line + "\n";
   for (const std::string& line : import.textures_missing)
     text += "missing texture   " + line + "\n";

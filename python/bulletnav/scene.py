@@ -11,7 +11,8 @@ class Scene:
     """A mesh file, ready to be drawn from anywhere and walked in.
 
     Frame: metres, y up; yaw in radians about +y, 0 looks along -z, positive turns left.
-    Arguments by name: import_={"up": "y" | "z", "scale", "ground_plane", "finish": {...}},
+    Arguments by name: import_={"up": "y" | "z", "scale", "ground_plane", "doors": "as_built" |
+    "open" | "closed" | {"open_share", "seed"}, "finish": {...}},
     navmesh={...}, backend="auto" | "egl" | "embree". Raises FileError for what is no scene;
     warns of what is drawn grey.
     """
@@ -81,6 +82,13 @@ class Scene:
         """What the numbers of a camera's channel "semantic" stand for: [{"category", "name",
         "room"}], the first for what is not known; empty for scenes that do not say."""
         return self._scene.objects()
+
+    @property
+    def doors(self):
+        """Doors that can be turned, as they stand: [{"object": its name, "hinge": a point of the
+        hinge [x, y, z], "axis": about which it opens, "width": metres, "angle": radians, 0 where it
+        is shut, "is_open", "leads_outside"}]; empty unless import_["doors"] is given."""
+        return self._scene.doors()
 
     @property
     def report(self):

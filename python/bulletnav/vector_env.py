@@ -78,7 +78,8 @@ class VectorEnv(LanesOwner, _Base):
       noise: of motion: "ans_released" (default), "none", "ans_radians", "physical"
       sensor_noise: of cameras: "none" (default), "depth_camera", "phone_camera", "stereo_camera"
       success_distance (m), no_stop, max_steps, reward: {success, progress, step}
-      import: {up: y | z, scale, ground_plane}; navmesh: {...}; backend: auto | egl | embree
+      import: {up: y | z, scale, ground_plane, doors: as_built | open | closed | {open_share,
+        seed}, finish: {...}}; navmesh: {...}; backend: auto | egl | embree
       render_mode: "rgb_array" or None
       copy: True: observations are arrays of their own, as Gymnasium's wrappers expect
 

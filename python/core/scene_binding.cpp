@@ -99,6 +99,22 @@ py::dict Report(const Scene& scene) {
   return facts;
 }
 
+py::list Doors(const Scene& scene) {
+  py::list doors;
+  for (const sim::DoorLeaf& door : scene.world().doors()) {
+    py::dict facts;
+    facts["object"] = door.object;
+    facts["hinge"] = Told(door.hinge);
+    facts["axis"] = Told(door.axis);
+    facts["width"] = door.width;
+    facts["angle"] = door.angle;
+    facts["is_open"] = door.is_open();
+    facts["leads_outside"] = door.leads_outside;
+    doors.append(facts);
+  }
+  return doors;
+}
+
 py::list Objects(const Scene& scene) {
   py::list objects;
   for (const sim::SceneObject& object : scene.world().objects()) {
@@ -140,6 +156,7 @@ void BindScene(py::module_* module) {
       .def("render", &Render)
       .def("grey", &Scene::grey)
       .def("islands", &Islands)
+      .def("doors", &Doors)
       .def("objects", &Objects)
       .def("report", &Report)
       .def("renderer", [](const Scene& scene) {

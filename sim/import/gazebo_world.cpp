@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "sim/import/gazebo_world.h"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <string>
 
 #include <sdf/sdf.hh>
@@ -12,6 +15,7 @@
 #include "sim/import/cpu_time.h"
 #include "sim/import/gazebo_files.h"
 #include "sim/import/primitives.h"
+#include "sim/math/pose.h"
 
 namespace bulletnav::sim {
 namespace {
@@ -21,6 +25,7 @@ using Pose = ignition::math::Pose3d;
 
 // libsdformat takes some milliseconds a model; a large warehouse has thousands.
 constexpr int kSecondsForSdf = 60;
+constexpr float kUpright = 0.98f;  // least part along z of a door's hinge
 
 Vec ToEigen(const ignition::math::Vector3d& v) {
   return Eigen::Vector3d(v.X(), v.Y(), v.Z()).cast<float>();
@@ -44,6 +49,11 @@ Eigen::Affine3f ToEigen(const Pose& pose) {
   rounded.translation() =
       Vec(Rounded(pose.Pos().X()), Rounded(pose.Pos().Y()), Rounded(pose.Pos().Z()));
   return rounded;
+}
+
+bool NamesDoor(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text.find("door") != std::string::npos;
 }
 
 /// Models that Gazebo brings itself, whose absence no one minds.
@@ -123,8 +133,66 @@ class WorldReader {
     return ToEigen(pose);
   }
 
+  /// Links that hang on an upright hinge and are doors by a name, by their names.
+  std::map<std::string, int> AddDoors(const sdf::Model& model, const Eigen::Affine3f& X_WM) {
+    std::map<std::string, int> doors;
+    for (std::uint64_t j = 0; j < model.JointCount(); ++j) {
+      const sdf::Joint& joint = *model.JointByIndex(j);
+      if (joint.Type() != sdf::JointType::REVOLUTE || joint.Axis() == nullptr) continue;
+      std::string link;
+      Check(joint.ResolveChildLink(link));
+      if (!NamesDoor(model.Name() + " " + joint.Name() + " " + link)) continue;
+      const std::optional<DoorLeaf> door = DoorOf(joint, X_WM);
+      if (!door || !doors.emplace(link, static_cast<int>(scene_.doors.size())).second) continue;
+      scene_.doors.push_back(*door);
+    }
+    AddFixed(model, &doors);
+    return doors;
+  }
+
+  /// Links that are fixed to a door, as handles are, turn with it.
+  void AddFixed(const sdf::Model& model, std::map<std::string, int>* doors) {
+    for (std::size_t before = 0; before != doors->size();) {
+      before = doors->size();
+      for (std::uint64_t j = 0; j < model.JointCount(); ++j) {
+        const sdf::Joint& joint = *model.JointByIndex(j);
+        if (joint.Type() != sdf::JointType::FIXED) continue;
+        std::string parent;
+        std::string child;
+        Check(joint.ResolveParentLink(parent));
+        Check(joint.ResolveChildLink(child));
+        if (const auto door = doors->find(parent); door != doors->end()) {
+          doors->emplace(child, door->second);
+        }
+      }
+    }
+  }
+
+  /// Absent where the axis is not upright. Poses in the world are those of joints at 0, where a
+  /// door is shut, or as nearly as its limits let it.
+  std::optional<DoorLeaf> DoorOf(const sdf::Joint& joint, const Eigen::Affine3f& X_WM) {
+    Pose pose;
+    Check(joint.SemanticPose().Resolve(pose, "__model__"));
+    ignition::math::Vector3d axis;
+    Check(joint.Axis()->ResolveXyz(axis, "__model__"));
+    DoorLeaf door;
+    door.hinge = (X_WM * ToEigen(pose)).translation();
+    door.axis = (X_WM.linear() * ToEigen(axis)).normalized().unaryExpr([](float v) {
+      return Rounded(double{v});
+    });
+    if (!(std::abs(door.axis.z()) > kUpright)) return std::nullopt;
+    const double low = std::max(joint.Axis()->Lower(), -0.5 * kPi);
+    const double high = std::min(joint.Axis()->Upper(), 0.5 * kPi);
+    const bool opens_backwards = -low > high;
+    if (opens_backwards) door.axis = -door.axis;
+    door.shut_angle = Rounded(opens_backwards ? -std::min(0.0, high) : std::max(0.0, low));
+    door.open_angle = Rounded(opens_backwards ? -low : high);
+    return door;
+  }
+
   void AddModel(const sdf::Model& model, const Eigen::Affine3f& X_WM, const std::string& above) {
     const std::string name = above + model.Name();
+    const std::map<std::string, int> doors = AddDoors(model, X_WM);
     for (std::uint64_t l = 0; l < model.LinkCount(); ++l) {
       const sdf::Link& link = *model.LinkByIndex(l);
       const Eigen::Affine3f link_pose = X_WM * PoseOf(link);
@@ -133,6 +201,10 @@ class WorldReader {
         ScenePart part;
         part.place = " visual '" + name + "::" + link.Name() + "::" + visual.Name() + "'";
         part.object = {model.Name(), name, ""};
+        if (const auto door = doors.find(link.Name()); door != doors.end()) {
+          part.door = door->second;
+          part.object = {"door", name + "::" + link.Name(), ""};
+        }
         part.X_WA = link_pose * PoseOf(visual);
         if (AddShape(visual, &part)) scene_.parts.push_back(std::move(part));
       }

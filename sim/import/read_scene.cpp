@@ -3,9 +3,11 @@
 
 #include <set>
 
+#include "sim/base/error.h"
 #include "sim/import/assimp_scene.h"
 #include "sim/import/clean.h"
 #include "sim/import/habitat_scene.h"
+#include "sim/import/house_doors.h"
 #include "sim/import/load_textures.h"
 #include "sim/import/mesh_file_check.h"
 #include "sim/import/scene_parts.h"
@@ -44,12 +46,35 @@ void SetUp(const std::filesystem::path& file, const ImportOptions& options, UpAx
   SceneMesh& mesh = scene->mesh;
   if (options.scale != 1.0) {
     for (Eigen::Vector3f& p : mesh.positions) p *= static_cast<float>(options.scale);
+    for (DoorLeaf& door : scene->doors) door.hinge *= static_cast<float>(options.scale);
   }
   const UpAxis found = is_known || options.up ? usual : DetectUpAxis(mesh, usual);
   scene->report.up_axis = options.up.value_or(found);
-  if (scene->report.up_axis == UpAxis::kZ) TurnZUpToYUp(&mesh);
+  if (scene->report.up_axis == UpAxis::kZ) {
+    TurnZUpToYUp(&mesh);
+    for (DoorLeaf& door : scene->doors) {
+      door.hinge = TurnedZUpToYUp(door.hinge);
+      door.axis = TurnedZUpToYUp(door.axis);
+    }
+  }
   CleanMesh(file, &mesh, &scene->report);
   if (options.ground_plane) AddGroundPlane(&mesh);
+}
+
+[[noreturn]] void FailWithoutDoors(const std::filesystem::path& file) {
+  throw FileError(file, "",
+                  "no doors are known that could be turned, only those of generated houses with "
+                  "their description (.json) beside them, and of worlds whose doors have a "
+                  "revolute joint called door; leave out import.doors");
+}
+
+void FindHouseDoors(const std::filesystem::path& file, const ImportOptions& options,
+                    ImportedScene* scene) {
+  if (!options.doors) return;
+  const auto doors = ReadHouseDoors(file);
+  if (!doors && options.doors->turns()) FailWithoutDoors(file);
+  scene->doors = doors.value_or(std::vector<DoorLeaf>{});
+  RequireLeaves(file, scene->doors, scene->mesh);
 }
 
 void ReadMesh(const std::filesystem::path& file, const ImportOptions& options,
@@ -63,6 +88,7 @@ void ReadMesh(const std::filesystem::path& file, const ImportOptions& options,
     mesh.objects = checked.objects.objects;
     mesh.triangle_objects = checked.objects.of_triangles;
   }
+  FindHouseDoors(file, options, scene);
   SetUp(file, options, checked.usual_up, false, scene);
   LoadTextures(source, &mesh, &scene->report);
 }
@@ -90,8 +116,9 @@ ImportedScene ReadScene(const std::filesystem::path& file, const ImportOptions& 
 
 ImportedScene ReadScene(const std::filesystem::path& file, const SceneParts& parts,
                         const ImportOptions& options) {
-  ImportedScene scene;
-  scene.mesh = JoinParts(file, parts, &scene.report);
+  ImportedScene scene = JoinParts(file, parts);
+  if (!options.doors) scene.doors.clear();
+  if (options.doors && options.doors->turns() && scene.doors.empty()) FailWithoutDoors(file);
   SetUp(file, options, parts.up, true, &scene);
   Measure(&scene);
   return scene;

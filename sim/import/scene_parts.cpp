@@ -45,8 +45,8 @@ ScenePart CutOff(const ScenePart& plane, const Eigen::AlignedBox3f& others) {
 
 class Joiner {
  public:
-  Joiner(const std::filesystem::path& scene, const SceneParts& parts, ImportReport* report)
-      : scene_(scene), parts_(parts), report_(*report) {
+  Joiner(const std::filesystem::path& scene, const SceneParts& parts)
+      : scene_(scene), parts_(parts), object_of_door_(parts.doors.size(), 0) {
     joined_.objects.emplace_back();
     // Of one asset, the largest copy is seen from nearest.
     for (const ScenePart& part : parts_.parts) {
@@ -55,7 +55,7 @@ class Joiner {
     }
   }
 
-  SceneMesh Join() {
+  ImportedScene Join() {
     for (const ScenePart& part : parts_.parts) {
       if (!part.ends_with_scene) Add(part);
     }
@@ -69,7 +69,12 @@ class Joiner {
     }
     report_.skipped.insert(report_.skipped.end(), parts_.skipped.begin(), parts_.skipped.end());
     report_.textures_found = joined_.textures.size();
-    return std::move(joined_);
+    for (std::size_t i = 0; i < parts_.doors.size(); ++i) {
+      if (object_of_door_[i] == 0) continue;
+      all_.doors.push_back(parts_.doors[i]);
+      all_.doors.back().object = joined_.objects[object_of_door_[i]].name;
+    }
+    return std::move(all_);
   }
 
  private:
@@ -166,7 +171,21 @@ class Joiner {
     PlaceObjects(part, mesh);
   }
 
+  /// What the first part of a door shows is what the door is called.
+  void PlaceDoor(const ScenePart& part, const SceneMesh& mesh) {
+    std::uint32_t& object = object_of_door_[static_cast<std::size_t>(part.door)];
+    if (object == 0) {
+      const std::uint32_t own = mesh.has_objects() ? mesh.triangle_objects.front() : 0;
+      object = AddObject(own == 0 ? part.object : mesh.objects[own]);
+    }
+    joined_.triangle_objects.insert(joined_.triangle_objects.end(), mesh.triangles.size(), object);
+  }
+
   void PlaceObjects(const ScenePart& part, const SceneMesh& mesh) {
+    if (part.door >= 0) {
+      PlaceDoor(part, mesh);
+      return;
+    }
     if (!mesh.has_objects()) {
       const std::string& name = part.object.name;
       const auto known = object_of_part_.find(name);
@@ -199,8 +218,9 @@ class Joiner {
 
   const std::filesystem::path& scene_;
   const SceneParts& parts_;
-  ImportReport& report_;
-  SceneMesh joined_;
+  ImportedScene all_;
+  SceneMesh& joined_ = all_.mesh;
+  ImportReport& report_ = all_.report;
   std::map<Key, float> scale_of_;
   std::map<Key, Asset> assets_;
   std::map<std::string, int> skipped_;
@@ -208,13 +228,13 @@ class Joiner {
   std::map<std::string, int> count_of_;                 // of names wished for
   std::set<std::string> names_;
   std::map<std::string, std::uint32_t> object_of_part_;  // by the name that parts have
+  std::vector<std::uint32_t> object_of_door_;            // 0: no part of it has come
 };
 
 }  // namespace
 
-SceneMesh JoinParts(const std::filesystem::path& scene, const SceneParts& parts,
-                    ImportReport* report) {
-  return Joiner(scene, parts, report).Join();
+ImportedScene JoinParts(const std::filesystem::path& scene, const SceneParts& parts) {
+  return Joiner(scene, parts).Join();
 }
 
 }  // namespace bulletnav::sim

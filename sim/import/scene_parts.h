@@ -25,6 +25,8 @@ struct ScenePart {
   /// Not used where the asset says what its triangles belong to. Parts with the same name are one
   /// object, those without one are an object each.
   SceneObject object;
+  /// Which of SceneParts::doors this is a part of, -1: none. All parts of a door are one object.
+  int door = -1;
   std::string place;  // in the scene's file, for complaints
 };
 
@@ -33,12 +35,13 @@ struct SceneParts {
   std::vector<ScenePart> parts;
   UpAxis up = UpAxis::kY;
   std::vector<std::string> skipped;  // for ImportReport
+  std::vector<DoorLeaf> doors = {};  // in the scene's axes, without their objects
 };
 
 /// All parts in one mesh, in the scene's axes, not cleaned; every asset is read once, its textures
-/// are as LoadTextures leaves them. Names of objects get numbers where they repeat. Adds textures
-/// and skipped lines to the report. Throws FileError with the scene's file and the part's place.
-SceneMesh JoinParts(const std::filesystem::path& scene, const SceneParts& parts,
-                    ImportReport* report);
+/// are as LoadTextures leaves them. Names of objects get numbers where they repeat; doors know
+/// their objects, and those that show nothing are left out. The report gets textures and skipped
+/// lines. Throws FileError with the scene's file and the part's place.
+ImportedScene JoinParts(const std::filesystem::path& scene, const SceneParts& parts);
 
 }  // namespace bulletnav::sim

@@ -46,7 +46,7 @@ UpAxis DetectUpAxis(const SceneMesh& mesh, UpAxis usual) {
 }
 
 void TurnZUpToYUp(SceneMesh* mesh) {
-  for (Eigen::Vector3f& p : mesh->positions) p = Eigen::Vector3f(p.x(), p.z(), -p.y());
+  for (Eigen::Vector3f& p : mesh->positions) p = TurnedZUpToYUp(p);
 }
 
 }  // namespace bulletnav::sim

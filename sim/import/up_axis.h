@@ -9,6 +9,11 @@ namespace bulletnav::sim {
 /// `usual` (the format's convention) wins unless the other axis is clearly better.
 UpAxis DetectUpAxis(const SceneMesh& mesh, UpAxis usual);
 
+/// (x, y, z) -> (x, z, -y).
+inline Eigen::Vector3f TurnedZUpToYUp(const Eigen::Vector3f& p) {
+  return {p.x(), p.z(), -p.y()};
+}
+
 /// Turns a z-up mesh y-up: (x, y, z) -> (x, z, -y).
 void TurnZUpToYUp(SceneMesh* mesh);
 

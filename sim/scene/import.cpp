@@ -33,7 +33,9 @@ namespace {
   throw FileError(file, place, text.substr(end + 2));
 }
 
-ImportedScene Finished(ImportedScene scene, const Finish& finish) {
+ImportedScene Finished(ImportedScene scene, const std::string& name, const ImportOptions& options) {
+  const Finish& finish = options.finish;
+  if (options.doors) SetDoors(*options.doors, name, &scene.doors, &scene.mesh);
   ApplyFinish(finish, &scene.mesh);
   if (finish.damage != Damage{}) {
     scene.drawn = scene.mesh;
@@ -49,6 +51,7 @@ ImportedScene ImportScene(const std::filesystem::path& file, const ImportOptions
     throw Error("the scale of a scene must be positive: metres per unit of the file");
   }
   options.finish.Validate();
+  if (options.doors) options.doors->Validate();
   // assimp crashes and hangs on some damaged files, and a library must not take its user with it.
   const EndedProgram reader(ImportProgram(), ToArguments(file, options));
   const std::span<const std::uint8_t> output = reader.output();
@@ -56,7 +59,7 @@ ImportedScene ImportScene(const std::filesystem::path& file, const ImportOptions
   const std::span<const std::uint8_t> content = output.first(output.size() - 1);
   switch (static_cast<ImportEnd>(output.back())) {
     case ImportEnd::kScene:
-      if (!reader.signal()) return Finished(FromBlob(content), options.finish);
+      if (!reader.signal()) return Finished(FromBlob(content), file.filename().string(), options);
       break;
     case ImportEnd::kError:
       FailAsTold(file, std::string(content.begin(), content.end()));

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/scene/doors.h"
 #include "sim/scene/finish.h"
 #include "sim/scene/mesh.h"
 
@@ -19,6 +20,8 @@ struct ImportOptions {
   double scale = 1.0;
   /// Adds a floor at the lowest point of the mesh, for scenes that have none.
   bool ground_plane = false;
+  /// How doors stand; not given: as in the file, and nobody asks where they are.
+  std::optional<DoorSpec> doors = std::nullopt;
   /// How the scene looks, when it has been read.
   Finish finish = {};
 };
@@ -37,6 +40,8 @@ struct ImportReport {
 struct ImportedScene {
   SceneMesh mesh;
   ImportReport report;
+  /// Those that can be turned, as they stand, where ImportOptions::doors is given.
+  std::vector<DoorLeaf> doors = {};
   /// What is drawn, where it is not the mesh: with the damage of ImportOptions::finish.
   std::optional<SceneMesh> drawn = std::nullopt;
 
@@ -46,8 +51,11 @@ struct ImportedScene {
 /// Loads an indoor scene: glb, gltf (quantised or meshoptimizer's, too), obj + mtl, ply (vertex
 /// colours), dae, habitat-sim's scene_instance.json; turned y-up and cleaned (see CleanMesh),
 /// textures no larger than can be seen (see LoadTextures). One that is missing or cannot be read is
-/// drawn grey and named in the report. Throws FileError, with place and remedy, for what is no
-/// scene: missing, empty, damaged or cut off files, bad indices, no triangles, no building's size.
+/// drawn grey and named in the report. Doors can be turned in generated houses that have their
+/// description (.json) beside them, and in worlds whose doors have a revolute joint. Throws
+/// FileError, with place and remedy, for what is no scene: missing, empty, damaged or cut off
+/// files, bad indices, no triangles, no building's size, or doors to be turned where none are
+/// known.
 ImportedScene ImportScene(const std::filesystem::path& file, const ImportOptions& options = {});
 
 }  // namespace bulletnav::sim

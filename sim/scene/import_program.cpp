@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kName = "bulletnav-import";
-constexpr std::size_t kArguments = 5;
+constexpr std::size_t kArguments = 6;
 
 std::string UpText(const std::optional<UpAxis>& up) {
   if (!up) return "any";
@@ -26,6 +26,12 @@ std::string Exactly(double value) {
   std::array<char, 64> text{};
   std::snprintf(text.data(), text.size(), "%a", value);
   return text.data();
+}
+
+/// How they are turned is not the program's business.
+std::string DoorsText(const std::optional<DoorSpec>& doors) {
+  if (!doors) return "unasked";
+  return doors->turns() ? "to turn" : "as built";
 }
 
 /// The folder of the program or library that this function is in.
@@ -56,8 +62,12 @@ fs::path BuildFolder(fs::path folder) {
 }  // namespace
 
 std::vector<std::string> ToArguments(const fs::path& file, const ImportOptions& options) {
-  return {kImportProtocol, file.string(), UpText(options.up), Exactly(options.scale),
-          options.ground_plane ? "plane" : "none"};
+  return {kImportProtocol,
+          file.string(),
+          UpText(options.up),
+          Exactly(options.scale),
+          options.ground_plane ? "plane" : "none",
+          DoorsText(options.doors)};
 }
 
 ImportRequest FromArguments(std::span<const char* const> arguments) {
@@ -71,6 +81,9 @@ ImportRequest FromArguments(std::span<const char* const> arguments) {
   if (up == "z") request.options.up = UpAxis::kZ;
   request.options.scale = std::strtod(arguments[3], nullptr);
   request.options.ground_plane = arguments[4] == std::string("plane");
+  const std::string doors = arguments[5];
+  if (doors != "unasked") request.options.doors.emplace();
+  if (doors == "to turn") request.options.doors->state = DoorState::kOpen;
   return request;
 }
 

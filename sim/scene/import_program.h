@@ -14,7 +14,7 @@ namespace bulletnav::sim {
 /// ImportScene and the program `bulletnav-import`, which reads the mesh for it, understand each
 /// other by these. The program is called with ToArguments' texts and writes one ImportAnswer into
 /// its standard output, which is a file. To be raised with every change of either, or of the blob.
-inline constexpr const char* kImportProtocol = "1";
+inline constexpr const char* kImportProtocol = "2";
 
 std::vector<std::string> ToArguments(const std::filesystem::path& file,
                                      const ImportOptions& options);

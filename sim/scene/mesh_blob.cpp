@@ -107,6 +107,14 @@ void Fields(S& item, Archive& archive) {
     archive(item.category);
     archive(item.name);
     archive(item.room);
+  } else if constexpr (std::is_same_v<T, DoorLeaf>) {
+    archive(item.object);
+    archive(item.hinge);
+    archive(item.axis);
+    archive(item.angle);
+    archive(item.shut_angle);
+    archive(item.open_angle);
+    archive(item.leads_outside);
   } else {
     static_assert(std::is_same_v<T, ImportedScene>);
     archive(item.mesh.positions);
@@ -125,6 +133,7 @@ void Fields(S& item, Archive& archive) {
     archive(item.report.extent_m);
     archive(item.report.up_axis);
     archive(item.report.skipped);
+    archive(item.doors);
   }
 }
 

@@ -110,6 +110,55 @@ TEST_F(GazeboWorld, ThePlaneEndsAMetreBeyondTheRest) {
   ExpectBox(BoxOf(scene.mesh, "ground"), Vec(-0.5f, 0, -4), Vec(2.5f, 0, 0));
 }
 
+/// A frame at (2, 0) with a leaf of 1 x 0.1 x 2 m that hangs at its end with less x.
+std::string Doorway(const std::string& joint, const std::string& limit) {
+  const auto visual = [](const std::string& pose, const std::string& size) {
+    return "<pose>" + pose + "</pose><visual name='v'><geometry><box><size>" + size +
+           "</size></box></geometry></visual></link>";
+  };
+  return "<model name='m'><pose>2 0 0 0 0 0</pose><link name='frame'>" +
+         visual("0 0 2.1 0 0 0", "1.4 0.1 0.2") + "<link name='leaf'>" +
+         visual("0 0 1 0 0 0", "1 0.1 2") + "<link name='handle'>" +
+         visual("0.4 0.1 1 0 0 0", "0.1 0.1 0.1") + "<joint name='" + joint +
+         "' type='revolute'><parent>frame</parent><child>leaf</child><pose>-0.5 0 0 0 0 0</pose>" +
+         "<axis><xyz>0 0 1</xyz><limit>" + limit + "</limit></axis></joint>" +
+         "<joint name='fix' "
+         "type='fixed'><parent>leaf</parent><child>handle</child></joint></model>";
+}
+
+TEST_F(GazeboWorld, DoorsTurnOnTheirJoints) {
+  const auto world = World(Doorway("door_hinge", "<lower>0</lower><upper>1.5707963</upper>"));
+  ImportOptions options;
+  options.doors.emplace();
+  const ImportedScene shut = ImportScene(world, options);
+  ASSERT_EQ(shut.doors.size(), 1u);
+  EXPECT_EQ(shut.doors[0].object, "m::leaf");
+  EXPECT_TRUE(shut.doors[0].hinge.isApprox(Vec(1.5f, 1, 0)));
+  EXPECT_FALSE(shut.doors[0].is_open());
+  options.doors->state = DoorState::kOpen;
+  const ImportedScene open = ImportScene(world, options);
+  // Leaf and handle have turned to the left, to -z.
+  ExpectBox(BoxOf(open.mesh, "m::leaf"), Vec(1.35f, 0, -1), Vec(1.55f, 2, 0));
+  ExpectBox(BoxOf(open.mesh, "m"), BoxOf(shut.mesh, "m").min(), BoxOf(shut.mesh, "m").max());
+  EXPECT_NEAR(open.doors[0].width, 1.0f, 0.02f);
+}
+
+TEST_F(GazeboWorld, DoorsOpenToTheirFartherLimitAndAQuarterTurnAtMost) {
+  ImportOptions options;
+  options.doors = DoorSpec{.state = DoorState::kOpen};
+  const ImportedScene back =
+      ImportScene(World(Doorway("door", "<lower>-1.2</lower><upper>0.3</upper>")), options);
+  EXPECT_FLOAT_EQ(back.doors[0].angle, 1.2f);
+  EXPECT_EQ(back.doors[0].axis, Vec(0, -1, 0));
+  EXPECT_FLOAT_EQ(ImportScene(World(Doorway("Door", "")), options).doors[0].angle, 1.5707963f);
+  try {
+    ImportScene(World(Doorway("wheel", "")), options);
+    ADD_FAILURE() << "no error";
+  } catch (const Error& e) {
+    EXPECT_THAT(e.what(), HasSubstr("one.world: no doors are known"));
+  }
+}
+
 TEST_F(GazeboWorld, WhatIsMissingIsNamed) {
   EXPECT_THAT(ErrorOf(World("<include><uri>model://sofa</uri></include>")),
               AllOf(HasSubstr("one.world:1: "), HasSubstr("model://sofa"),
