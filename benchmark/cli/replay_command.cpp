@@ -16,7 +16,7 @@ namespace bulletnav::bench {
 namespace {
 
 void Replay(const ReplayOptions& options) {
-  const StopNote note([] {
+  const StopNote when_stopped([] {
     return std::string("no page is written, nor an older one changed");
   });
   std::optional<Progress> progress;

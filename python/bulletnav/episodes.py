@@ -34,7 +34,7 @@ def draw_episodes(scenes, counts, seed=0, workers=0, **options):
     """Draws start and goals in scenes: `counts` is {"easy", "medium", "hard", "sequential"} over
     all scenes together. The same for the same seed. `options`: sequential_goals, body, navmesh,
     import_. Raises Error for a scene that has no such episodes."""
-    if isinstance(scenes, (str, os.PathLike)):
+    if isinstance(scenes, (str, os.PathLike)) or not hasattr(scenes, "__iter__"):
         scenes = [scenes]
     scenes = [given.path(scene, "draw_episodes: a scene is a file's name") for scene in scenes]
     config = given.config({"scenes": scenes, "counts": counts, "seed": seed, "out": "-", **options},
