@@ -11,6 +11,7 @@
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/progress.h"
 #include "benchmark/cli/shipped_config.h"
+#include "benchmark/cli/stop_note.h"
 #include "benchmark/training/supervised/data_config.h"
 #include "benchmark/training/supervised/dataset.h"
 #include "benchmark/training/supervised/gallery.h"
@@ -18,6 +19,7 @@
 #include "benchmark/training/supervised/label_statistics.h"
 #include "sim/base/error.h"
 #include "sim/base/files.h"
+#include "sim/base/require_writable.h"
 #include "sim/image/image.h"
 
 namespace bulletnav::bench {
@@ -40,6 +42,10 @@ void MakeLabels(const DataConfig& config, int workers) {
   int cached = 0;
   Progress progress("scenes", static_cast<int>(ScenesOf(config).size()));
   std::mutex mutex;
+  const StopNote note([&] {
+    return "labels of scenes that are done stay in " + config.cache +
+           "; the same command goes on from there";
+  });
   LabelScenes(config, workers, [&](const LabelledScene& scene) {
     const std::lock_guard lock(mutex);
     if (!scene.note.empty()) fmt::print(stderr, "{}\n", scene.note);
@@ -86,6 +92,20 @@ void WriteGallery(const DataConfig& config, const DatasetOptions& options) {
   fmt::print("{}\n", options.gallery.string());
 }
 
+/// What cannot be written is told before the work.
+void RequirePlaces(const DataConfig& config, const DatasetOptions& options) {
+  if (!options.gallery.empty()) {
+    sim::RequireWritable(options.gallery);
+    return;
+  }
+  sim::RequireWritable(fs::path(config.cache) / "writable");
+  if (!options.draw.empty()) sim::RequireWritable(options.draw / "writable");
+}
+
+std::string RequireJpeg(const std::string& file) {
+  return file.ends_with(".jpg") || file.ends_with(".jpeg") ? "" : file + " must end in .jpg";
+}
+
 }  // namespace
 
 void AddDatasetCommand(CLI::App* program) {
@@ -107,12 +127,13 @@ void AddDatasetCommand(CLI::App* program) {
   auto* gallery =
       command->add_option("--gallery", options->gallery,
                           "JPEG of panoramas of some scenes, each in its look; label no more");
-  gallery->excludes(draw);
+  gallery->excludes(draw)->check(RequireJpeg);
   command->add_option("--panoramas", options->panoramas, "Panoramas in the gallery")
       ->needs(gallery)
       ->check(CLI::Range(1, 200));
   command->callback([options] {
     const DataConfig config = LoadDataConfig(ShippedConfig(options->config));
+    RequirePlaces(config, *options);
     MakeHousesOf(config, CommittedVersion(), options->workers, StartLine);
     if (!options->gallery.empty()) {
       WriteGallery(config, *options);

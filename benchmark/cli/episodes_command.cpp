@@ -14,6 +14,7 @@
 #include "benchmark/episodes/episode_file.h"
 #include "benchmark/episodes/generator.h"
 #include "benchmark/episodes/merge.h"
+#include "sim/base/require_writable.h"
 #include "sim/config/yaml_reader.h"
 
 namespace bulletnav::bench {
@@ -35,6 +36,8 @@ struct ConvertOptions {
 
 void Generate(const GenerateOptions& options) {
   const auto spec = sim::LoadYaml<GeneratorSpec>(ShippedConfig(options.config));
+  const fs::path out = options.out.empty() ? fs::path(spec.out) : options.out;
+  sim::RequireWritable(out);
   const std::vector<std::string> scenes = ScenesOf(spec);
   EpisodeSet set;
   {
@@ -44,7 +47,6 @@ void Generate(const GenerateOptions& options) {
     });
   }
   set.other = DrawRecord(spec, scenes);
-  const fs::path out = options.out.empty() ? fs::path(spec.out) : options.out;
   WriteEpisodes(out, set);
   fmt::print("{} episodes in {}\n", set.episodes.size(), out.string());
 }

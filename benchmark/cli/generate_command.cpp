@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <atomic>
 #include <map>
 #include <memory>
 #include <string>
@@ -9,6 +10,7 @@
 #include "benchmark/base/program_version.h"
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/progress.h"
+#include "benchmark/cli/stop_note.h"
 #include "sim/config/yaml_reader.h"
 #include "sim/house/building/kind.h"
 #include "sim/house/house_set.h"
@@ -63,6 +65,14 @@ std::string KnownKinds() {
   return known;
 }
 
+/// What is said when the program is stopped.
+std::string KeptHouses(int made, int count, const std::filesystem::path& folder, bool goes_on) {
+  return fmt::format("{} of {} houses are done and stay in {}; {}", made, count, folder.string(),
+                     goes_on
+                         ? "the same command goes on from there"
+                         : "the same command makes them again, as this program is of no commit");
+}
+
 void Generate(const GenerateOptions& options) {
   std::vector<sim::HouseEntry> houses;
   {
@@ -73,8 +83,13 @@ void Generate(const GenerateOptions& options) {
     if (unmade < count) {
       fmt::print(stderr, "{} of {} houses are there already\n", count - unmade, count);
     }
+    std::atomic<int> made = count - unmade;
+    const StopNote note([&] {
+      return KeptHouses(made, count, options.out, !set.made_by.empty());
+    });
     Progress progress("houses", unmade);
     houses = sim::WriteHouseSet(options.out, set, [&] {
+      ++made;
       progress.Advance();
     });
   }

@@ -11,6 +11,7 @@
 #include <CLI/Formatter.hpp>
 
 #include "benchmark/base/program_version.h"
+#include "benchmark/cli/stop_note.h"
 #include "sim/base/error.h"
 
 namespace bulletnav::bench {
@@ -65,6 +66,7 @@ int Run(int argc, char** argv, const std::function<void(CLI::App*)>& add_command
 
 int RunProgram(int argc, char** argv, const std::function<void(CLI::App*)>& add_commands) {
   try {
+    const StopWatch stops;
     const int status = Run(argc, argv, add_commands);
     const bool is_told = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
     if (status != 0 || is_told) return status;

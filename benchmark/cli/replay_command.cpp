@@ -9,12 +9,16 @@
 #include "benchmark/base/counted.h"
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/progress.h"
+#include "benchmark/cli/stop_note.h"
 #include "benchmark/replay/make_replay.h"
 
 namespace bulletnav::bench {
 namespace {
 
 void Replay(const ReplayOptions& options) {
+  const StopNote when_stopped([] {
+    return std::string("no page is written, nor an older one changed");
+  });
   std::optional<Progress> progress;
   const ReplayCount count = MakeReplay(options, [&](std::size_t /*done*/, std::size_t all) {
     if (!progress) progress.emplace("replay", static_cast<int>(all));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <atomic>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
@@ -20,6 +21,7 @@
 #include "benchmark/cli/progress.h"
 #include "benchmark/cli/run_progress.h"
 #include "benchmark/cli/shipped_config.h"
+#include "benchmark/cli/stop_note.h"
 #include "benchmark/cli/tell_outcome.h"
 #include "benchmark/report/run_tables.h"
 #include "benchmark/runs/runner.h"
@@ -63,7 +65,19 @@ void TellVersions(const fs::path& folder) {
              versions, (folder / "versions.txt").string());
 }
 
-RunHooks MakeHooks(const fs::path& folder, RunProgress* progress) {
+/// How far a run is, for when it is stopped.
+struct RunCount {
+  std::atomic<std::size_t> done = 0;
+  std::atomic<std::size_t> total = 0;  // 0: it has not begun
+
+  std::string Kept(const fs::path& folder) const {
+    if (total == 0) return "before the first episode; the same command starts where it can go on";
+    return fmt::format("{} of {} episodes are played and stay in {}; the same command goes on",
+                       done.load(), total.load(), folder.string());
+  }
+};
+
+RunHooks MakeHooks(const fs::path& folder, RunProgress* progress, RunCount* count) {
   RunHooks hooks;
   hooks.prepare = StartLine;
   hooks.warn = WarnLine;
@@ -72,11 +86,15 @@ RunHooks MakeHooks(const fs::path& folder, RunProgress* progress) {
       WarnLine("not played: " + one);
     }
   };
-  hooks.begin = [progress, folder](std::size_t total, std::span<const EpisodeResult> before) {
+  hooks.begin = [progress, count, folder](std::size_t total,
+                                          std::span<const EpisodeResult> before) {
+    count->done = before.size();
+    count->total = total;
     if (before.size() < total) TellVersions(folder);
     progress->Begin(total, before);
   };
-  hooks.finish = [progress](const EpisodeResult& result) {
+  hooks.finish = [progress, count](const EpisodeResult& result) {
+    ++count->done;
     progress->Add(result);
   };
   return hooks;
@@ -116,8 +134,12 @@ void PlayConfig(RunCommandOptions options) {
   const fs::path folder = options.out.empty() ? fs::path("results") / config.name : options.out;
   const fs::path place = options.run.shard ? ShardFolder(folder, *options.run.shard) : folder;
   RunProgress progress;
+  RunCount count;
+  const StopNote note([&] {
+    return count.Kept(place);
+  });
   const RunOutcome outcome =
-      RunBenchmark(std::move(config), folder, options.run, MakeHooks(place, &progress));
+      RunBenchmark(std::move(config), folder, options.run, MakeHooks(place, &progress, &count));
   progress.End();
   TellOutcome(outcome);
   if (!outcome.failures.empty()) {

@@ -16,6 +16,7 @@
 #include "benchmark/report/scene_report.h"
 #include "benchmark/report/top_down.h"
 #include "sim/base/error.h"
+#include "sim/base/require_writable.h"
 #include "sim/house/house_json.h"
 
 namespace bulletnav::bench {
@@ -50,6 +51,7 @@ std::string RequirePng(const std::string& file) {
 
 void Inspect(const InspectOptions& options) {
   const std::string file = options.scene.file.string();
+  if (!options.topdown.empty()) sim::RequireWritable(options.topdown);
   std::optional<Progress> progress(std::in_place, "reading " + file);
   const sim::ImportedScene scene = sim::ImportScene(options.scene.file, options.scene.import());
   progress->Rename("finding the walkable floor of " + file);

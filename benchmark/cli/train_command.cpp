@@ -12,6 +12,7 @@
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/progress.h"
 #include "benchmark/cli/shipped_config.h"
+#include "benchmark/cli/stop_note.h"
 #include "benchmark/training/core/registry.h"
 #include "benchmark/training/core/training_log.h"
 #include "sim/config/override.h"
@@ -23,6 +24,9 @@ namespace {
 constexpr const char* kDefaultTask = "nts";
 
 void Train(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  const StopNote note([] {
+    return std::string("the same command goes on from what was saved last");
+  });
   const sim::YamlNode config =
       sim::WithOverrides(sim::ParseYaml(sim::ReadYamlFile(file), file), file, overrides);
   const TrainJob job = MakeTraining(config, kDefaultTask, {.start = StartLine});

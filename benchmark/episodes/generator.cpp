@@ -99,6 +99,10 @@ void EraseParts(std::vector<std::string>* scenes) {
   });
 }
 
+constexpr const char* kPutSome =
+    "; put meshes (.glb, .gltf, .obj, .ply, .dae) or a link to them there, or name another folder "
+    "with the key 'scenes' (of a run: episodes.draw.scenes=[FOLDER])";
+
 /// In the order of their names.
 std::vector<std::string> MeshesBelow(const fs::path& folder) {
   constexpr std::array<std::string_view, 5> kMeshes = {".glb", ".gltf", ".obj", ".ply", ".dae"};
@@ -113,7 +117,7 @@ std::vector<std::string> MeshesBelow(const fs::path& folder) {
     meshes.push_back(entry.path().string());
   }
   if (meshes.empty()) {
-    throw sim::FileError(folder, "", "holds no mesh (.glb, .gltf, .obj, .ply, .dae); put some in");
+    throw sim::FileError(folder, "", std::string("holds no mesh") + kPutSome);
   }
   EraseParts(&meshes);
   std::sort(meshes.begin(), meshes.end());
@@ -178,6 +182,9 @@ std::vector<std::string> ScenesOf(const GeneratorSpec& spec) {
   std::vector<std::string> scenes;
   for (const std::string& scene : spec.scenes) {
     if (!fs::is_directory(scene)) {
+      if (!fs::exists(scene) && !fs::path(scene).has_extension()) {
+        throw sim::FileError(scene, "", std::string("there is no such folder") + kPutSome);
+      }
       scenes.push_back(scene);
       continue;
     }

@@ -56,7 +56,7 @@ std::string MarkdownLine(const std::vector<std::string>& cells) {
 }  // namespace
 
 std::string ToMarkdown(const ResultsTable& table) {
-  std::vector<std::string> heads = {"", "Model"};
+  std::vector<std::string> heads = {"", table.titles};
   std::vector<std::string> rule = {"---", "---"};
   for (const ResultsTable::Group& group : table.groups) {
     for (const std::string& column : group.columns) {
@@ -83,7 +83,7 @@ std::string ToMarkdown(const ResultsTable& table) {
 std::string ToLatex(const ResultsTable& table) {
   std::string shape = "ll";
   std::string heads = " & ";
-  std::string columns = " & Model";
+  std::string columns = " & " + EscapeLatex(table.titles);
   for (const ResultsTable::Group& group : table.groups) {
     shape += std::string(group.columns.size(), 'r');
     heads += fmt::format(" & \\multicolumn{{{}}}{{c}}{{{}}}", group.columns.size(),

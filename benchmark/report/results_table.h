@@ -22,6 +22,7 @@ struct ResultsTable {
   std::string caption;
   std::vector<Group> groups;
   std::vector<Row> rows;
+  std::string titles = "Model";  // over what rows are of
 };
 
 std::string ToMarkdown(const ResultsTable& table);

@@ -92,6 +92,7 @@ std::optional<ResultsTable> SceneTable(std::span<const EpisodeResult> results,
   const std::vector<std::string> names = AgentsIn(places, agents);
   ResultsTable table;
   table.caption = "Success and SPL by scene.";
+  table.titles = "Scene";
   for (const std::string& name : names) {
     table.groups.push_back({AgentTitle(name, agents), {"Succ", "SPL"}});
   }

@@ -20,6 +20,7 @@ constexpr Paint kWall = {0.1, 0.1, 0.12};
 constexpr Paint kWalkable = {0.1, 0.75, 0.35, 0.25};
 constexpr Paint kOtherIsland = {0.95, 0.6, 0.1, 0.3};
 constexpr float kMargin = 0.5f;           // metres around the scene
+constexpr float kScaleBarShare = 0.03f;   // of the longer side, at least free below it
 constexpr float kFloorThickness = 0.08f;  // metres
 constexpr double kWallLine = 2.0;
 constexpr int kLabelSize = 15;  // pixels
@@ -168,7 +169,8 @@ void DrawScaleBar(const TopDownView& view, Canvas* canvas) {
   const Canvas::Point a(12.0, view.colors.height - 12.0);
   const Canvas::Point b = a + Canvas::Point(metres / pixel_m, 0.0);
   canvas->Line(a, b, 3.0, kWall);
-  canvas->Text(0.5 * (a + b) - Canvas::Point(0, 12), fmt::format("{} m", metres), 13.0, kWall);
+  canvas->Text(b + Canvas::Point(8.0, 0.0), fmt::format("{} m", metres),
+               {.size = 13.0, .paint = kWall, .bold = true, .align = Align::kLeft, .halo = true});
 }
 
 }  // namespace
@@ -185,7 +187,9 @@ TopDownView LookDown(const sim::SceneMesh& mesh, const sim::Navmesh& navmesh,
                      const TopDownSpec& spec) {
   TopDownView view;
   const Eigen::AlignedBox3f box = mesh.Bounds();
-  const Eigen::Vector2f size(box.sizes().x() + 2 * kMargin, box.sizes().z() + 2 * kMargin);
+  const float below =
+      std::max(kMargin, kScaleBarShare * std::max(box.sizes().x(), box.sizes().z()));
+  const Eigen::Vector2f size(box.sizes().x() + 2 * kMargin, box.sizes().z() + kMargin + below);
   view.frame.pixel_m =
       std::max(spec.pixel_m, size.maxCoeff() / static_cast<float>(spec.max_pixels));
   view.frame.origin = {box.min().x() - kMargin, box.min().z() - kMargin};

@@ -3,7 +3,7 @@
 import json
 import os
 
-from bulletnav import _core
+from bulletnav import _core, given
 
 
 def read_results(folder):
@@ -11,16 +11,18 @@ def read_results(folder):
     "condition", "seed", "scene", "episode", "difficulty", "failure" and the measures by name, or
     "goals": a list of them where an episode has several. Infinite distances are None. Raises
     FileError at the line that is damaged."""
+    folder = given.path(folder, "read_results: the folder of a run is a name")
     if not os.path.isdir(folder):
-        raise _core.FileError(f"{os.fspath(folder)}: no such folder; name one that ./bulletnav run "
+        raise _core.FileError(f"{folder}: no such folder; name one that ./bulletnav run "
                               "has written")
-    return [json.loads(line) for line in _core.read_results(os.fspath(folder))]
+    return [json.loads(line) for line in _core.read_results(folder)]
 
 
 def read_trajectory(file):
     """One file below a run's trajectories/: every action and pose of an episode, and what the
     agent believed. Its keys are told in benchmark/play/trajectory.h. Raises FileError."""
-    return json.loads(_core.read_trajectory(os.fspath(file)))
+    file = given.path(file, "read_trajectory: a trajectory is a file's name")
+    return json.loads(_core.read_trajectory(file))
 
 
 def measures():

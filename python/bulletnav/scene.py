@@ -1,10 +1,8 @@
 # SPDX-License-Identifier: MIT
 """A scene to look at and to ask the way in."""
-import json
-import os
 import warnings
 
-from bulletnav import _core, arrays
+from bulletnav import _core, arrays, given
 
 
 class Scene:
@@ -18,10 +16,8 @@ class Scene:
     """
 
     def __init__(self, file, **options):
-        self.file = os.fspath(file)
-        if "import_" in options:  # a word of Python's own without the line
-            options["import"] = options.pop("import_")
-        self._scene = _core.Scene(self.file, json.dumps(options))
+        self.file = given.path(file, "scene: a scene is a file's name")
+        self._scene = _core.Scene(self.file, given.config(options, "scene"))
         grey = self._scene.grey()
         if grey:
             warnings.warn(grey, stacklevel=2)
@@ -34,15 +30,17 @@ class Scene:
         Returns {"color": uint8 [n, rows, cols, 3] RGB, "depth": float32 [n, rows, cols] metres
         along the ray, 0: nothing there}; without n for one pose. Arrays of their own.
         """
+        if camera is not None and not isinstance(camera, dict):
+            raise _core.Error("bulletnav scene: a camera is a dict, as {'type': 'pinhole', "
+                              f"'hfov_deg': 79}}, not {camera!r}")
         settings = dict(camera or {})
-        kind = settings.pop("type", "panorama")
-        poses = poses.tolist() if hasattr(poses, "tolist") else list(poses)
-        is_one = bool(poses) and not hasattr(poses[0], "__len__")
-        rows = [poses] if is_one else poses
-        if any(len(row) != 4 for row in rows):
-            raise _core.Error("bulletnav scene: a pose is [x, y, z, yaw]: the eye in metres, radians")
-        color, depth = self._scene.render([list(map(float, row)) for row in rows], kind,
-                                          json.dumps(settings))
+        kind = str(settings.pop("type", "panorama"))
+        rule = "scene: a pose is [x, y, z, yaw]: the eye in metres, radians"
+        if hasattr(poses, "tolist"):
+            poses = poses.tolist()
+        is_one = not hasattr(poses, "__iter__") or not all(hasattr(row, "__len__") for row in poses)
+        rows = [given.numbers(row, 4, rule) for row in ([poses] if is_one else poses)]
+        color, depth = self._scene.render(rows, kind, given.config(settings, "camera"))
         if is_one:
             color, depth = color[0], depth[0]
         return {"color": arrays.view(color), "depth": arrays.view(depth)}
@@ -50,26 +48,31 @@ class Scene:
     def snap(self, point):
         """The nearest point (x, y, z) of the walkable floor, within 2 m sideways and 4 m up or
         down; None if there is none."""
-        found = self._scene.snap(point)
+        found = self._scene.snap(given.point(point, "scene.snap"))
         return None if found is None else tuple(found)
 
     def path(self, start, end):
         """(metres, [(x, y, z), ...]): the shortest walk between the floor near two points; None
         between islands."""
-        found = self._scene.path(start, end)
+        found = self._scene.path(given.point(start, "scene.path"),
+                                 given.point(end, "scene.path"))
         return None if found is None else (found[0], [tuple(point) for point in found[1]])
 
     def distance(self, start, end):
         """Metres of the shortest walk; infinite where there is none."""
-        return self._scene.distance(start, end)
+        return self._scene.distance(given.point(start, "scene.distance"),
+                                    given.point(end, "scene.distance"))
 
     def island(self, point):
         """Number of the island of the floor near `point`; None if there is no floor."""
-        return self._scene.island(point)
+        return self._scene.island(given.point(point, "scene.island"))
 
     def random_points(self, count, seed=0, island=0):
         """Points (x, y, z) drawn evenly from an island's area, -1: from all. The same
         for the same seed."""
+        count = given.whole(count, "scene.random_points: count is a whole number")
+        seed = given.seed(seed, "scene.random_points")
+        island = given.whole(island, "scene.random_points: an island is a number, -1: any", -1)
         return [tuple(point) for point in self._scene.random_points(count, seed, island)]
 
     @property

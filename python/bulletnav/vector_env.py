@@ -4,7 +4,7 @@ import enum
 import json
 import os
 
-from bulletnav import _core, actions as _actions, arrays, spaces
+from bulletnav import _core, actions as _actions, arrays, given, spaces
 from bulletnav.lanes_owner import RENDER_FPS, LanesOwner, read_seed, require_render_mode, told
 
 try:
@@ -34,9 +34,9 @@ def _plain(value):
         return next(name for name, mode in _MODES.items() if mode is value)
     if isinstance(value, os.PathLike):
         return os.fspath(value)
-    if hasattr(value, "item"):
-        return value.item()
-    raise _core.Error(f"bulletnav environment: {value!r} cannot be an argument")
+    if hasattr(value, "tolist"):
+        return value.tolist()
+    raise TypeError
 
 
 def make_lanes(options):
@@ -46,7 +46,7 @@ def make_lanes(options):
         if isinstance(options.get(name), (str, os.PathLike)):
             options[name] = [options[name]]
     options = {name: value for name, value in options.items() if value is not None}
-    return _core.Lanes(json.dumps(options, default=_plain))
+    return _core.Lanes(given.config(options, "environment", _plain))
 
 
 def result(text):
@@ -78,8 +78,9 @@ class VectorEnv(LanesOwner, _Base):
       noise: of motion: "ans_released" (default), "none", "ans_radians", "physical"
       sensor_noise: of cameras: "none" (default), "depth_camera", "phone_camera", "stereo_camera"
       success_distance (m), no_stop, max_steps, reward: {success, progress, step}
-      import: {up: y | z, scale, ground_plane, doors: as_built | open | closed | {open_share,
-        seed}, finish: {...}}; navmesh: {...}; backend: auto | egl | embree
+      import_: {up: y | z, scale, ground_plane, doors: as_built | open | closed |
+        {open_share, seed}, finish: {...}}, as import in configs
+      navmesh: {...}; backend: auto | egl | embree
       render_mode: "rgb_array" or None
       copy: True: observations are arrays of their own, as Gymnasium's wrappers expect
 
@@ -191,7 +192,7 @@ class VectorEnv(LanesOwner, _Base):
             for name, value in results[lane].items():
                 if isinstance(value, (bool, int, float)):
                     column = measures.setdefault(name, arrays.filled(self.num_envs, 0.0))
-                    column[lane] = value
+                    column[lane] = float(value)
         return {"measures": measures, "_measures": mask, "results": results, "_results": mask}
 
     def episode(self, lane):

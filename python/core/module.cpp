@@ -14,12 +14,14 @@ namespace {
 
 namespace py = pybind11;
 
+/// `kind`: empty for homes as they are made where no kind is named.
 std::vector<std::string> Generate(const std::string& folder, int count, std::uint64_t first_seed,
-                                  int workers) {
+                                  int workers, const std::string& kind) {
   bench::HousesSpec houses;
   houses.folder = folder;
   houses.count = count;
   houses.first_seed = first_seed;
+  if (!kind.empty()) houses.parts = {sim::SetPart{.kind = kind, .count = count}};
   houses.Validate();
   bench::MakeHouses(houses, bench::CommittedVersion(), workers, [](const std::string&, int) {
     return [] {};
@@ -54,7 +56,7 @@ PYBIND11_MODULE(_core, module) {  // NOLINT
   BindScene(&module);
   BindFiles(&module);
   module.def("generate", &Generate, py::arg("folder"), py::arg("count"), py::arg("first_seed"),
-             py::arg("workers"), py::call_guard<py::gil_scoped_release>());
+             py::arg("workers"), py::arg("kind"), py::call_guard<py::gil_scoped_release>());
 }
 
 }  // namespace bulletnav::python

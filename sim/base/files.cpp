@@ -6,7 +6,9 @@
 #include <charconv>
 #include <csignal>
 #include <cstring>
+#include <mutex>
 #include <optional>
+#include <set>
 #include <system_error>
 
 #include <fcntl.h>
@@ -14,6 +16,8 @@
 #include <unistd.h>
 
 #include "sim/base/error.h"
+#include "sim/base/require_writable.h"
+#include "sim/base/unfinished_files.h"
 
 namespace bulletnav::sim {
 namespace {
@@ -51,6 +55,38 @@ fs::path TemporaryName(const fs::path& file) {
   } while (fs::exists(name, ignored));
   return name;
 }
+
+/// The temporary files that are being written.
+struct Unfinished {
+  std::mutex mutex;
+  std::set<fs::path> files;
+};
+
+Unfinished& AllUnfinished() {
+  static Unfinished all;
+  return all;
+}
+
+/// One of them.
+class UnfinishedFile {
+ public:
+  explicit UnfinishedFile(fs::path file) : file_(std::move(file)) {
+    const std::lock_guard lock(AllUnfinished().mutex);
+    AllUnfinished().files.insert(file_);
+  }
+  ~UnfinishedFile() {
+    const std::lock_guard lock(AllUnfinished().mutex);
+    AllUnfinished().files.erase(file_);
+  }
+  UnfinishedFile(const UnfinishedFile&) = delete;
+  UnfinishedFile& operator=(const UnfinishedFile&) = delete;
+  UnfinishedFile(UnfinishedFile&&) = delete;
+  UnfinishedFile& operator=(UnfinishedFile&&) = delete;
+  const fs::path& path() const { return file_; }
+
+ private:
+  fs::path file_;
+};
 
 /// The process that a name as of TemporaryName() belongs to; none if it is no such name.
 std::optional<pid_t> WriterOf(std::string_view name) {
@@ -144,7 +180,8 @@ std::string ReadTextFile(const fs::path& file) {
 void WriteFileAtomically(const fs::path& file, const std::function<void(const fs::path&)>& write) {
   const fs::path target = RequireReplaceable(file);
   if (file.has_parent_path()) MakeFolder(file.parent_path());
-  const fs::path temporary = TemporaryName(target);
+  const UnfinishedFile unfinished(TemporaryName(target));
+  const fs::path& temporary = unfinished.path();
   try {
     write(temporary);
     SyncFile(temporary, file);
@@ -169,6 +206,21 @@ void WriteFileAtomically(const fs::path& file, std::span<const std::uint8_t> byt
 void WriteFileAtomically(const fs::path& file, std::string_view text) {
   const auto* data = reinterpret_cast<const std::uint8_t*>(text.data());
   WriteFileAtomically(file, std::span(data, text.size()));
+}
+
+void RequireWritable(const fs::path& file) {
+  const fs::path target = RequireReplaceable(file);
+  if (file.has_parent_path()) MakeFolder(file.parent_path());
+  const UnfinishedFile probe(TemporaryName(target));
+  WriteAll(probe.path(), file, {});
+  std::error_code ignored;
+  fs::remove(probe.path(), ignored);
+}
+
+void RemoveUnfinishedFiles() {
+  const std::lock_guard lock(AllUnfinished().mutex);
+  std::error_code ignored;
+  for (const fs::path& file : AllUnfinished().files) fs::remove(file, ignored);
 }
 
 void MakeFolder(const fs::path& folder) {

@@ -63,12 +63,35 @@ class Looking(unittest.TestCase):
                 env.reset(seed=0)
                 env.close()
 
+    def test_doors_that_nobody_knows_are_none(self):
+        scene = bulletnav.Scene(support.SCENE, backend="embree", import_={"doors": "as_built"})
+        self.assertEqual(scene.doors, [])
+
     def test_misuse(self):
         nan = float("nan")
         for call in (lambda: bulletnav.Scene("nowhere.glb"),
                      lambda: bulletnav.Scene(support.SCENE, backend="x"),
                      lambda: self.scene.random_points(1, island=7),
                      lambda: self.scene.random_points(-1),
+                     lambda: self.scene.random_points("many"),
+                     lambda: self.scene.path("there", [0, 0, 0]),
+                     lambda: self.scene.path([0, 0, 0], None),
+                     lambda: self.scene.distance([0, 0], [0, 0, 0]),
+                     lambda: self.scene.island(7),
+                     lambda: self.scene.render(None),
+                     lambda: self.scene.render([0, 0, 0, "north"]),
+                     lambda: self.scene.render([0, 0, 0, 0], "pinhole"),
+                     lambda: bulletnav.Scene(7),
+                     lambda: bulletnav.Scene(support.SCENE, backend=object()),
+                     lambda: bulletnav.Scene(support.SCENE, import_={"doors": "closed"}),
+                     lambda: bulletnav.Scene(support.SCENE, import_={}, **{"import": {}}),
+                     lambda: bulletnav.generate(3),
+                     lambda: bulletnav.generate("houses", count="3"),
+                     lambda: bulletnav.generate("houses", kind="castle"),
+                     lambda: bulletnav.generate("houses", kind=3),
+                     lambda: bulletnav.read_results(7),
+                     lambda: bulletnav.read_trajectory(None),
+                     lambda: bulletnav.draw_episodes(7, {"easy": 1}),
                      lambda: self.scene.snap([nan, 0, 0]),
                      lambda: self.scene.render([1, 2, 3]),
                      lambda: self.scene.render([nan, 0, 0, 0]),

@@ -117,6 +117,8 @@ class Stepping(unittest.TestCase):
         self.assertEqual((list(terminated), list(truncated)), ([True, False, True], [False] * 3))
         self.assertEqual(list(info["_measures"]), [True, False, True])
         self.assertEqual(list(info["measures"]["success"]), [0, 0, 0])
+        for column in info["measures"].values():
+            self.assertEqual(len({type(value) for value in column}), 1)
         self.assertGreater(info["measures"]["distance_to_goal"][2], 1.0)
         self.assertEqual([bool(facts) for facts in info["results"]], [True, False, True])
         self.assertEqual(list(info["_results"]), [True, False, True])

@@ -181,8 +181,19 @@ TEST(ScenesOf, TakesAllMeshesBelowAFolder) {
             (std::vector<std::string>{"first.glb", at("a.glb"), at("house/deep/b.ply"),
                                       at("shop/scene.obj")}));
   std::filesystem::create_directories(folder.path() / "empty");
-  spec.scenes = {at("empty")};
-  EXPECT_THROW(ScenesOf(spec), sim::FileError);
+  const auto error_of = [&](const char* scenes) -> std::string {
+    spec.scenes = {at(scenes)};
+    try {
+      ScenesOf(spec);
+    } catch (const sim::FileError& e) {
+      return e.what();
+    }
+    return "no error";
+  };
+  EXPECT_THAT(error_of("empty"), HasSubstr("empty: holds no mesh; put meshes (.glb, "));
+  EXPECT_THAT(error_of("nowhere"),
+              AllOf(HasSubstr("nowhere: there is no such folder; put meshes (.glb, "),
+                    HasSubstr("the key 'scenes' (of a run: episodes.draw.scenes=[FOLDER])")));
 }
 
 TEST(ScenesOf, AFolderOfScansHasEachOnce) {

@@ -170,6 +170,7 @@ TEST(SceneTable, HasARowASceneAndSaysWhichIsWhich) {
   ASSERT_TRUE(table);
   ASSERT_EQ(table->rows.size(), 2u);
   EXPECT_EQ(table->rows[0].title, "office/scene");
+  EXPECT_THAT(ToMarkdown(*table), HasSubstr("|  | Scene | "));
   EXPECT_EQ(table->rows[1].title, "shop/scene");
   // Even episodes are in the shop, and are the ones that succeed; random comes first.
   EXPECT_EQ(table->rows[1].cells, (std::vector<std::string>{"1.00", "0.50", "1.00", "0.50"}));

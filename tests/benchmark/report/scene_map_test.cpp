@@ -58,6 +58,14 @@ TEST(SceneMap, WorldLiesTrueToScaleInTheMiddleOfTheBox) {
   EXPECT_NEAR((place.At(3, -1) - place.At(2, -2) - Canvas::Point(100, 100)).norm(), 0.0, 1.0);
 }
 
+TEST(SceneMap, TheScaleBarLiesBelowScenesOfAllSizes) {
+  for (const float side : {3.0f, 12.0f, 60.0f}) {
+    const MapPlace place(MapOf(tests::BoxRoom(side, 3, side)),
+                         {Canvas::Point(0, 0), Canvas::Point(kSize, kSize)});
+    EXPECT_LT(place.At(0, 0).y(), place.box().max().y() - 12.0) << side;  // 6 + half of its text
+  }
+}
+
 TEST(SceneMap, FloorFurnitureAndOutsideCanBeToldApart) {
   const Drawn drawn(MapOf(RoomWithBox(0.8f)));
   const auto floor = drawn.At(1, -2);

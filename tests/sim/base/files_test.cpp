@@ -11,6 +11,8 @@
 #include <unistd.h>
 
 #include "sim/base/error.h"
+#include "sim/base/require_writable.h"
+#include "sim/base/unfinished_files.h"
 #include "tests/support/temporary_folder.h"
 
 namespace bulletnav::sim {
@@ -69,6 +71,32 @@ TEST(Files, AFailedWriteLeavesTheOldContentAndNoRubbish) {
   EXPECT_THROW(WriteFileAtomically(file, fails), FileError);
   EXPECT_EQ(ReadTextFile(file), "old");
   EXPECT_EQ(FilesIn(folder.path()), 1u);
+}
+
+TEST(Files, WhatIsBeingWrittenCanBeRemovedByAProcessThatEnds) {
+  const TemporaryFolder folder;
+  const auto write = [&](const fs::path& temporary) {
+    folder.Write(temporary.filename().string(), "half");
+    EXPECT_EQ(FilesIn(folder.path()), 1u);
+    RemoveUnfinishedFiles();
+    EXPECT_EQ(FilesIn(folder.path()), 0u);
+    folder.Write(temporary.filename().string(), "whole");
+  };
+  WriteFileAtomically(folder.path() / "file.txt", write);
+  RemoveUnfinishedFiles();
+  EXPECT_EQ(ReadTextFile(folder.path() / "file.txt"), "whole");
+}
+
+TEST(Files, WhatCannotBeWrittenIsToldBeforeTheWork) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.Write("file.txt", "old");
+  RequireWritable(file);
+  RequireWritable(folder.path() / "new" / "other.txt");
+  EXPECT_EQ(ReadTextFile(file), "old");
+  EXPECT_EQ(FilesIn(folder.path() / "new"), 0u);
+  EXPECT_THROW(RequireWritable(folder.path()), FileError);
+  EXPECT_THROW(RequireWritable(file / "below_a_file.txt"), FileError);
+  EXPECT_THROW(RequireWritable("/proc/none.txt"), FileError);
 }
 
 /// A limit on the size of files stands in for a disk that is full.
