@@ -7,10 +7,13 @@ import os
 from bulletnav import _core
 
 
+def _shown(value):
+    text = repr(value).replace("\n", " ")
+    return text if len(text) < 80 else text[:76] + " ..."
+
+
 def _refuse(value, rule):
-    text = repr(value)
-    shown = text if len(text) < 80 else text[:76] + " ..."
-    return _core.Error(f"bulletnav {rule}, not {shown}")
+    return _core.Error(f"bulletnav {rule}, not {_shown(value)}")
 
 
 def path(value, rule):
@@ -73,5 +76,6 @@ def config(options, call, plain=_plain):
         try:
             json.dumps(value, default=plain)
         except (TypeError, ValueError):
-            raise _refuse(value, f"{call}: {name} takes plain values, lists and dicts") from None
+            raise _core.Error(f"bulletnav {call}: {name}={_shown(value)} cannot be an argument; "
+                              "give plain values, lists and dicts") from None
     return json.dumps(options, default=plain)

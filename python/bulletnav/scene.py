@@ -36,9 +36,11 @@ class Scene:
         settings = dict(camera or {})
         kind = str(settings.pop("type", "panorama"))
         rule = "scene: a pose is [x, y, z, yaw]: the eye in metres, radians"
-        if hasattr(poses, "tolist"):
-            poses = poses.tolist()
-        is_one = not hasattr(poses, "__iter__") or not all(hasattr(row, "__len__") for row in poses)
+        if hasattr(poses, "__iter__"):
+            poses = poses.tolist() if hasattr(poses, "tolist") else list(poses)
+            is_one = not all(hasattr(row, "__len__") for row in poses)
+        else:
+            is_one = True
         rows = [given.numbers(row, 4, rule) for row in ([poses] if is_one else poses)]
         color, depth = self._scene.render(rows, kind, given.config(settings, "camera"))
         if is_one:

@@ -26,6 +26,7 @@ except ImportError:
 _MODES = {"next_step": AutoresetMode.NEXT_STEP, "same_step": AutoresetMode.SAME_STEP,
           "disabled": AutoresetMode.DISABLED}
 _LISTS = ("scenes", "scene_folders")
+_LANE = "environment: a lane is a whole number from 0 on"
 
 
 def _plain(value):
@@ -197,12 +198,12 @@ class VectorEnv(LanesOwner, _Base):
 
     def episode(self, lane):
         """The episode that a lane is in: a dict in Habitat's form (see docs/python.md)."""
-        return json.loads(self._lanes.episode(lane))
+        return json.loads(self._lanes.episode(given.whole(lane, _LANE)))
 
     def truth(self, lane):
         """What no agent may see, for teachers and rewards: {"pose", "goal": [x, y, z, yaw] in the
         world, metres and radians; "distance": geodesic metres between them}."""
-        return told(self._lanes.truth(lane))
+        return told(self._lanes.truth(given.whole(lane, _LANE)))
 
     def render(self):
         """With render_mode="rgb_array": a tuple of copies of the panoramas, one a lane."""

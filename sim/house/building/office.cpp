@@ -134,7 +134,7 @@ void Furnish(RoomType type, RoomFurnisher* room) {
   if (type == kMeetingRoom) return FurnishMeetingRoom(room);
   if (type == kReception) return FurnishLobby(room);
   if (type == kBreakRoom) return FurnishBreakRoom(room);
-  if (type == kRestroom) return FurnishRestroom(room);
+  if (type == kRestroom) return FurnishRestroom(room, true);
   if (type == kStockRoom) return FurnishStockRoom(room);
   if (type == kTechnicalRoom) return FurnishTechnicalRoom(room);
   FurnishPassage(room);

@@ -170,9 +170,10 @@ void FurnishWetCell(RoomFurnisher* room) {
   const placing::Wish in_corner{.anchor = placing::Anchor::kEnd, .squeeze = true};
   room->InCorner("shower_cabin");
   room->AgainstWall("toilet", in_corner);
-  const Placed* basin = room->AgainstWall("washbasin", {.width = 0.6f, .squeeze = true});
-  if (basin == nullptr) basin = room->AgainstWall("pedestal_basin", {.squeeze = true});
-  if (basin != nullptr) room->Over(*basin, "mirror", 0.3f);
+  // Basins bring their mirrors.
+  if (room->AgainstWall("washbasin", {.width = 0.6f, .squeeze = true}) == nullptr) {
+    room->AgainstWall("pedestal_basin", {.squeeze = true});
+  }
   room->OnWall("towel_rail", 0.75f);
   room->NearWall("bin");
   room->SetAlike(false);

@@ -26,7 +26,7 @@ void FinishRoom(RoomFurnisher* room) {
   if (room->Chance(0.5)) room->OnWall("fire_extinguisher", 0.8f);
 }
 
-void FurnishRestroom(RoomFurnisher* room) {
+void FurnishRestroom(RoomFurnisher* room, bool second_mirrors) {
   const int stalls = std::max(1, static_cast<int>(room->area() / 5.0f));
   for (int i = 0; i < stalls; ++i) {
     room->SetAlike(true);
@@ -38,7 +38,7 @@ void FurnishRestroom(RoomFurnisher* room) {
   room->SetAlike(true);
   for (int i = 0; i < std::max(1, stalls - 1); ++i) {
     const Placed* basin = room->AgainstWall("washbasin", {.width = 0.6f});
-    if (basin != nullptr) room->Over(*basin, "mirror", 0.3f);
+    if (basin != nullptr && second_mirrors) room->Over(*basin, "mirror", 0.3f);
   }
   room->SetAlike(false);
   room->NearWall("bin");

@@ -5,7 +5,9 @@
 namespace bulletnav::sim::building {
 
 /// What rooms look like that many kinds of buildings have.
-void FurnishRestroom(RoomFurnisher* room);
+/// `second_mirrors`: one more hangs above the mirror that each basin brings, as offices, workshops
+/// and warehouses have had it from the first, so that their seeds keep giving the same buildings.
+void FurnishRestroom(RoomFurnisher* room, bool second_mirrors = false);
 void FurnishBreakRoom(RoomFurnisher* room);
 void FurnishStockRoom(RoomFurnisher* room);
 void FurnishTechnicalRoom(RoomFurnisher* room);

@@ -85,7 +85,7 @@ void Furnish(RoomType type, RoomFurnisher* room) {
   if (type == kWorkshop) return FurnishWorkshop(room);
   if (type == kOffice) return FurnishOffice(room);
   if (type == kBreakRoom) return FurnishBreakRoom(room);
-  if (type == kRestroom) return FurnishRestroom(room);
+  if (type == kRestroom) return FurnishRestroom(room, true);
   if (type == kStockRoom) return FurnishStockRoom(room);
   FurnishTechnicalRoom(room);
 }

@@ -151,7 +151,7 @@ void Furnish(RoomType type, RoomFurnisher* room) {
   if (type == kPaintRoom) return FurnishPaintRoom(room);
   if (type == kOffice) return FurnishOffice(room);
   if (type == kBreakRoom) return FurnishBreakRoom(room);
-  if (type == kRestroom) return FurnishRestroom(room);
+  if (type == kRestroom) return FurnishRestroom(room, true);
   if (type == kStockRoom) return FurnishStockRoom(room);
   if (type == kStairwell) return FurnishStairwell(room);
   FurnishTechnicalRoom(room);

@@ -76,6 +76,18 @@ bool LeadsTo(const FloorPlan& plan, int room, RoomType type) {
   });
 }
 
+/// Basins bring one.
+TEST(KindsFurnished, WashroomsHaveNoMirrorAboveAMirror) {
+  for (const BuildingKind* kind : {&Hotel(), &School()}) {
+    const Furnished building = Furnish(*kind, 1, {250.0f, 350.0f});
+    for (std::size_t i = 0; i < building.plan.rooms.size(); ++i) {
+      const RoomType type = building.plan.rooms[i].type;
+      if (type != RoomType::kRestroom && type != RoomType::kBathroom) continue;
+      EXPECT_FALSE(building.pieces[i].contains("mirror")) << building.plan.rooms[i].name;
+    }
+  }
+}
+
 TEST(KindsFurnished, ClinicsTreatAndBedPatients) {
   bool has_wards = false;
   for (std::uint64_t seed = 0; seed < 4; ++seed) {
