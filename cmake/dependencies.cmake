@@ -32,6 +32,8 @@ if(BULLETNAV_REPORTS)
 endif()
 if(BULLETNAV_LEARNING)
   find_package(Torch REQUIRED)
+  # Torch has it within, but not its headers.
+  find_library(BULLETNAV_GLOO_LIBRARY gloo REQUIRED)
   pkg_check_modules(tcmalloc REQUIRED IMPORTED_TARGET libtcmalloc_minimal)
 endif()
 if(BULLETNAV_SLAM)

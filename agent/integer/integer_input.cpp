@@ -11,8 +11,7 @@
 namespace bulletnav::agent {
 namespace {
 
-constexpr int kRows = 128;
-constexpr int kCols = 512;
+constexpr int kMostCols = 4 * kInputRows;
 constexpr int kLargest = 2 * kInputZero;
 constexpr int kStepsPerMetre = 256;
 constexpr float kFarthest = 10.0f;  // metres
@@ -40,13 +39,13 @@ int DepthSteps(float metres) {
   return static_cast<int>(std::bit_cast<float>(bits) * kStepsPerMetre);
 }
 
-/// Sums over squares of kFactor pixels of the kFactor rows from `in` on.
+/// Sums over squares of kFactor pixels of the kFactor rows of `cols` pixels from `in` on.
 template <int kFactor>
-void SumColors(const std::uint8_t* in, const std::uint8_t* of_sum, std::uint8_t* out) {
-  for (int col = 0; col < kCols / kFactor; ++col) {
+void SumColors(const std::uint8_t* in, int cols, const std::uint8_t* of_sum, std::uint8_t* out) {
+  for (int col = 0; col < cols / kFactor; ++col) {
     std::array<int, 3> sum{};
     for (int y = 0; y < kFactor; ++y) {
-      const std::uint8_t* pixel = in + 3 * (y * kCols + col * kFactor);
+      const std::uint8_t* pixel = in + 3 * (y * cols + col * kFactor);
       for (int x = 0; x < kFactor; ++x, pixel += 3) {
         for (std::size_t c = 0; c < 3; ++c) sum[c] += pixel[c];
       }
@@ -58,14 +57,15 @@ void SumColors(const std::uint8_t* in, const std::uint8_t* of_sum, std::uint8_t*
 }
 
 template <int kFactor>
-void SumDepths(const float* in, const std::uint8_t* of_sum, std::uint8_t* out) {
-  std::array<int, kCols> sums{};
+void SumDepths(const float* in, int cols, const std::uint8_t* of_sum, std::uint8_t* out) {
+  std::array<int, kMostCols> sums{};
+  const auto size = static_cast<std::size_t>(cols);
   for (int y = 0; y < kFactor; ++y) {
-    for (std::size_t col = 0; col < kCols; ++col) {
-      sums[col] += DepthSteps(in[static_cast<std::size_t>(y) * kCols + col]);
+    for (std::size_t col = 0; col < size; ++col) {
+      sums[col] += DepthSteps(in[static_cast<std::size_t>(y) * size + col]);
     }
   }
-  for (int col = 0; col < kCols / kFactor; ++col) {
+  for (int col = 0; col < cols / kFactor; ++col) {
     int sum = 0;
     for (int x = 0; x < kFactor; ++x) sum += sums[static_cast<std::size_t>(col * kFactor + x)];
     out[col * kInputChannels + 3] = of_sum[sum];
@@ -74,33 +74,36 @@ void SumDepths(const float* in, const std::uint8_t* of_sum, std::uint8_t* out) {
 
 }  // namespace
 
-IntegerInput::IntegerInput(int rows, bool uses_depth)
-    : factor_(kRows / rows),
+IntegerInput::IntegerInput(int rows, bool uses_depth, int panorama_rows)
+    : rows_(panorama_rows),
+      factor_(panorama_rows / rows),
       uses_depth_(uses_depth),
       color_of_sum_(Shares(255 * factor_ * factor_ + 1)),
       depth_of_sum_(Shares(static_cast<int>(kFarthest) * kStepsPerMetre * factor_ * factor_ + 1)) {
   BULLETNAV_CHECK(factor_ == 1 || factor_ == 2 || factor_ == 4);
+  BULLETNAV_CHECK(panorama_rows <= kInputRows && factor_ * rows == panorama_rows);
 }
 
 void IntegerInput::Prepare(const Panorama& panorama, int index, Pictures* pictures) const {
-  constexpr std::size_t kPixels = std::size_t{kRows} * kCols;
-  BULLETNAV_CHECK_EQ(panorama.color.size(), 3 * kPixels);
-  if (uses_depth_) BULLETNAV_CHECK_EQ(panorama.depth.size(), kPixels);
+  const int cols = 4 * rows_;
+  const std::size_t pixels = static_cast<std::size_t>(rows_) * static_cast<std::size_t>(cols);
+  BULLETNAV_CHECK_EQ(panorama.color.size(), 3 * pixels);
+  if (uses_depth_) BULLETNAV_CHECK_EQ(panorama.depth.size(), pixels);
   const PictureShape& shape = pictures->shape;
-  BULLETNAV_CHECK_EQ(shape.rows * factor_, kRows);
+  BULLETNAV_CHECK_EQ(shape.rows * factor_, rows_);
   for (int row = 0; row < shape.rows; ++row) {
     std::uint8_t* out =
         pictures->bytes.data() + std::ptrdiff_t{index} * shape.size() + shape.Offset(row, 0);
-    const std::ptrdiff_t first = std::ptrdiff_t{row} * factor_ * kCols;
+    const std::ptrdiff_t first = std::ptrdiff_t{row} * factor_ * cols;
     const auto sum_colors = factor_ == 1   ? SumColors<1>
                             : factor_ == 2 ? SumColors<2>
                                            : SumColors<4>;
-    sum_colors(panorama.color.data() + 3 * first, color_of_sum_.data(), out);
+    sum_colors(panorama.color.data() + 3 * first, cols, color_of_sum_.data(), out);
     if (!uses_depth_) continue;
     const auto sum_depths = factor_ == 1   ? SumDepths<1>
                             : factor_ == 2 ? SumDepths<2>
                                            : SumDepths<4>;
-    sum_depths(panorama.depth.data() + first, depth_of_sum_.data(), out);
+    sum_depths(panorama.depth.data() + first, cols, depth_of_sum_.data(), out);
   }
 }
 

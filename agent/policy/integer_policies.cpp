@@ -3,7 +3,6 @@
 
 #include "agent/integer/quantised_file.h"
 #include "agent/models/model_registry.h"
-#include "agent/perception/model_file.h"
 #include "agent/policy/integer_policy.h"
 #include "agent/policy/policy_file.h"
 #include "sim/base/error.h"
@@ -16,7 +15,7 @@ const ModelRegistration registration(
     [](const std::filesystem::path& weights, const Rig& rig) {
       const TensorFile content = ReadTensorFile(weights);
       const PolicyConfig config = PolicyConfigOf(content, weights);
-      RequireRig(rig, ModelConfig{.depth = DepthFusion::kNone}, weights);
+      RequirePolicyRig(rig, config, weights);
       const QuantisedNet net = ReadQuantised(content, weights);
       try {
         return std::make_shared<IntegerPolicy>(config, net);

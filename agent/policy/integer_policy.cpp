@@ -17,6 +17,7 @@ constexpr int kCorrelationBits = 40;
 constexpr int kMemoryBits = 20;
 constexpr int kGateShift = 6;  // from steps of 2^-10 to those of logits
 constexpr int kLargestFine = 32767;
+constexpr int kMapFeatures = 128;  // as in MapBranch
 constexpr int kTurns = kPolicyMatches * kDirections * kDirections;
 
 /// x / 2^bits, rounded to the nearest, halves up.
@@ -43,11 +44,13 @@ void RequireSizes(const PolicyConfig& config, const QuantisedNet& net, int codes
   const bool correlates = config.fusion == Fusion::kCorrelation;
   const int features = config.features;
   RequireSize(net, "whole", codes, features);
-  const int parts = (correlates ? 4 : 3) * features + kPolicyNumbers;
+  const int parts =
+      (correlates ? 4 : 3) * features + kPolicyNumbers + (config.map ? kMapFeatures : 0);
   RequireSize(net, "joined", parts, features);
   RequireSize(net, "gru_in", features, 3 * config.memory);
   RequireSize(net, "gru_memory", config.memory, 3 * config.memory);
   RequireSize(net, "policy_head", config.memory, 4);
+  if (config.map) RequireSize(net, "map.whole", net.Layer("map.whole").inputs, kMapFeatures);
   if (!correlates) return;
   constexpr int kMatchValues = kPolicyMatches * kPolicyMatchSize;
   RequireSize(net, "source_match", codes / kDirections, kMatchValues);
@@ -70,6 +73,7 @@ IntegerPolicy::IntegerPolicy(const PolicyConfig& config, const QuantisedNet& net
       parts_(static_cast<std::size_t>(net.Layer("joined").inputs)),
       state_(static_cast<std::size_t>(config.memory)) {
   RequireSizes(config, net, sight_.code_size());
+  if (config.map) map_.emplace(net, kPolicyLargest);
   if (config.fusion != Fusion::kCorrelation) return;
   const double code = sight_.code_step();
   source_match_ = Layer(net, "source_match", code, net.Scale("source_match"));
@@ -89,6 +93,7 @@ void IntegerPolicy::Use(const IntegerKernels& kernels) {
   for (auto* layer : {&source_match_, &goal_match_, &matches_}) {
     if (*layer) (*layer)->Use(kernels);
   }
+  if (map_) map_->Use(kernels);
 }
 
 std::vector<float> IntegerPolicy::NoMemory() const {
@@ -171,11 +176,15 @@ void IntegerPolicy::Join(const IntegerEncoder::Codes& codes, const PolicyQuestio
         std::clamp(double{number} / kPolicyNumberStep, -1.0 * kPolicyLargest, 1.0 * kPolicyLargest);
     return static_cast<std::int16_t>(std::nearbyint(steps));
   });
-  if (!matches_) return;
-  Values turns(kTurns);
-  Correlate(Matches(&*source_match_, codes), question.goal.subspan(features), turns.data());
-  Run(&*matches_, turns.data(), 0, kPolicyLargest, &part);
-  std::copy(part.begin(), part.end(), out);
+  if (matches_) {
+    Values turns(kTurns);
+    Correlate(Matches(&*source_match_, codes), question.goal.subspan(features), turns.data());
+    Run(&*matches_, turns.data(), 0, kPolicyLargest, &part);
+    out = std::copy(part.begin(), part.end(), out);
+  }
+  if (!map_) return;
+  const std::span<const std::int16_t> mapped = map_->Run(question.map);
+  std::copy(mapped.begin(), mapped.end(), out);
 }
 
 void IntegerPolicy::Remember(std::vector<float>* memory) {

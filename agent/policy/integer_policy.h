@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "agent/integer/dot_layer.h"
+#include "agent/policy/integer_map.h"
 #include "agent/policy/integer_sight.h"
 #include "agent/policy/policy_config.h"
 #include "agent/policy/policy_input.h"
@@ -37,6 +38,7 @@ class IntegerPolicy final : public PolicyModel {
   IntegerPolicy(const PolicyConfig& config, const QuantisedNet& net);
 
   int step_limit() const override { return config_.step_limit; }
+  bool sees_map() const override { return map_.has_value(); }
   std::vector<float> NoMemory() const override;
   std::vector<float> CodeOf(const Panorama& goal) override;
   std::array<float, 4> Act(const PolicyQuestion& question, std::vector<float>* memory) override;
@@ -63,6 +65,7 @@ class IntegerPolicy final : public PolicyModel {
   std::optional<DotLayer> source_match_;
   std::optional<DotLayer> goal_match_;
   std::optional<DotLayer> matches_;
+  std::optional<IntegerMap> map_;
   DotLayer joined_;
   DotLayer gru_in_;
   DotLayer gru_memory_;

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "agent/models/model_registry.h"
-#include "agent/perception/model_file.h"
 #include "agent/perception/one_thread.h"
 #include "agent/policy/policy_file.h"
 #include "agent/policy/policy_net.h"
@@ -25,10 +24,13 @@ std::vector<float> VectorOf(const torch::Tensor& tensor) {
   return {flat.data_ptr<float>(), flat.data_ptr<float>() + flat.numel()};
 }
 
-torch::Tensor Encoded(PolicyNet* net, PolicyPictures* pictures, const Panorama& panorama) {
-  torch::Tensor bytes =
-      torch::empty({1, static_cast<std::int64_t>(pictures->bytes())}, torch::kUInt8);
-  pictures->Write(panorama, {bytes.data_ptr<std::uint8_t>(), pictures->bytes()});
+/// `map`: none for goals.
+torch::Tensor Encoded(PolicyNet* net, PolicyPictures* pictures, const Panorama& panorama,
+                      std::span<const std::uint8_t> map) {
+  torch::Tensor bytes = torch::zeros({1, net->picture_bytes()}, torch::kUInt8);
+  std::uint8_t* data = bytes.data_ptr<std::uint8_t>();
+  pictures->Write(panorama, {data, pictures->bytes()});
+  if (net->config().map) std::copy(map.begin(), map.end(), data + pictures->bytes());
   return net->Encode(bytes);
 }
 
@@ -43,6 +45,10 @@ int LearnedPolicy::step_limit() const {
   return net_->config().step_limit;
 }
 
+bool LearnedPolicy::sees_map() const {
+  return net_->config().map;
+}
+
 std::vector<float> LearnedPolicy::NoMemory() const {
   return std::vector<float>(static_cast<std::size_t>(net_->config().memory));
 }
@@ -50,7 +56,7 @@ std::vector<float> LearnedPolicy::NoMemory() const {
 std::vector<float> LearnedPolicy::CodeOf(const Panorama& goal) {
   const torch::NoGradGuard no_grad;
   StayInThisThread();
-  return VectorOf(Encoded(net_.get(), &pictures_, goal));
+  return VectorOf(Encoded(net_.get(), &pictures_, goal, {}));
 }
 
 std::array<float, 4> LearnedPolicy::Act(const PolicyQuestion& question,
@@ -58,7 +64,7 @@ std::array<float, 4> LearnedPolicy::Act(const PolicyQuestion& question,
   const torch::NoGradGuard no_grad;
   StayInThisThread();
   PolicyNet::Seen seen;
-  seen.codes = Encoded(net_.get(), &pictures_, question.panorama).unsqueeze(0);
+  seen.codes = Encoded(net_.get(), &pictures_, question.panorama, question.map).unsqueeze(0);
   seen.goals = TensorOf(question.goal);
   seen.numbers = TensorOf(question.numbers);
   const PolicyNet::Output output =
@@ -71,14 +77,14 @@ std::array<float, 4> LearnedPolicy::Act(const PolicyQuestion& question,
 
 namespace {
 
-const ModelRegistration registration(kPolicyKey, [](const std::filesystem::path& weights,
-                                                    const Rig& rig) {
-  const std::shared_ptr<PolicyNet> net = LoadPolicy(weights);
-  RequireRig(rig, ModelConfig{.depth = DepthFusion::kNone}, weights);
-  net->eval();
-  net->Fold();
-  return std::make_shared<LearnedPolicy>(net);
-});
+const ModelRegistration registration(kPolicyKey,
+                                     [](const std::filesystem::path& weights, const Rig& rig) {
+                                       const std::shared_ptr<PolicyNet> net = LoadPolicy(weights);
+                                       RequirePolicyRig(rig, net->config(), weights);
+                                       net->eval();
+                                       net->Fold();
+                                       return std::make_shared<LearnedPolicy>(net);
+                                     });
 
 }  // namespace
 

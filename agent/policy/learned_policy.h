@@ -17,6 +17,7 @@ class LearnedPolicy final : public PolicyModel {
   ~LearnedPolicy() override;
 
   int step_limit() const override;
+  bool sees_map() const override;
   std::vector<float> NoMemory() const override;
   std::vector<float> CodeOf(const Panorama& goal) override;
   std::array<float, 4> Act(const PolicyQuestion& question, std::vector<float>* memory) override;

@@ -6,12 +6,15 @@
 
 namespace bulletnav::agent {
 
-PolicyAgent::PolicyAgent(const Config& config, std::shared_ptr<PolicyModel> policy)
-    : config_(config), policy_(std::move(policy)) {}
+PolicyAgent::PolicyAgent(const Config& config, std::shared_ptr<PolicyModel> policy, const Rig& rig)
+    : config_(config), policy_(std::move(policy)) {
+  if (policy_->sees_map()) map_ = std::make_unique<PolicyMap>(rig);
+}
 
 void PolicyAgent::Reset(const Panorama& goal, std::uint64_t seed) {
   goal_ = policy_->CodeOf(goal);
   memory_ = policy_->NoMemory();
+  if (map_) map_->Reset();
   last_.reset();
   first_step_.reset();
   seed_ = seed;
@@ -26,10 +29,19 @@ sim::Action PolicyAgent::Act(const Observation& observation) {
   seen.step -= *first_step_;
   std::array<float, kPolicyNumbers> numbers{};
   WritePolicyNumbers(seen, last_, policy_->step_limit(), numbers);
-  const std::array<float, 4> probabilities =
-      policy_->Act({seen.panorama, goal_, numbers}, &memory_);
+  PolicyQuestion question = {seen.panorama, goal_, numbers};
+  if (map_) {
+    map_->See(seen);
+    question.map = map_->bytes();
+  }
+  const std::array<float, 4> probabilities = policy_->Act(question, &memory_);
   last_ = sim::kAllActions.at(Choose(probabilities, seen.step));
   return *last_;
+}
+
+Belief PolicyAgent::belief() const {
+  if (!map_) return {};
+  return {map_->pose(), std::nullopt, map_->map().Picture()};
 }
 
 std::size_t PolicyAgent::Choose(std::array<float, 4> probabilities, int step) const {

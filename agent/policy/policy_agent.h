@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -8,6 +9,7 @@
 
 #include "agent/agent.h"
 #include "agent/policy/policy_input.h"
+#include "agent/policy/policy_map.h"
 #include "agent/policy/policy_model.h"
 #include "sim/base/error.h"
 #include "sim/math/rng.h"
@@ -38,18 +40,21 @@ class PolicyAgent : public Agent {
   };
 
   PolicyAgent(const Config& config, const AgentContext& context)
-      : PolicyAgent(config, context.models.Need<PolicyModel>(kPolicy)) {}
-  PolicyAgent(const Config& config, std::shared_ptr<PolicyModel> policy);
+      : PolicyAgent(config, context.models.Need<PolicyModel>(kPolicy), context.rig) {}
+  /// Throws Error if the policy sees a map and the rig has no depth.
+  PolicyAgent(const Config& config, std::shared_ptr<PolicyModel> policy, const Rig& rig = {});
 
   void Reset(const Panorama& goal, std::uint64_t seed) override;
   /// Another goal is another episode to it, but for where in the place the body is.
   sim::Action Act(const Observation& observation) override;
+  Belief belief() const override;
 
  private:
   std::size_t Choose(std::array<float, 4> probabilities, int step) const;
 
   Config config_;
   std::shared_ptr<PolicyModel> policy_;
+  std::unique_ptr<PolicyMap> map_;  // of a policy that sees it
   std::vector<float> goal_;
   std::vector<float> memory_;
   std::optional<sim::Action> last_;

@@ -37,6 +37,7 @@ struct PolicyConfig {
   Fusion fusion = Fusion::kCorrelation;
   /// Its own encoder is trained with it; else it sees with a semantic model's, in integers.
   bool own_encoder = true;
+  bool map = false;  // is shown its metric map, too (PolicyMap); needs depth
   Precision precision = Precision::kBfloat16;
 
   bool operator==(const PolicyConfig&) const = default;
@@ -50,6 +51,7 @@ struct PolicyConfig {
     v("step_limit", step_limit);
     v("fusion", fusion);
     v("own_encoder", own_encoder);
+    v("map", map);
     v("precision", precision);
   }
   /// Throws Error.

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "agent/models/safetensors.h"
+#include "agent/observation.h"
 #include "agent/policy/policy_config.h"
 
 namespace bulletnav::agent {
@@ -10,5 +11,10 @@ namespace bulletnav::agent {
 /// The configuration of the policy that weights belong to. Throws FileError if it is missing or
 /// bad.
 PolicyConfig PolicyConfigOf(const TensorFile& weights, const std::filesystem::path& file);
+
+/// Throws FileError unless a rig gives what the policy takes: panoramas of 128 x 512 with colour
+/// and, if it is shown a map, depth.
+void RequirePolicyRig(const Rig& rig, const PolicyConfig& config,
+                      const std::filesystem::path& file);
 
 }  // namespace bulletnav::agent

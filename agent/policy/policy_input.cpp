@@ -27,9 +27,9 @@ void WritePolicyNumbers(const Observation& observation, std::optional<sim::Actio
       static_cast<float>(std::min(observation.step, step_limit)) / static_cast<float>(step_limit);
 }
 
-PolicyPictures::PolicyPictures(int rows)
-    : with_depth_(rows, true),
-      color_alone_(rows, false),
+PolicyPictures::PolicyPictures(int rows, int panorama_rows)
+    : with_depth_(rows, true, panorama_rows),
+      color_alone_(rows, false, panorama_rows),
       pictures_({rows, 4 * rows, kInputChannels, 0}, 1) {}
 
 void PolicyPictures::Write(const Panorama& panorama, std::span<std::uint8_t> out) {

@@ -26,10 +26,11 @@ void WritePolicyNumbers(const Observation& observation, std::optional<sim::Actio
 /// returned.
 class PolicyPictures {
  public:
-  explicit PolicyPictures(int rows);
+  /// Of panoramas of so many rows: means over squares of them.
+  explicit PolicyPictures(int rows, int panorama_rows = kInputRows);
 
   std::size_t bytes() const { return static_cast<std::size_t>(pictures_.shape.size()); }
-  /// Expects: a panorama of 128 x 512 (checked).
+  /// Expects: a panorama of the right size (checked).
   void Write(const Panorama& panorama, std::span<std::uint8_t> out);
 
  private:

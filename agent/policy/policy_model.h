@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <array>
+#include <cstdint>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -13,8 +14,9 @@ namespace bulletnav::agent {
 /// What a policy is asked with, in one step.
 struct PolicyQuestion {
   Panorama panorama;
-  std::span<const float> goal;     // from CodeOf
-  std::span<const float> numbers;  // see WritePolicyNumbers
+  std::span<const float> goal;             // from CodeOf
+  std::span<const float> numbers;          // see WritePolicyNumbers
+  std::span<const std::uint8_t> map = {};  // of PolicyMap, for a policy that sees it
 };
 
 /// A policy from panoramas to actions, with a memory that its user keeps. Deterministic. Source:
@@ -24,6 +26,7 @@ class PolicyModel : public virtual Model {
   static constexpr std::string_view kWhat = "policy";
 
   virtual int step_limit() const = 0;
+  virtual bool sees_map() const { return false; }
   /// What it begins an episode with.
   virtual std::vector<float> NoMemory() const = 0;
   /// Of a goal; done once an episode.

@@ -50,7 +50,8 @@ torch::Tensor Turns() {
 torch::Tensor PolicyInput(const PolicyConfig& config, const torch::Tensor& pictures) {
   const std::int64_t rows = config.rows;
   const torch::Tensor steps = torch::tensor({kColorStep, kColorStep, kColorStep, kDepthStep});
-  return pictures.view({-1, rows, 4 * rows, 4})
+  return pictures.narrow(1, 0, 16 * rows * rows)
+      .reshape({-1, rows, 4 * rows, 4})
       .to(torch::kFloat32)
       .sub_(kMiddle)
       .mul_(steps)
@@ -74,6 +75,10 @@ PolicyNet::PolicyNet(const PolicyConfig& config, std::uint64_t seed) : config_(c
     matches_ = add("matches", kTurns, features);
     parts += features;
   }
+  if (config.map) {
+    map_ = register_module("map", std::make_shared<MapBranch>(&rng));
+    parts += kMapFeatures;
+  }
   joined_ = add("joined", parts, features);
   gru_in_ = add("gru_in", features, 3 * config.memory, kMemoryGain);
   gru_memory_ = add("gru_memory", config.memory, 3 * config.memory, kMemoryGain);
@@ -89,8 +94,18 @@ void PolicyNet::SeeWith(std::shared_ptr<IntegerSight> sight) {
   sight_ = std::move(sight);
 }
 
+std::int64_t PolicyNet::picture_bytes() const {
+  return 16 * std::int64_t{config_.rows} * config_.rows +
+         (config_.map ? std::int64_t{kPolicyMapBytes} : 0);
+}
+
+std::int64_t PolicyNet::code_size() const {
+  return kCodes + (config_.map ? std::int64_t{kPolicyMapBytes} : 0);
+}
+
 torch::Tensor PolicyNet::EncodeInIntegers(const torch::Tensor& pictures) const {
-  const torch::Tensor bytes = pictures.contiguous();
+  const std::int64_t rows = config_.rows;
+  const torch::Tensor bytes = pictures.narrow(1, 0, 16 * rows * rows).contiguous();
   const IntegerEncoder::Codes codes =
       sight_->Codes({bytes.data_ptr<std::uint8_t>(), static_cast<std::size_t>(bytes.numel())});
   torch::Tensor numbers = torch::empty({pictures.size(0), kCodes});
@@ -102,18 +117,23 @@ torch::Tensor PolicyNet::EncodeInIntegers(const torch::Tensor& pictures) const {
 }
 
 torch::Tensor PolicyNet::Encode(const torch::Tensor& pictures) {
-  if (sight_) return EncodeInIntegers(pictures);
-  return encoder_->forward(PolicyInput(config_, pictures)).view({-1, kCodes});
+  const torch::Tensor codes =
+      sight_ ? EncodeInIntegers(pictures)
+             : encoder_->forward(PolicyInput(config_, pictures)).view({-1, kCodes});
+  if (!map_) return codes;
+  const std::int64_t bytes = kPolicyMapBytes;
+  return at::cat({codes, pictures.narrow(1, pictures.size(1) - bytes, bytes).to(torch::kFloat32)},
+                 1);
 }
 
 torch::Tensor PolicyNet::Correlation(const torch::Tensor& codes, const torch::Tensor& goals) {
   const auto split = [](const torch::Tensor& x) {
-    return x.view({-1, kDirections, kMatches, kMatchSize}).transpose(1, 2);
+    return x.reshape({-1, kDirections, kMatches, kMatchSize}).transpose(1, 2);
   };
   const torch::Tensor sources =
-      split(source_match_->forward(codes.view({-1, kDirections, kCodeSize})));
+      split(source_match_->forward(codes.reshape({-1, kDirections, kCodeSize})));
   const torch::Tensor others =
-      split(goal_match_->forward(goals.view({-1, kDirections, kCodeSize})));
+      split(goal_match_->forward(goals.reshape({-1, kDirections, kCodeSize})));
   static const torch::Tensor turns = Turns();
   return (at::matmul(sources, others.transpose(2, 3)) / std::sqrt(double{kMatchSize}))
       .reshape({-1, kMatches, kDirections * kDirections})
@@ -123,13 +143,15 @@ torch::Tensor PolicyNet::Correlation(const torch::Tensor& codes, const torch::Te
 
 torch::Tensor PolicyNet::Joined(const Seen& seen) {
   const std::int64_t count = seen.codes.size(0) * seen.codes.size(1);
-  const torch::Tensor codes = seen.codes.reshape({count, kCodes});
-  const torch::Tensor goals = seen.goals.reshape({count, kCodes});
+  const torch::Tensor shown = seen.codes.reshape({count, code_size()});
+  const torch::Tensor codes = shown.narrow(1, 0, kCodes);
+  const torch::Tensor goals = seen.goals.narrow(-1, 0, kCodes).reshape({count, kCodes});
   const torch::Tensor here = whole_->forward(codes).relu();
   const torch::Tensor there = whole_->forward(goals).relu();
   std::vector<torch::Tensor> parts = {here, there, here * there,
                                       seen.numbers.reshape({count, kPolicyNumbers})};
   if (matches_) parts.push_back(matches_->forward(Correlation(codes, goals)).relu());
+  if (map_) parts.push_back(map_->forward(shown.narrow(1, kCodes, code_size() - kCodes)));
   return joined_->forward(at::cat(parts, 1))
       .relu()
       .view({seen.codes.size(0), seen.codes.size(1), config_.features});

@@ -8,6 +8,7 @@
 #include "agent/models/safetensors.h"
 #include "agent/perception/encoder.h"
 #include "agent/policy/integer_sight.h"
+#include "agent/policy/map_branch.h"
 #include "agent/policy/policy_config.h"
 
 namespace bulletnav::agent {
@@ -21,7 +22,7 @@ namespace bulletnav::agent {
 class PolicyNet : public torch::nn::Module {
  public:
   struct Seen {
-    torch::Tensor codes;    // [steps, lanes, kCodes], from Encode
+    torch::Tensor codes;    // [steps, lanes, code_size()], from Encode
     torch::Tensor goals;    // likewise
     torch::Tensor numbers;  // [steps, lanes, kPolicyNumbers]
   };
@@ -30,12 +31,16 @@ class PolicyNet : public torch::nn::Module {
     torch::Tensor values;  // [steps, lanes]
     torch::Tensor memory;  // [lanes, memory], after the last step
   };
-  static constexpr int kCodes = 12 * kCodeSize;
+  static constexpr int kCodes = 12 * kCodeSize;  // of a panorama
 
   PolicyNet(const PolicyConfig& config, std::uint64_t seed);
 
   const PolicyConfig& config() const { return config_; }
-  /// u8 [n, rows * cols * 4] of PolicyPictures to [n, kCodes].
+  /// Bytes of PolicyPictures and, if it is shown a map, of PolicyMap after them.
+  std::int64_t picture_bytes() const;
+  /// Numbers that Encode makes of them: kCodes, and the map's bytes as they are.
+  std::int64_t code_size() const;
+  /// u8 [n, picture_bytes()] to [n, code_size()]. The map's part of a goal does not matter.
   torch::Tensor Encode(const torch::Tensor& pictures);
   /// `starts` [steps, lanes], 1 where an episode begins: the memory [lanes, memory] that comes in
   /// is then zero.
@@ -64,6 +69,7 @@ class PolicyNet : public torch::nn::Module {
   std::shared_ptr<Dense> source_match_;  // these two and the next: kCorrelation
   std::shared_ptr<Dense> goal_match_;
   std::shared_ptr<Dense> matches_;
+  std::shared_ptr<MapBranch> map_;  // or null
   std::shared_ptr<Dense> joined_;
   std::shared_ptr<Dense> gru_in_;
   std::shared_ptr<Dense> gru_memory_;
@@ -71,7 +77,7 @@ class PolicyNet : public torch::nn::Module {
   std::shared_ptr<Dense> value_;
 };
 
-/// The encoder's input from bytes of PolicyPictures: [n, 4, rows, cols] as of PrepareInput.
+/// The encoder's input from pictures as of Encode: [n, 4, rows, cols] as of PrepareInput.
 torch::Tensor PolicyInput(const PolicyConfig& config, const torch::Tensor& pictures);
 
 /// A file of weights holds the configuration as YAML in its metadata under "policy".

@@ -21,8 +21,10 @@ class PolicyQuantiser {
 
   QuantisedNet Run(const PolicyCalibration& calibration) {
     Encoder(calibration.pictures);
-    const torch::Tensor codes = net_.Encode(calibration.pictures);
-    const torch::Tensor goals = net_.Encode(calibration.goal_pictures);
+    const std::int64_t size = PolicyNet::kCodes;
+    const torch::Tensor shown = net_.Encode(calibration.pictures);
+    const torch::Tensor codes = shown.narrow(1, 0, size);
+    const torch::Tensor goals = net_.Encode(calibration.goal_pictures).narrow(1, 0, size);
     quantiser_.Dense16("whole", code_step_, kPolicyLargest);
     const torch::Tensor here = Apply("whole", codes).relu();
     const torch::Tensor there = Apply("whole", goals).relu();
@@ -36,6 +38,7 @@ class PolicyQuantiser {
     const double step = quantiser_.RoomyScale("whole", all, kPolicyLargest, kRoom);
     std::vector<torch::Tensor> parts = {here, there, here * there, calibration.numbers};
     if (turns.defined()) parts.push_back(Apply("matches", turns).relu());
+    if (net_.config().map) parts.push_back(Map(shown.narrow(1, size, net_.code_size() - size)));
     Join(parts, step);
     quantiser_.Dense16("gru_memory", kPolicyMemoryStep, kPolicyLargest);
     quantiser_.Dense16("policy_head", kPolicyMemoryStep, kPolicyLargest);
@@ -64,7 +67,7 @@ class PolicyQuantiser {
   torch::Tensor Correlation(const torch::Tensor& codes, const torch::Tensor& goals) {
     const auto of = [&](const char* name, const torch::Tensor& x) {
       quantiser_.Dense16(name, code_step_, kPolicyLargest);
-      const torch::Tensor matches = Apply(name, x.view({-1, kDirections, kCodeSize}));
+      const torch::Tensor matches = Apply(name, x.reshape({-1, kDirections, kCodeSize}));
       quantiser_.RoomyScale(name, matches, kPolicyLargest, kRoom);
     };
     of("source_match", codes);
@@ -75,11 +78,35 @@ class PolicyQuantiser {
     return turns;
   }
 
+  /// What the map's branch comes to.
+  torch::Tensor Map(const torch::Tensor& bytes) {
+    torch::Tensor x = MapBranch::Planes(bytes);
+    double step = 1.0;
+    int largest = 1;
+    for (const char* conv : kMapConvs) {
+      const std::string name = std::string("map.") + conv;
+      const torch::Tensor& weight = quantiser_.Weight(name + ".weight");
+      // [out, rows of the window, columns of it and channels]
+      quantiser_.Dense16(name, step, largest,
+                         weight.permute({0, 2, 3, 1}).reshape({weight.size(0), 3, -1}));
+      x = at::conv2d(x, weight, quantiser_.Weight(name + ".bias"), 2, 1).relu();
+      step = quantiser_.RoomyScale(name, x, kPolicyLargest, kRoom);
+      largest = kPolicyLargest;
+    }
+    quantiser_.Dense16("map.whole", step, kPolicyLargest);
+    const torch::Tensor whole = Apply("map.whole", MapBranch::Flat(x)).relu();
+    map_step_ = quantiser_.RoomyScale("map.whole", whole, kPolicyLargest, kRoom);
+    return whole;
+  }
+
   void Join(const std::vector<torch::Tensor>& parts, double step) {
     torch::Tensor weight = quantiser_.Weight("joined.weight").clone();
     const std::int64_t features = net_.config().features;
     weight.narrow(1, 2 * features, features).mul_(PolicyProductStep(step) / step);
     weight.narrow(1, 3 * features, kPolicyNumbers).mul_(kPolicyNumberStep / step);
+    if (net_.config().map) {
+      weight.narrow(1, weight.size(1) - kMapFeatures, kMapFeatures).mul_(map_step_ / step);
+    }
     quantiser_.Dense16("joined", step, kPolicyLargest, weight);
     const torch::Tensor joined = Apply("joined", at::cat(parts, 1)).relu();
     const double out = quantiser_.RoomyScale("joined", joined, kPolicyLargest, kRoom);
@@ -89,6 +116,7 @@ class PolicyQuantiser {
   PolicyNet& net_;
   Quantiser quantiser_;
   double code_step_ = 0.0;
+  double map_step_ = 0.0;
 };
 
 }  // namespace

@@ -11,6 +11,7 @@ void AddCompareCommand(CLI::App* program);
 void AddDatasetCommand(CLI::App* program);
 void AddTrainCommand(CLI::App* program);
 void AddEvaluatePerceptionCommand(CLI::App* program);
+void AddEvaluatePolicyCommand(CLI::App* program);
 void AddEpisodesCommand(CLI::App* program);
 /// Joins the shards of a run.
 void AddMergeCommand(CLI::App* program);

@@ -41,6 +41,9 @@ void AddForwardedCommands(CLI::App* program, CommandLine line) {
       program, line,
       {"evaluate-perception", "How right the learned functions are in scenes they have not seen"},
       RunLearningCommand);
+  AddForwarded(program, line,
+               {"evaluate-policy", "How a learned policy fares, and whether it looks at its goal"},
+               RunLearningCommand);
   AddForwarded(
       program, line,
       {"quantise", "Put a network in integers beside the trained one in a file of weights"},

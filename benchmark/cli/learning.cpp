@@ -42,4 +42,10 @@ int RunLearningCommand(int argc, char** argv) {
   return FindFunction<Run>(kLibrary, Library(), "BulletnavRunLearningCommand")(argc, argv);
 }
 
+void MeasureTrainingThere(const BenchScene& scene,
+                          const std::function<void(const BenchFigure&)>& tell) {
+  using Measure = void(const BenchScene*, const std::function<void(const BenchFigure&)>*);
+  FindFunction<Measure>(kLibrary, Library(), "BulletnavMeasureTraining")(&scene, &tell);
+}
+
 }  // namespace bulletnav::bench

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <cstdlib>
+#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -23,16 +25,44 @@ namespace {
 /// Of configs that were written when there was no key `task`.
 constexpr const char* kDefaultTask = "nts";
 
+/// Hears what the first process tells.
+class Silent final : public TrainObserver {
+ public:
+  void Resumed(int /*step*/) override {}
+  void Stepped(int /*step*/, double /*loss*/) override {}
+  void Validated(int, const Measures&, const std::string&) override {}
+};
+
+void TrainTogether(const sim::YamlNode& config, const std::shared_ptr<Peers>& peers) {
+  TrainContext context;
+  if (peers->is_first()) context.start = StartLine;
+  context.peers = peers;
+  const TrainJob job = MakeTraining(config, kDefaultTask, context);
+  if (!peers->is_first()) {
+    Silent silent;
+    RunTraining(job, &silent, peers.get());
+    return;
+  }
+  TrainingLog log(job, &std::cerr);
+  RunTraining(job, &log, peers.get());
+  fmt::print("weights and curves: {}\n", job.plan.out);
+}
+
 void Train(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
   const StopNote note([] {
     return std::string("the same command goes on from what was saved last");
   });
   const sim::YamlNode config =
       sim::WithOverrides(sim::ParseYaml(sim::ReadYamlFile(file), file), file, overrides);
-  const TrainJob job = MakeTraining(config, kDefaultTask, {.start = StartLine});
-  TrainingLog log(job, &std::cerr);
-  RunTraining(job, &log);
-  fmt::print("weights and curves: {}\n", job.plan.out);
+  const auto peers = std::make_shared<Peers>(PeerPlaceOf([](const char* name) {
+    return static_cast<const char*>(std::getenv(name));
+  }));
+  try {
+    TrainTogether(config, peers);
+  } catch (const std::exception& error) {
+    peers->Leave(error.what());
+    throw;
+  }
 }
 
 }  // namespace

@@ -87,6 +87,9 @@ class FixedMapper final : public FreeSpaceModel {
 /// every so often it would rather stop.
 class FixedPolicy final : public PolicyModel {
  public:
+  explicit FixedPolicy(bool sees_map) : sees_map_(sees_map) {}
+
+  bool sees_map() const override { return sees_map_; }
   int step_limit() const override { return 500; }
   std::vector<float> NoMemory() const override { return {0.0f}; }
   std::vector<float> CodeOf(const Panorama& goal) override {
@@ -95,9 +98,13 @@ class FixedPolicy final : public PolicyModel {
   std::array<float, 4> Act(const PolicyQuestion& question, std::vector<float>* memory) override {
     memory->front() += 1.0f;
     const float light = static_cast<float>(question.panorama.color.front()) / 255.0f;
-    const float left = 0.5f * std::fabs(light - question.goal.front());
+    float left = 0.5f * std::fabs(light - question.goal.front());
+    if (!question.map.empty()) left = static_cast<float>(question.map[1536] % 8) / 16.0f;
     return {memory->front() > 30.0f ? 0.4f : 0.0f, 0.5f, left, 0.5f - left};
   }
+
+ private:
+  bool sees_map_;
 };
 
 sim::SimulatorSpec SmallSpec() {
@@ -111,7 +118,7 @@ AgentContext Context(bool sees = false) {
   AgentContext context;
   context.rig.panorama = SmallSpec().panorama;
   context.models.Set("semantic_model", std::make_shared<FixedModel>(sees));
-  context.models.Set("policy", std::make_shared<FixedPolicy>());
+  context.models.Set("policy", std::make_shared<FixedPolicy>(false));
   return context;
 }
 
@@ -140,7 +147,14 @@ std::vector<sim::Observation> RandomWalk(std::uint64_t seed, int steps) {
 }
 
 std::unique_ptr<BatchAgent> Make(const std::string& name, std::span<const AgentContext> contexts) {
-  return ConfigureAgent(name)(contexts);
+  std::vector<AgentContext> own(contexts.begin(), contexts.end());
+  for (AgentContext& context : own) {
+    const bool has_policy = context.models.Find<PolicyModel>("policy") != nullptr;
+    if (has_policy) {
+      context.models.Set("policy", std::make_shared<FixedPolicy>(name == "metric_map_rl"));
+    }
+  }
+  return ConfigureAgent(name)(own);
 }
 
 std::unique_ptr<BatchAgent> MakeOne(const std::string& name, bool sees = false) {

@@ -9,6 +9,8 @@
 
 #include "agent/perception/weights.h"
 #include "sim/base/error.h"
+#include "sim/base/files.h"
+#include "sim/base/temporary_folder.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -40,14 +42,17 @@ agent::TensorFile ReadCheckpoint(const fs::path& file) {
 
 }  // namespace
 
-Checkpoints::Checkpoints(const fs::path& folder, std::string essence)
-    : newest_(folder / "checkpoint.safetensors"),
+Checkpoints::Checkpoints(const fs::path& folder, std::string essence, Peers* peers)
+    : peers_(peers),
+      newest_(folder / "checkpoint.safetensors"),
       previous_(folder / "checkpoint_previous.safetensors"),
       essence_(std::move(essence)) {}
 
 void Checkpoints::Write(const TrainState& state, Training* training,
                         const Optimiser& optimiser) const {
   agent::TensorFile content;
+  training->AppendState(&content);
+  if (!peers_->is_first()) return;
   content.metadata["config"] = essence_;
   content.metadata["step"] = std::to_string(state.step);
   content.metadata["seconds"] = std::to_string(std::llround(state.seconds));
@@ -55,24 +60,46 @@ void Checkpoints::Write(const TrainState& state, Training* training,
       std::to_string(std::bit_cast<std::uint64_t>(state.best_loss));
   agent::AppendWeights(training->net(), kWeights, &content);
   optimiser.Append(&content);
-  training->AppendState(&content);
   std::error_code none_yet;
   fs::rename(newest_, previous_, none_yet);
   agent::WriteTensorFile(newest_, content);
 }
 
-std::optional<TrainState> Checkpoints::Read(Training* training, Optimiser* optimiser) const {
+std::optional<Checkpoints::Found> Checkpoints::Find() const {
   if (!fs::exists(newest_) && !fs::exists(previous_)) return std::nullopt;
   if (fs::exists(newest_)) {
-    std::optional<agent::TensorFile> content;
     try {
-      content = ReadCheckpoint(newest_);
+      return Found{newest_, ReadCheckpoint(newest_)};
     } catch (const sim::Error&) {
       if (!fs::exists(previous_)) throw;
     }
-    if (content) return Restore(newest_, *content, training, optimiser);
   }
-  return Restore(previous_, ReadCheckpoint(previous_), training, optimiser);
+  return Found{previous_, ReadCheckpoint(previous_)};
+}
+
+/// What the first process finds goes to all, which may be on machines without its folder.
+std::optional<Checkpoints::Found> Checkpoints::FindTogether() const {
+  std::optional<Found> found;
+  std::string bytes;
+  if (peers_->is_first()) {
+    found = Find();
+    if (found) {
+      const std::vector<std::uint8_t> read = sim::ReadFile(found->file);
+      bytes.assign(read.begin(), read.end());
+    }
+  }
+  bytes = peers_->FromFirst(bytes);
+  if (peers_->is_first() || bytes.empty()) return found;
+  const sim::TemporaryFolder folder;
+  const fs::path copy = folder.path() / newest_.filename();
+  sim::WriteFileAtomically(copy, bytes);
+  return Found{newest_, ReadCheckpoint(copy)};
+}
+
+std::optional<TrainState> Checkpoints::Read(Training* training, Optimiser* optimiser) const {
+  const std::optional<Found> found = peers_->size() == 1 ? Find() : FindTogether();
+  if (!found) return std::nullopt;
+  return Restore(found->file, found->content, training, optimiser);
 }
 
 TrainState Checkpoints::Restore(const fs::path& file, const agent::TensorFile& content,

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "agent/models/safetensors.h"
+#include "benchmark/training/core/peers.h"
 #include "benchmark/training/core/training.h"
 
 namespace bulletnav::bench {
@@ -20,8 +21,9 @@ struct TrainState {
 /// The newest checkpoint of a training and the one before, in its folder.
 class Checkpoints {
  public:
-  /// `essence`: what the training's result follows from, as text.
-  Checkpoints(const std::filesystem::path& folder, std::string essence);
+  /// `essence`: what the training's result follows from, as text. Of several processes the first
+  /// reads and writes, but all must call.
+  Checkpoints(const std::filesystem::path& folder, std::string essence, Peers* peers);
 
   const std::filesystem::path& newest() const { return newest_; }
 
@@ -37,6 +39,15 @@ class Checkpoints {
   TrainState Restore(const std::filesystem::path& file, const agent::TensorFile& content,
                      Training* training, Optimiser* optimiser) const;
 
+  /// The file to go on from, and what it holds; none if there is no checkpoint.
+  struct Found {
+    std::filesystem::path file;
+    agent::TensorFile content;
+  };
+  std::optional<Found> Find() const;
+  std::optional<Found> FindTogether() const;
+
+  Peers* peers_;
   std::filesystem::path newest_;
   std::filesystem::path previous_;
   std::string essence_;

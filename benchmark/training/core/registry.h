@@ -15,6 +15,7 @@ namespace bulletnav::bench {
 struct TrainContext {
   /// Starts a line of progress: what, and of how many; the answer is called for each that is done.
   std::function<std::function<void()>(const std::string& what, int total)> start;
+  std::shared_ptr<Peers> peers = nullptr;  // that train together with this process; null: alone
 };
 
 /// Names of all registered trainers, in alphabetical order.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <optional>
+#include <span>
 
 #include <fmt/core.h>
 
@@ -39,22 +40,25 @@ std::unique_ptr<Optimiser> OptimiserOf(const TrainJob& job) {
 
 class Trainer {
  public:
-  Trainer(const TrainJob& job, TrainObserver* observer)
+  Trainer(const TrainJob& job, TrainObserver* observer, Peers* peers)
       : job_(job),
         plan_(job.plan),
         training_(job.training.get()),
         observer_(observer),
-        folder_(MadeFolder(plan_.out)),
-        lock_(folder_),
-        optimiser_(OptimiserOf(job)),
-        checkpoints_(plan_.out, job.essence) {}
+        peers_(peers),
+        folder_(plan_.out) {
+    if (peers_->is_first()) lock_.emplace(MadeFolder(folder_));
+    optimiser_ = OptimiserOf(job);
+    checkpoints_.emplace(folder_, job.essence, peers_);
+  }
 
   void Run() {
     agent::StayInThisThread();
-    const std::optional<TrainState> found = checkpoints_.Read(training_, optimiser_.get());
+    const std::optional<TrainState> found = checkpoints_->Read(training_, optimiser_.get());
     if (found) state_ = *found;
     if (state_.step > 0) observer_->Resumed(state_.step);
-    Curves curves(folder_ / "curves.csv", state_.step);
+    std::optional<Curves> curves;
+    if (peers_->is_first()) curves.emplace(folder_ / "curves.csv", state_.step);
     const Clock::time_point start = Clock::now();
     const double before = state_.seconds;
     double loss_sum = 0.0;
@@ -64,23 +68,27 @@ class Trainer {
       ++since;
       if (state_.step % plan_.validate_every != 0 && state_.step < plan_.steps) continue;
       state_.seconds = before + std::chrono::duration<double>(Clock::now() - start).count();
-      curves.Append(Validated(loss_sum / since));
-      checkpoints_.Write(state_, training_, *optimiser_);
+      const CurvePoint point = Validated(loss_sum / since);
+      if (curves) curves->Append(point);
+      checkpoints_->Write(state_, training_, *optimiser_);
       loss_sum = 0.0;
       since = 0;
     }
     Finish(curves);
+    const double is_done = 1.0;
+    peers_->Gather(std::span(&is_done, 1));  // nobody leaves before all are here
   }
 
  private:
-  void Finish(const Curves& curves) const {
+  void Finish(const std::optional<Curves>& curves) const {
     Save("weights.safetensors");
     training_->net().eval();
     const Measures floats = training_->Validate();
     const std::optional<Measures> integers = training_->Quantise(folder_ / "weights.safetensors");
+    if (!peers_->is_first()) return;
     sim::WriteFileAtomically(folder_ / "weights.md",
                              ModelCard(job_, state_.step, state_.seconds, {floats, integers}));
-    WriteFigure(CurvesFigure(curves.points(), training_->curves(), training_->curves_label()),
+    WriteFigure(CurvesFigure(curves->points(), training_->curves(), training_->curves_label()),
                 folder_ / "curves");
   }
 
@@ -113,8 +121,8 @@ class Trainer {
 
   void RequireNumber(double loss, const std::string& which, std::int64_t step) const {
     if (std::isfinite(loss)) return;
-    const std::string kept = fs::exists(checkpoints_.newest())
-                                 ? "the last good checkpoint is " + checkpoints_.newest().string()
+    const std::string kept = fs::exists(checkpoints_->newest())
+                                 ? "the last good checkpoint is " + checkpoints_->newest().string()
                                  : "there is no checkpoint yet";
     throw sim::Error(fmt::format(
         "the {} loss is {} at step {}; {}; lower the learning_rate and train in another "
@@ -123,6 +131,7 @@ class Trainer {
   }
 
   void Save(const std::string& name) const {
+    if (!peers_->is_first()) return;
     training_->Save({{"training", job_.config},
                      {"task", job_.task},
                      {"step", std::to_string(state_.step)},
@@ -134,18 +143,29 @@ class Trainer {
   const TrainPlan& plan_;
   Training* training_;
   TrainObserver* observer_;
+  Peers* peers_;
   fs::path folder_;
-  sim::FolderLock lock_;
+  std::optional<sim::FolderLock> lock_;  // of the first process
   std::unique_ptr<Optimiser> optimiser_;
-  Checkpoints checkpoints_;
+  std::optional<Checkpoints> checkpoints_;
   TrainState state_;
 };
 
 }  // namespace
 
-void RunTraining(const TrainJob& job, TrainObserver* observer) {
+void RunTraining(const TrainJob& job, TrainObserver* observer, Peers* peers) {
   RequireDevice(job.plan);
-  Trainer(job, observer).Run();
+  Peers alone;
+  if (peers == nullptr) peers = &alone;
+  if (peers->size() > 1) {
+    if (!job.training->shares_work()) {
+      throw sim::Error(fmt::format(
+          "task {} cannot be shared by {} processes; start one, without RANK and WORLD_SIZE",
+          job.task, peers->size()));
+    }
+    peers->RequireSame(job.essence, "config");
+  }
+  Trainer(job, observer, peers).Run();
 }
 
 void RequireDevice(const TrainPlan& plan) {

@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "benchmark/training/core/peers.h"
 #include "benchmark/training/core/train_plan.h"
 #include "benchmark/training/core/training.h"
 #include "sim/config/yaml_writer.h"
@@ -54,7 +55,9 @@ class TrainObserver {
 /// loss is no longer a number (the last good checkpoint stays), if a checkpoint is of another
 /// config, if another process trains there or if the device is missing; FileError if files cannot
 /// be written.
-void RunTraining(const TrainJob& job, TrainObserver* observer);
+/// `peers` (null: alone) train together; the first reads and writes the folder, and the result is
+/// that of one process. Throws Error if the task cannot be shared, and what Peers throws.
+void RunTraining(const TrainJob& job, TrainObserver* observer, Peers* peers = nullptr);
 
 /// Throws Error if torch has no such device here.
 void RequireDevice(const TrainPlan& plan);

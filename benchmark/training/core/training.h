@@ -57,6 +57,9 @@ class Training {
   /// Observations (panoramas, frames, samples) shown in the first `steps` steps, counted as often
   /// as they were shown.
   virtual std::int64_t FramesAfter(int steps) const = 0;
+  /// Whether several processes train it together, each with its share of the work and all with the
+  /// same weights: then each calls the same functions, and the first one's files count.
+  virtual bool shares_work() const { return false; }
   virtual std::string frames_are() const { return "frames"; }  // in words
 
   /// Writes weights that the agents can load; notes go into their metadata. Throws FileError.

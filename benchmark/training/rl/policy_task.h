@@ -30,10 +30,15 @@ class PolicyTask {
   PolicyTask& operator=(PolicyTask&&) = delete;
 
   virtual int lanes() const = 0;
+  /// Of those that a training has, where several processes share them; what a lane comes to
+  /// follows from its number among all.
+  virtual int first_lane() const { return 0; }
   virtual int actions() const = 0;
   virtual int observation_size() const = 0;                // numbers
   virtual std::size_t picture_bytes() const { return 0; }  // 0: there are no pictures
 
+  /// Before a training's rollout; `done`: the share of the training that is behind it, from 0.
+  virtual void StartRollout(double /*done*/) {}
   virtual void Begin(int lane, std::uint64_t episode) = 0;
   /// [lanes, observation_size] and [lanes, picture_bytes]
   virtual void Observe(std::span<float> numbers, std::span<std::uint8_t> pictures) = 0;

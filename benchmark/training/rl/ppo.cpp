@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/training/rl/ppo.h"
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
@@ -30,7 +31,9 @@ torch::Tensor ByStep(const std::vector<double>& numbers, std::size_t lanes) {
   return at::tensor(numbers).to(torch::kFloat32).view({rows, -1}).t().contiguous();
 }
 
-Targets TargetsOf(const Rollout& rollout, const GaeSpec& spec, RunningMoments* moments) {
+/// Mean, variance and moments are of the lanes of all processes.
+Targets TargetsOf(const Rollout& rollout, const GaeSpec& spec, LaneGroups* groups,
+                  RunningMoments* moments) {
   std::vector<double> advantages, returns;
   const std::size_t size = rollout.steps.size() * rollout.steps.front().size();
   advantages.reserve(size);
@@ -45,11 +48,13 @@ Targets TargetsOf(const Rollout& rollout, const GaeSpec& spec, RunningMoments* m
     }
   }
   Targets targets;
-  const double variance = VarianceOf(returns);
-  if (variance > 0.0) targets.explained_variance = 1.0 - VarianceOf(advantages) / variance;
-  moments->Add(returns);
+  const std::vector<double> all_returns = groups->Gather(returns);
+  const std::vector<double> all_advantages = groups->Gather(advantages);
+  const double variance = VarianceOf(all_returns);
+  if (variance > 0.0) targets.explained_variance = 1.0 - VarianceOf(all_advantages) / variance;
+  moments->Add(all_returns);
   RunningMoments scale;
-  scale.Add(advantages);
+  scale.Add(all_advantages);
   targets.advantages = (ByStep(advantages, rollout.steps.size()) - scale.mean) / scale.deviation();
   targets.returns = (ByStep(returns, rollout.steps.size()) - moments->mean) / moments->deviation();
   return targets;
@@ -81,18 +86,37 @@ torch::Tensor LossOf(const Rollout& rollout, const Targets& targets, const torch
   return -gain.mean() + spec.value * 0.5 * value_error - spec.entropy * entropy;
 }
 
-/// Means over groups.
-PpoReport MeanOf(const std::vector<PpoReport>& parts, const std::vector<double>& losses) {
+constexpr std::size_t kNumbers = 4;  // of a group's report
+
+std::array<double, kNumbers> NumbersOf(const PpoReport& report) {
+  return {report.entropy, report.kl, report.clip_fraction, report.first_ratio_error};
+}
+
+/// Means over groups; `numbers` of each.
+PpoReport MeanOf(const std::vector<double>& numbers, const std::vector<double>& losses) {
   PpoReport mean;
-  const auto count = static_cast<double>(parts.size());
-  for (std::size_t i = 0; i < parts.size(); ++i) {
+  const auto count = static_cast<double>(losses.size());
+  for (std::size_t i = 0; i < losses.size(); ++i) {
     mean.loss += losses[i] / count;
-    mean.entropy += parts[i].entropy / count;
-    mean.kl += parts[i].kl / count;
-    mean.clip_fraction += parts[i].clip_fraction / count;
-    mean.first_ratio_error += parts[i].first_ratio_error / count;
+    mean.entropy += numbers[kNumbers * i] / count;
+    mean.kl += numbers[kNumbers * i + 1] / count;
+    mean.clip_fraction += numbers[kNumbers * i + 2] / count;
+    mean.first_ratio_error += numbers[kNumbers * i + 3] / count;
   }
   return mean;
+}
+
+/// Groups in minibatches, ascending, of each `count` neighbours one: processes that share the
+/// groups have as many of each.
+std::vector<std::vector<int>> Minibatches(int groups, int count, sim::Rng* rng) {
+  std::vector<std::vector<int>> all(static_cast<std::size_t>(count));
+  for (int first = 0; first < groups; first += count) {
+    std::vector<int> neighbours(all.size());
+    std::iota(neighbours.begin(), neighbours.end(), first);
+    rng->Shuffle(neighbours);
+    for (std::size_t i = 0; i < all.size(); ++i) all[i].push_back(neighbours[i]);
+  }
+  return all;
 }
 
 }  // namespace
@@ -114,31 +138,30 @@ void PpoSpec::Validate() const {
 
 PpoReport LearnFrom(const Rollout& rollout, const PpoSpec& spec, const PpoStep& step,
                     LaneGroups* groups, ActorCritic* net, RunningMoments* moments) {
-  const Targets targets = TargetsOf(rollout, spec.gae, moments);
-  std::vector<int> order(static_cast<std::size_t>(groups->groups()));
-  std::iota(order.begin(), order.end(), 0);
-  const std::size_t size = order.size() / static_cast<std::size_t>(spec.minibatches);
+  const Targets targets = TargetsOf(rollout, spec.gae, groups, moments);
   const int updates = spec.epochs * spec.minibatches;
   PpoReport mean;
   mean.explained_variance = targets.explained_variance;
+  std::vector<std::vector<int>> minibatches;
   for (int i = 0; i < updates; ++i) {
     const int part = i % spec.minibatches;
     if (part == 0) {
       sim::Rng rng = sim::Rng(step.seed, "lanes").Fork("epoch", static_cast<std::uint64_t>(i));
-      rng.Shuffle(order);
+      minibatches = Minibatches(groups->groups(), spec.minibatches, &rng);
     }
-    const auto first = order.begin() + static_cast<std::ptrdiff_t>(size) * part;
-    const std::vector<int> chosen(first, first + static_cast<std::ptrdiff_t>(size));
+    const std::vector<int>& chosen = minibatches[static_cast<std::size_t>(part)];
     std::vector<PpoReport> reports(static_cast<std::size_t>(groups->groups()));
     const std::vector<double> losses =
         groups->Differentiate(chosen, [&](int group, ActorCritic* own) {
           return LossOf(rollout, targets, groups->LanesOf(group), spec, own,
                         &reports[static_cast<std::size_t>(group)]);
         });
-    std::vector<PpoReport> in_order;
-    in_order.reserve(chosen.size());
-    for (const int group : chosen) in_order.push_back(reports[static_cast<std::size_t>(group)]);
-    const PpoReport report = MeanOf(in_order, losses);
+    std::vector<double> numbers;
+    for (const int group : groups->Own(chosen)) {
+      const auto of_group = NumbersOf(reports[static_cast<std::size_t>(group)]);
+      numbers.insert(numbers.end(), of_group.begin(), of_group.end());
+    }
+    const PpoReport report = MeanOf(groups->Gather(numbers), losses);
     LimitGradients(*net, spec.gradient_norm);
     step.optimiser->Step(step.rate);
     mean.loss += report.loss / updates;

@@ -27,18 +27,25 @@ std::array<std::pair<std::string, double*>, 7> Kept(RunningMoments* moments, Ppo
 }  // namespace
 
 PpoTraining::PpoTraining(const PpoPlan& plan, const ActorCriticMaker& make,
-                         const std::function<std::unique_ptr<PolicyTask>(sim::WorkerPool*)>& task)
+                         const std::function<std::unique_ptr<PolicyTask>(sim::WorkerPool*)>& task,
+                         std::shared_ptr<Peers> peers)
     : plan_(plan),
-      pool_(0),
+      peers_(std::move(peers)),
+      pool_(peers_ ? peers_->threads() : 0),
       net_(make()),
       task_(task(&pool_)),
-      groups_(plan.ppo.lanes, plan.ppo.group, make, net_.get(), &pool_),
-      actor_(task_.get(), net_.get(), &pool_, plan.ppo.group, plan.seed) {}
+      groups_(plan.ppo.lanes, plan.ppo.group, make, net_.get(), &pool_, peers_.get()),
+      actor_(std::make_unique<Actor>(task_.get(), net_.get(), &pool_, plan.ppo.group, plan.seed)) {}
+
+LaneShare PpoTraining::Share(const PpoSpec& spec, const Peers* peers) {
+  return ShareOf(spec.lanes, spec.group, spec.minibatches, peers);
+}
 
 double PpoTraining::Learn(const TrainStep& step) {
   PlaySpec play;
   play.steps = plan_.ppo.rollout;
-  const Rollout rollout = actor_.Play(play, moments_);
+  task_->StartRollout(1.0 * step.step / plan_.steps);
+  const Rollout rollout = actor_->Play(play, moments_);
   const std::uint64_t seed = sim::MixSeed(plan_.seed, static_cast<std::uint64_t>(step.step));
   report_ = LearnFrom(rollout, plan_.ppo, {step.optimiser, step.rate, seed}, &groups_, net_.get(),
                       &moments_);
@@ -57,7 +64,7 @@ std::int64_t PpoTraining::FramesAfter(int steps) const {
 }
 
 void PpoTraining::AppendState(agent::TensorFile* content) const {
-  AppendLanes(*task_, actor_, content);
+  AppendLanes({task_.get(), actor_.get(), peers_.get()}, content);
   RunningMoments moments = moments_;
   PpoReport report = report_;
   for (const auto& [name, number] : Kept(&moments, &report)) {
@@ -66,7 +73,7 @@ void PpoTraining::AppendState(agent::TensorFile* content) const {
 }
 
 void PpoTraining::SetState(const agent::TensorFile& content, const std::filesystem::path& file) {
-  SetLanes(content, file, task_.get(), &actor_);
+  SetLanes(content, file, {task_.get(), actor_.get(), peers_.get()});
   for (const auto& [name, number] : Kept(&moments_, &report_)) {
     const auto found = content.metadata.find(name);
     std::uint64_t bits = 0;

@@ -24,17 +24,23 @@ struct PpoPlan : TrainPlan {
 };
 
 /// Recurrent PPO on a task. The config, the number of the rollout and the checkpoint's state decide
-/// all bits: killed and begun again, it ends as if it had not been, on any number of threads.
+/// all bits: killed and begun again, it ends as if it had not been, on any number of threads and of
+/// processes.
 class PpoTraining : public Training {
  public:
-  /// `task` is made with the pool, for its own work. `make`: always the same net.
+  /// `task` is made with the pool, for its own work; of the lanes that Share says. `make`: always
+  /// the same net. `peers`: null if the task's lanes cannot be shared.
   PpoTraining(const PpoPlan& plan, const ActorCriticMaker& make,
-              const std::function<std::unique_ptr<PolicyTask>(sim::WorkerPool*)>& task);
+              const std::function<std::unique_ptr<PolicyTask>(sim::WorkerPool*)>& task,
+              std::shared_ptr<Peers> peers = nullptr);
+  /// The lanes of a process. Throws Error if they cannot be shared.
+  static LaneShare Share(const PpoSpec& spec, const Peers* peers);
 
   torch::nn::Module& net() override { return *net_; }
   double Learn(const TrainStep& step) override;
   std::int64_t FramesAfter(int steps) const override;
   std::string frames_are() const override { return "steps of the task"; }
+  bool shares_work() const override { return peers_ != nullptr; }
   void AppendState(agent::TensorFile* content) const override;
   void SetState(const agent::TensorFile& content, const std::filesystem::path& file) override;
 
@@ -48,11 +54,12 @@ class PpoTraining : public Training {
 
  private:
   PpoPlan plan_;
+  std::shared_ptr<Peers> peers_;  // or null
   sim::WorkerPool pool_;
   std::unique_ptr<ActorCritic> net_;
   std::unique_ptr<PolicyTask> task_;
   LaneGroups groups_;
-  Actor actor_;
+  std::unique_ptr<Actor> actor_;
   RunningMoments moments_;
   PpoReport report_;
 };

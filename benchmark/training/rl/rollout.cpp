@@ -229,8 +229,8 @@ Rollout Actor::Play(const PlaySpec& spec, const RunningMoments& moments) {
       rollout.steps[i].push_back(
           {outcome.reward, values[i], outcome.terminated, outcome.truncated, cut_values[i]});
       if (!outcome.is_over()) continue;
-      rollout.ended.push_back(
-          {static_cast<int>(i), episodes_[i], outcome.score, outcome.success, steps_[i] + 1});
+      rollout.ended.push_back({task_->first_lane() + static_cast<int>(i), episodes_[i],
+                               outcome.score, outcome.success, steps_[i] + 1});
     }
     AddGoals(BeginOver(outcomes), &record);
   }
@@ -255,15 +255,16 @@ void Actor::Act(const ActorCritic::Output& output, std::vector<int>* actions) co
   const auto count = static_cast<std::size_t>(task_->actions());
   const torch::Tensor flat = output.log_probabilities.contiguous();
   for (std::size_t i = 0; i < actions->size(); ++i) {
-    (*actions)[i] = SampleAction({seed_, static_cast<int>(i), episodes_[i], steps_[i]},
-                                 {flat.data_ptr<float>() + i * count, count});
+    (*actions)[i] =
+        SampleAction({seed_, task_->first_lane() + static_cast<int>(i), episodes_[i], steps_[i]},
+                     {flat.data_ptr<float>() + i * count, count});
   }
 }
 
 /// Decided once an episode.
 bool Actor::IsTaught(std::size_t lane, double share) const {
   sim::Rng rng = sim::Rng(seed_, "taught")
-                     .Fork("lane", static_cast<std::uint64_t>(lane))
+                     .Fork("lane", static_cast<std::uint64_t>(task_->first_lane()) + lane)
                      .Fork("episode", episodes_[lane]);
   return rng.Uniform() < share;
 }

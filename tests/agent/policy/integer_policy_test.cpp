@@ -22,8 +22,8 @@ using tests::SmallPolicy;
 using tests::SomePanoramas;
 
 /// A net whose answers differ: heads as they begin hardly look.
-std::shared_ptr<PolicyNet> Decided(Fusion fusion) {
-  auto net = std::make_shared<PolicyNet>(SmallPolicy(fusion), 4);
+std::shared_ptr<PolicyNet> Decided(const PolicyConfig& config) {
+  auto net = std::make_shared<PolicyNet>(config, 4);
   const torch::NoGradGuard no_grad;
   net->named_parameters()["policy_head.weight"].mul_(100.0);
   net->eval();
@@ -31,7 +31,8 @@ std::shared_ptr<PolicyNet> Decided(Fusion fusion) {
 }
 
 QuantisedNet QuantisedOf(PolicyNet* net) {
-  const torch::Tensor pictures = BytesOf(SomePanoramas(1, 24), 32);
+  torch::Tensor pictures = BytesOf(SomePanoramas(1, 24), 32);
+  if (net->config().map) pictures = tests::WithMaps(pictures);
   sim::Rng rng(1, "numbers");
   return Quantise(net,
                   {pictures, pictures.roll(5, 0), NormalTensor({24, kPolicyNumbers}, 0.5, &rng)});
@@ -47,12 +48,16 @@ std::vector<std::array<float, 4>> Walk(PolicyModel* policy) {
     numbers[1 + step % 3] = 1.0f;
     numbers[4] = 0.9f;
     numbers[7] = static_cast<float>(step) / 500.0f;
-    all.push_back(policy->Act({RandomPanorama(700 + step).view(), goal, numbers}, &memory));
+    const std::vector<std::uint8_t> map = tests::RandomMap(step);
+    const RandomPanorama panorama(700 + step);
+    PolicyQuestion question = {panorama.view(), goal, numbers};
+    if (policy->sees_map()) question.map = map;
+    all.push_back(policy->Act(question, &memory));
   }
   return all;
 }
 
-class IntegerPolicyTest : public testing::TestWithParam<Fusion> {};
+class IntegerPolicyTest : public testing::TestWithParam<PolicyConfig> {};
 
 TEST_P(IntegerPolicyTest, SaysWhatTheTrainedOneSays) {
   const std::shared_ptr<PolicyNet> net = Decided(GetParam());
@@ -94,7 +99,7 @@ TEST_P(IntegerPolicyTest, IsWhatAFileOfBothIsLoadedAs) {
   Rig rig;
   rig.panorama.rows = 128;
   rig.panorama.cols = 512;
-  rig.has_depth = false;
+  rig.has_depth = GetParam().map;
   const std::shared_ptr<Model> model = LoadModel(file, rig);
   EXPECT_NE(std::dynamic_pointer_cast<IntegerPolicy>(model), nullptr);
   EXPECT_TRUE(HoldsIntegers(ReadTensorFile(file)));
@@ -118,14 +123,28 @@ TEST_P(IntegerPolicyTest, SeesWithAnEncoderThatWasNotTrained) {
   // The encoder alone is in integers, so that the trained numbers act.
   EXPECT_FALSE(HoldsIntegers(ReadTensorFile(file)));
   const std::shared_ptr<PolicyNet> again = LoadPolicy(file);
-  const torch::Tensor pictures = BytesOf(SomePanoramas(3, 2), 32);
+  torch::Tensor pictures = BytesOf(SomePanoramas(3, 2), 32);
+  if (config.map) pictures = tests::WithMaps(pictures);
   EXPECT_TRUE(at::equal(again->Encode(pictures), net.Encode(pictures)));
   AddQuantised(QuantisedOf(again.get()), file, file);
   EXPECT_TRUE(HoldsIntegers(ReadTensorFile(file)));
 }
 
+TEST(IntegerPolicy, WithAMapNeedsDepth) {
+  const std::shared_ptr<PolicyNet> net = Decided(tests::SmallMapPolicy());
+  const tests::TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "policy.safetensors";
+  SavePolicy(*net, {}, StoredType::kFloat32, file);
+  Rig rig;
+  EXPECT_NO_THROW(LoadModel(file, rig));
+  rig.has_depth = false;
+  EXPECT_THROW(LoadModel(file, rig), sim::FileError);
+  AddQuantised(QuantisedOf(net.get()), file, file);
+  EXPECT_THROW(LoadModel(file, rig), sim::FileError);
+}
+
 TEST(IntegerPolicy, RefusesLayersOfAnotherShape) {
-  const std::shared_ptr<PolicyNet> net = Decided(Fusion::kCorrelation);
+  const std::shared_ptr<PolicyNet> net = Decided(SmallPolicy(Fusion::kCorrelation));
   const QuantisedNet quantised = QuantisedOf(net.get());
   PolicyConfig config = net->config();
   config.memory = 64;
@@ -136,8 +155,12 @@ TEST(IntegerPolicy, RefusesLayersOfAnotherShape) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Fusions, IntegerPolicyTest,
-                         testing::Values(Fusion::kLate, Fusion::kCorrelation), [](const auto& one) {
-                           return std::string(sim::NameOf(one.param));
+                         testing::Values(SmallPolicy(Fusion::kLate),
+                                         SmallPolicy(Fusion::kCorrelation),
+                                         tests::SmallMapPolicy()),
+                         [](const auto& one) {
+                           return std::string(sim::NameOf(one.param.fusion)) +
+                                  (one.param.map ? "_map" : "");
                          });
 
 }  // namespace

@@ -24,17 +24,21 @@ Rig WholeRig() {
   return rig;
 }
 
-class PolicyNetTest : public testing::TestWithParam<Fusion> {
+class PolicyNetTest : public testing::TestWithParam<PolicyConfig> {
  protected:
   PolicyNetTest() {
     const torch::NoGradGuard no_grad;
-    const torch::Tensor codes = net_.Encode(BytesOf(panoramas_, 32));
+    const torch::Tensor codes = net_.Encode(Pictures());
     seen_.codes = codes.view({3, 2, -1});
     seen_.goals = codes.flip(0).view({3, 2, -1});
     seen_.numbers = torch::linspace(-1, 1, 48).view({3, 2, 8});
   }
+  torch::Tensor Pictures() const {
+    const torch::Tensor bytes = BytesOf(panoramas_, 32);
+    return GetParam().map ? tests::WithMaps(bytes) : bytes;
+  }
   const std::vector<tests::RandomPanorama> panoramas_ = SomePanoramas(1, 6);
-  PolicyNet net_{SmallPolicy(GetParam()), 3};
+  PolicyNet net_{GetParam(), 3};
   PolicyNet::Seen seen_;
   const torch::Tensor start_ = torch::tensor({1.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f}).view({3, 2});
   const torch::Tensor memory_ = torch::full({2, 32}, 0.5f);
@@ -66,7 +70,7 @@ TEST_P(PolicyNetTest, StopsSeldomAtFirstAndChoosesEvenlyElse) {
 }
 
 TEST_P(PolicyNetTest, AllParametersLearn) {
-  const PolicyNet::Seen seen = {net_.Encode(BytesOf(panoramas_, 32)).view({3, 2, -1}), seen_.goals,
+  const PolicyNet::Seen seen = {net_.Encode(Pictures()).view({3, 2, -1}), seen_.goals,
                                 seen_.numbers};
   const PolicyNet::Output output = net_.Run(seen, start_, memory_);
   (output.logits.square().sum() + output.values.sum()).backward();
@@ -90,7 +94,11 @@ TEST_P(PolicyNetTest, IsLoadedAsItWasSaved) {
   std::vector<float> memory = model->NoMemory();
   const std::vector<float> numbers(kPolicyNumbers);
   const std::vector<float> goal = model->CodeOf(panoramas_[1].view());
-  const auto shares = model->Act({panoramas_[0].view(), goal, numbers}, &memory);
+  const std::vector<std::uint8_t> map = tests::RandomMap(1);
+  EXPECT_EQ(model->sees_map(), GetParam().map);
+  PolicyQuestion question = {panoramas_[0].view(), goal, numbers};
+  if (GetParam().map) question.map = map;
+  const auto shares = model->Act(question, &memory);
   EXPECT_NEAR(shares[0] + shares[1] + shares[2] + shares[3], 1.0f, 1e-5f);
   Rig small = WholeRig();
   small.panorama.rows = 64;
@@ -98,9 +106,32 @@ TEST_P(PolicyNetTest, IsLoadedAsItWasSaved) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Fusions, PolicyNetTest,
-                         testing::Values(Fusion::kLate, Fusion::kCorrelation), [](const auto& one) {
-                           return std::string(sim::NameOf(one.param));
+                         testing::Values(SmallPolicy(Fusion::kLate),
+                                         SmallPolicy(Fusion::kCorrelation),
+                                         tests::SmallMapPolicy()),
+                         [](const auto& one) {
+                           return std::string(sim::NameOf(one.param.fusion)) +
+                                  (one.param.map ? "_map" : "");
                          });
+
+TEST(PolicyNet, AMapDoesNotMatterOfAGoalAndDoesOfWhatIsSeen) {
+  const torch::NoGradGuard no_grad;
+  PolicyNet net(tests::SmallMapPolicy(), 3);
+  const torch::Tensor bytes = BytesOf(SomePanoramas(1, 2), 32);
+  const torch::Tensor one = net.Encode(tests::WithMaps(bytes)).view({1, 2, -1});
+  const torch::Tensor blank =
+      net.Encode(
+             at::cat({bytes, torch::zeros({2, std::int64_t{kPolicyMapBytes}}, torch::kUInt8)}, 1))
+          .view({1, 2, -1});
+  const auto values = [&](const torch::Tensor& codes, const torch::Tensor& goals) {
+    return net
+        .Run({codes, goals, torch::zeros({1, 2, kPolicyNumbers})}, torch::ones({1, 2}),
+             torch::zeros({2, 32}))
+        .values;
+  };
+  EXPECT_TRUE(at::equal(values(one, one), values(one, blank)));
+  EXPECT_GT((values(one, one) - values(blank, one)).abs().max().item<float>(), 1e-3f);
+}
 
 TEST(PolicyEncoder, BeginsWithThatOfASemanticModel) {
   const tests::TemporaryFolder folder;

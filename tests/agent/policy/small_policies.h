@@ -19,6 +19,24 @@ inline agent::PolicyConfig SmallPolicy(agent::Fusion fusion = agent::Fusion::kCo
   return config;
 }
 
+/// The same with a map.
+inline agent::PolicyConfig SmallMapPolicy() {
+  agent::PolicyConfig config = SmallPolicy(agent::Fusion::kLate);
+  config.map = true;
+  return config;
+}
+
+/// A map of PolicyMap with some bits set.
+inline std::vector<std::uint8_t> RandomMap(std::uint64_t seed) {
+  sim::Rng rng(seed, "map");
+  std::vector<std::uint8_t> bytes(agent::kPolicyMapBytes);
+  const int dense = rng.Below(5);
+  for (std::uint8_t& byte : bytes) {
+    byte = static_cast<std::uint8_t>(rng.Below(256) & (rng.Below(6) < dense ? 255 : 0));
+  }
+  return bytes;
+}
+
 /// Panoramas of 128 x 512 with blocks of random colours and depths.
 struct RandomPanorama {
   explicit RandomPanorama(std::uint64_t seed)
@@ -55,6 +73,16 @@ inline torch::Tensor BytesOf(const std::vector<RandomPanorama>& panoramas, int r
                    {bytes.data_ptr<std::uint8_t>() + i * pictures.bytes(), pictures.bytes()});
   }
   return bytes;
+}
+
+/// Bytes of pictures with other maps after them.
+inline torch::Tensor WithMaps(const torch::Tensor& pictures) {
+  std::vector<torch::Tensor> maps;
+  for (std::int64_t i = 0; i < pictures.size(0); ++i) {
+    const std::vector<std::uint8_t> map = RandomMap(static_cast<std::uint64_t>(40 + i));
+    maps.push_back(torch::tensor(at::ArrayRef<std::uint8_t>(map.data(), map.size())));
+  }
+  return at::cat({pictures, at::stack(maps)}, 1);
 }
 
 inline std::vector<RandomPanorama> SomePanoramas(std::uint64_t seed, int count) {

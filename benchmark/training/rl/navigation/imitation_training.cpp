@@ -86,21 +86,24 @@ class ImitationTraining final : public Training {
 
   ImitationTraining(const Config& config, const TrainContext& context)
       : config_(config),
+        peers_(context.peers),
         world_(config.navigation, context),
-        pool_(0),
+        pool_(peers_ ? peers_->threads() : 0),
         net_(Make()),
-        lanes_({config.lanes, config.navigation.model.rows, config.navigation.setting, true,
-                config.navigation.task()},
-               world_.scenes(), &pool_),
+        lanes_(std::make_unique<NavigationLanes>(
+            config.navigation.Lanes(ShareOf(config.lanes, config.group, 1, peers_.get()), true),
+            world_.scenes(), &pool_)),
         groups_(
             config.lanes, config.group,
             [this] {
               return Make();
             },
-            net_.get(), &pool_),
-        actor_(&lanes_, net_.get(), &pool_, config.group, config.seed) {}
+            net_.get(), &pool_, peers_.get()),
+        actor_(
+            std::make_unique<Actor>(lanes_.get(), net_.get(), &pool_, config.group, config.seed)) {}
 
   torch::nn::Module& net() override { return *net_; }
+  bool shares_work() const override { return true; }
 
   double Learn(const TrainStep& step) override {
     PlaySpec play;
@@ -108,7 +111,8 @@ class ImitationTraining final : public Training {
     play.lessons = true;
     play.taught_episodes = config_.dagger ? config_.dagger->ShareAt(step.step) : 1.0;
     play.values = false;
-    const Rollout rollout = actor_.Play(play, {});
+    lanes_->StartRollout(1.0 * step.step / config_.steps);
+    const Rollout rollout = actor_->Play(play, {});
     double loss = 0.0;
     for (int epoch = 0; epoch < config_.epochs; ++epoch) {
       loss = Update(rollout, play.taught_episodes >= 1.0 && epoch == 0);
@@ -131,11 +135,9 @@ class ImitationTraining final : public Training {
             const std::filesystem::path& file) const override {
     agent::SavePolicy(*net_->policy(), std::move(notes), agent::StoredType::kBfloat16, file);
   }
-  void AppendState(agent::TensorFile* content) const override {
-    AppendLanes(lanes_, actor_, content);
-  }
+  void AppendState(agent::TensorFile* content) const override { AppendLanes(Ref(), content); }
   void SetState(const agent::TensorFile& content, const std::filesystem::path& file) override {
-    SetLanes(content, file, &lanes_, &actor_);
+    SetLanes(content, file, Ref());
   }
   std::optional<Measures> Quantise(const std::filesystem::path& file) override {
     std::optional<Measures> measures = world_.Quantise(net_->policy().get(), file, &pool_);
@@ -162,20 +164,22 @@ class ImitationTraining final : public Training {
     return sum / static_cast<double>(values.size());
   }
 
+  LanesRef Ref() const { return {lanes_.get(), actor_.get(), peers_.get()}; }
   std::unique_ptr<PictureNet> Make() const { return config_.navigation.MakeNet(config_.seed); }
 
   /// Gradients of a rollout. Returns the loss.
   double Update(const Rollout& rollout, bool takes_memory) {
     std::vector<int> all(static_cast<std::size_t>(groups_.groups()));
     std::iota(all.begin(), all.end(), 0);
-    std::vector<torch::Tensor> hidden(all.size());
-    std::vector<double> agreed(all.size());
+    const std::vector<int> own = groups_.Own(all);
+    std::vector<torch::Tensor> hidden(own.size());
+    std::vector<double> agreed(own.size());
     const std::vector<double> losses = groups_.Differentiate(all, [&](int group, ActorCritic* net) {
-      const auto at = static_cast<std::size_t>(group);
+      const auto at = static_cast<std::size_t>(group - own.front());
       return Loss(rollout, groups_.LanesOf(group), net, &hidden[at], &agreed[at]);
     });
-    if (takes_memory && net_->learns_to_see()) actor_.SetHidden(at::cat(hidden));
-    agreement_ = Mean(agreed);
+    if (takes_memory && net_->learns_to_see()) actor_->SetHidden(at::cat(hidden));
+    agreement_ = Mean(groups_.Gather(agreed));
     return Mean(losses);
   }
 
@@ -199,12 +203,13 @@ class ImitationTraining final : public Training {
   }
 
   Config config_;
+  std::shared_ptr<Peers> peers_;
   NavigationWorld world_;
   sim::WorkerPool pool_;
   std::unique_ptr<PictureNet> net_;
-  NavigationLanes lanes_;
+  std::unique_ptr<NavigationLanes> lanes_;
   LaneGroups groups_;
-  Actor actor_;
+  std::unique_ptr<Actor> actor_;
   double agreement_ = 0.0;
 };
 

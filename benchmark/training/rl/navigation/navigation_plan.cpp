@@ -52,6 +52,12 @@ NavigationScenes LoadScenes(const NavigationData& data, const TrainContext& cont
 
 void NavigationPlan::Validate() const {
   internal::RequireAtLeast(1, validation_episodes, "validation_episodes");
+  if (!(averaged_from >= 0.0 && averaged_from <= 1.0)) {
+    throw sim::KeyError("averaged_from", "averaged_from must be in [0, 1]");
+  }
+  if (model.map && setting != LaneSetting::kRgbd) {
+    throw sim::KeyError("setting", "a policy that is shown a map needs setting: rgbd");
+  }
   sim::RequireSensorNoise(sensor_noise.value_or("none"));
   if (!model.own_encoder && !encoder) {
     throw sim::KeyError("encoder",
@@ -70,6 +76,20 @@ Task NavigationPlan::task() const {
   return task;
 }
 
+NavigationSpec NavigationPlan::Lanes(const LaneShare& share, bool teaches) const {
+  NavigationSpec spec;
+  spec.lanes = share.lanes;
+  spec.first_lane = share.first;
+  spec.rows = model.rows;
+  spec.setting = setting;
+  spec.teaches = teaches;
+  spec.map = model.map;
+  spec.draw = draw;
+  spec.averaged_from = averaged_from;
+  spec.task = task();
+  return spec;
+}
+
 std::unique_ptr<PictureNet> NavigationPlan::MakeNet(std::uint64_t seed) const {
   auto net = std::make_unique<PictureNet>(model, encoder, seed);
   if (!policy_start) return net;
@@ -81,6 +101,7 @@ std::unique_ptr<PictureNet> NavigationPlan::MakeNet(std::uint64_t seed) const {
 NavigationWorld::NavigationWorld(const NavigationPlan& plan, const TrainContext& context)
     : setting_(plan.setting),
       validation_episodes_(plan.validation_episodes),
+      peers_(context.peers),
       scenes_(LoadScenes(plan.data, context, "loading scenes")),
       validation_scenes_(LoadScenes(ValidationOf(plan), context, "loading validation scenes")),
       validation_(&validation_scenes_, plan.task(), plan.validation_episodes) {}
@@ -98,9 +119,9 @@ std::optional<Measures> NavigationWorld::Quantise(agent::PolicyNet* net,
                                                   const std::filesystem::path& file,
                                                   sim::WorkerPool* pool) const {
   if (!net->sight() && !agent::HasIntegerForm(net->config().seeing())) return std::nullopt;
-  const agent::QuantisedNet quantised = agent::Quantise(
-      net, validation_.Calibration(net->config().rows, setting_ != LaneSetting::kRgb));
-  agent::AddQuantised(quantised, file, file);
+  const agent::QuantisedNet quantised =
+      agent::Quantise(net, validation_.Calibration(net->config(), setting_ != LaneSetting::kRgb));
+  if (!peers_ || peers_->is_first()) agent::AddQuantised(quantised, file, file);
   const agent::PolicyConfig config = net->config();
   return Validate(
       [&quantised, &config] {
@@ -115,7 +136,7 @@ Measures NavigationWorld::Validate(const PolicyValidation::PolicyMaker& make,
   double success = 0.0;
   const auto settings = SettingsOf(setting_);
   for (const auto& [setting, prefix] : settings) {
-    validation_.Measure(make, setting == "rgbd", prefix, pool, &all);
+    validation_.Measure(make, {setting == "rgbd", prefix, pool, peers_.get()}, &all);
     success += all.at(prefix + "success") / static_cast<double>(settings.size());
   }
   Measures measures;

@@ -8,6 +8,7 @@
 
 #include "agent/policy/policy_config.h"
 #include "benchmark/training/core/registry.h"
+#include "benchmark/training/rl/lane_groups.h"
 #include "benchmark/training/rl/navigation/navigation_lanes.h"
 #include "benchmark/training/rl/navigation/picture_net.h"
 #include "benchmark/training/rl/navigation/policy_validation.h"
@@ -22,6 +23,8 @@ struct NavigationPlan {
   LaneSetting setting = LaneSetting::kBoth;
   sim::NoiseMode noise = sim::NoiseMode::kAnsReleased;
   std::optional<std::string> sensor_noise;  // of cameras, see sim::NamedSensorNoise; default: none
+  DrawMode draw = DrawMode::kAveraged;  // of pictures in training; validation is always averaged
+  double averaged_from = 0.9;           // share of the training after which it is, too
   agent::PolicyConfig model;
   std::optional<std::string> encoder;       // see PictureNet
   std::optional<std::string> policy_start;  // weights of a policy to go on from; default: none
@@ -34,6 +37,8 @@ struct NavigationPlan {
     v("setting", setting);
     v("noise", noise);
     v("sensor_noise", sensor_noise);
+    v("draw", draw);
+    v("averaged_from", averaged_from);
     v("model", model);
     v("encoder", encoder);
     v("policy_start", policy_start);
@@ -42,6 +47,7 @@ struct NavigationPlan {
   void Validate() const;
 
   Task task() const;  // as runs play it
+  NavigationSpec Lanes(const LaneShare& share, bool teaches) const;
   std::unique_ptr<PictureNet> MakeNet(std::uint64_t seed) const;
 };
 
@@ -56,7 +62,8 @@ class NavigationWorld {
   /// "loss": what success lacks of 1, the mean of the settings.
   Measures Validate(const std::shared_ptr<agent::PolicyNet>& net, sim::WorkerPool* pool) const;
   /// Puts the policy in integers into a file of its weights, and tells how it fares. Scales are
-  /// from the validation's first steps. Absent for a width that has no integers.
+  /// from the validation's first steps. Absent for a width that has no integers. Of several
+  /// processes, which share the episodes, the first writes.
   std::optional<Measures> Quantise(agent::PolicyNet* net, const std::filesystem::path& file,
                                    sim::WorkerPool* pool) const;
   /// Rows of a card: the scenes, and a step of the training.
@@ -68,6 +75,7 @@ class NavigationWorld {
 
   LaneSetting setting_;
   int validation_episodes_;
+  std::shared_ptr<Peers> peers_;  // or null
   NavigationScenes scenes_;
   NavigationScenes validation_scenes_;
   PolicyValidation validation_;

@@ -22,6 +22,10 @@ bool CanDraw(EpisodeDrawer* drawer, Difficulty kind) {
 
 }  // namespace
 
+void NavigationData::Validate() const {
+  if (episodes < 0) throw sim::KeyError("episodes", "episodes must not be negative");
+}
+
 DataConfig NavigationData::as_data() const {
   DataConfig data;
   data.scenes = scenes;
@@ -34,7 +38,7 @@ DataConfig NavigationData::as_data() const {
 NavigationScenes::NavigationScenes(const NavigationData& data, const sim::BodySpec& body,
                                    int threads, const std::function<void()>& loaded,
                                    const Warn& warn)
-    : seed_(data.seed) {
+    : seed_(data.seed), episodes_(data.episodes) {
   const std::vector<std::filesystem::path> files = ScenesOf(data.as_data());
   if (files.empty()) throw sim::KeyError("data", "data names no scenes; see configs/train");
   scenes_.resize(files.size());
@@ -76,6 +80,7 @@ NavigationScenes::Drawn NavigationScenes::Draw(int lane, std::uint64_t number) {
   sim::Rng rng = sim::Rng(seed_, "navigation")
                      .Fork("lane", static_cast<std::uint64_t>(lane))
                      .Fork("episode", number);
+  if (episodes_ > 0) return DrawInTurn(static_cast<std::uint64_t>(rng.Below(episodes_)));
   Scene& scene = scenes_[static_cast<std::size_t>(rng.Below(static_cast<int>(scenes_.size())))];
   const Difficulty kind =
       scene.kinds[static_cast<std::size_t>(rng.Below(static_cast<int>(scene.kinds.size())))];

@@ -23,6 +23,7 @@ struct NavigationData {
   std::optional<HousesSpec> more_houses;  // in addition, all of them; made if they are not there
   ImportSpec import;                      // of all scenes
   std::uint64_t seed = 0;                 // of the episodes
+  int episodes = 0;  // always the first so many of DrawInTurn; 0: others without end
 
   template <class V>
   void Visit(V& v) {
@@ -31,8 +32,10 @@ struct NavigationData {
     v("more_houses", more_houses);
     v("import", import);
     v("seed", seed);
+    v("episodes", episodes);
   }
-  void Validate() const {}
+  /// Throws Error.
+  void Validate() const;
 
   /// The same scenes as data of a supervised training.
   DataConfig as_data() const;
@@ -52,7 +55,8 @@ class NavigationScenes {
     EpisodeTask episode;
     std::shared_ptr<const sim::World> world;
   };
-  /// Episode `number` of a lane; another for each pair. Not from several threads at once.
+  /// Episode `number` of a lane; another for each pair, or one of those that there are. Not from
+  /// several threads at once.
   Drawn Draw(int lane, std::uint64_t number);
   /// Episode `number` of a kind, each scene in turn, its kinds in turn.
   Drawn DrawInTurn(std::uint64_t number);
@@ -70,6 +74,7 @@ class NavigationScenes {
   Drawn DrawIn(Scene* scene, Difficulty kind, int index);
 
   std::uint64_t seed_;
+  int episodes_;
   std::vector<Scene> scenes_;
 };
 

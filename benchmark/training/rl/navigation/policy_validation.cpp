@@ -7,6 +7,7 @@
 
 #include "agent/policy/policy_agent.h"
 #include "benchmark/privileged/shortest_path.h"
+#include "benchmark/training/rl/navigation/navigation_lanes.h"
 
 namespace bulletnav::bench {
 
@@ -17,56 +18,119 @@ PolicyValidation::PolicyValidation(NavigationScenes* scenes, const Task& task, i
   }
 }
 
-PolicyValidation::Result PolicyValidation::Play(const NavigationScenes::Drawn& drawn,
-                                                bool with_depth, const PolicyMaker& make) const {
+/// A goal's panorama that outlives its episode.
+struct PolicyValidation::Goal {
+  explicit Goal(const agent::Panorama& seen)
+      : color(seen.color.begin(), seen.color.end()), depth(seen.depth.begin(), seen.depth.end()) {}
+  agent::Panorama view() const { return {color, depth}; }
+  void Blank() {
+    std::fill(color.begin(), color.end(), std::uint8_t{0});
+    std::fill(depth.begin(), depth.end(), 0.0f);
+  }
+
+  std::vector<std::uint8_t> color;
+  std::vector<float> depth;
+};
+
+PolicyValidation::Goal PolicyValidation::GoalOf(std::size_t number, const Task& task) const {
+  GroundTruth truth;
+  Environment environment(task, {&truth}, 1);
+  environment.Reset(0, episodes_[number].episode, episodes_[number].world);
+  return Goal(environment.goal(0));
+}
+
+PolicyValidation::Result PolicyValidation::Play(std::size_t number, const Way& way,
+                                                const PolicyMaker& make) const {
+  const NavigationScenes::Drawn& drawn = episodes_[number];
   Task task = task_;
-  task.depth = with_depth;
+  task.depth = way.with_depth;
   task.reward.reset();
   GroundTruth truth;
   Environment environment(task, {&truth}, 1);
-  agent::PolicyAgent agent({}, make());
+  agent::PolicyAgent agent(way.agent, make(), RigOf(task));
   constexpr int kLane = 0;
   environment.Reset(kLane, drawn.episode, drawn.world);
+  Goal goal(environment.goal(kLane));
+  if (way.shuffle_goals) goal = GoalOf((number + 1) % episodes_.size(), task);
+  if (way.blank_images) goal.Blank();
+  agent.Reset(goal.view(), environment.agent_seed(kLane));
   while (!environment.is_over(kLane)) {
-    if (environment.TakeNewGoal(kLane)) {
-      agent.Reset(environment.goal(kLane), environment.agent_seed(kLane));
-    }
     environment.Observe({&kLane, 1});
-    const std::array action = {agent.Act(environment.observation(kLane))};
+    agent::Observation seen = environment.observation(kLane);
+    std::optional<Goal> blank;
+    if (way.blank_images) {
+      blank.emplace(seen.panorama).Blank();
+      seen.panorama = blank->view();
+    }
+    const std::array action = {agent.Act(seen)};
     environment.Step({&kLane, 1}, action);
   }
   const EpisodeResult result = environment.Finish(kLane, {}).result;
-  const GoalMetrics& goal = result.goals.back();
-  const double steps = goal.Value("steps");
-  return {*drawn.episode.episode.difficulty, goal.success() ? 1.0 : 0.0, goal.Value("spl"), steps,
-          steps < task.max_steps ? 1.0 : 0.0};
+  const GoalMetrics& metrics = result.goals.back();
+  const double steps = metrics.Value("steps");
+  return {*drawn.episode.episode.difficulty, metrics.success() ? 1.0 : 0.0, metrics.Value("spl"),
+          steps, steps < task.max_steps ? 1.0 : 0.0};
 }
 
-agent::PolicyCalibration PolicyValidation::Calibration(int rows, bool with_depth) const {
+/// Each process plays every so many; the numbers of all come together.
+std::vector<PolicyValidation::Result> PolicyValidation::PlayAll(const Way& way,
+                                                                const PolicyMaker& make) const {
+  constexpr std::size_t kNumbers = 4;
+  const std::size_t size = way.peers == nullptr ? 1 : static_cast<std::size_t>(way.peers->size());
+  const std::size_t rank = way.peers == nullptr ? 0 : static_cast<std::size_t>(way.peers->rank());
+  std::vector<double> numbers(kNumbers * episodes_.size());
+  std::vector<std::size_t> own;
+  for (std::size_t i = rank; i < episodes_.size(); i += size) own.push_back(i);
+  way.pool->ForEach(static_cast<int>(own.size()), [&](int i, int) {
+    const std::size_t number = own[static_cast<std::size_t>(i)];
+    const Result result = Play(number, way, make);
+    const std::array<double, kNumbers> all = {result.success, result.spl, result.steps,
+                                              result.stopped};
+    std::copy(all.begin(), all.end(),
+              numbers.begin() + static_cast<std::ptrdiff_t>(kNumbers * number));
+  });
+  if (way.peers != nullptr) numbers = way.peers->Gather(numbers);
+  std::vector<Result> results;
+  for (std::size_t i = 0; i < episodes_.size(); ++i) {
+    const double* n = &numbers[kNumbers * (i % size * episodes_.size() + i)];
+    results.push_back({*episodes_[i].episode.episode.difficulty, n[0], n[1], n[2], n[3]});
+  }
+  return results;
+}
+
+agent::PolicyCalibration PolicyValidation::Calibration(const agent::PolicyConfig& config,
+                                                       bool with_depth) const {
   constexpr std::size_t kEpisodes = 24;
   constexpr int kSteps = 12;
   constexpr int kLane = 0;
-  agent::PolicyPictures pictures(rows);
+  agent::PolicyPictures pictures(config.rows);
   std::vector<torch::Tensor> seen, goals, numbers;
-  const auto shown = [&](const agent::Panorama& panorama) {
-    torch::Tensor bytes =
-        torch::empty({static_cast<std::int64_t>(pictures.bytes())}, torch::kUInt8);
-    pictures.Write(panorama, {bytes.data_ptr<std::uint8_t>(), pictures.bytes()});
-    return bytes;
-  };
   Task task = task_;
   task.depth = with_depth;
   task.reward.reset();
+  std::optional<agent::PolicyMap> map;
+  if (config.map) map.emplace(RigOf(task));
+  const auto shown = [&](const agent::Panorama& panorama) {
+    const std::size_t size = pictures.bytes();
+    torch::Tensor bytes = torch::zeros(
+        {static_cast<std::int64_t>(size + (map ? agent::kPolicyMapBytes : 0))}, torch::kUInt8);
+    std::uint8_t* data = bytes.data_ptr<std::uint8_t>();
+    pictures.Write(panorama, {data, size});
+    if (map) std::copy(map->bytes().begin(), map->bytes().end(), data + size);
+    return bytes;
+  };
   for (std::size_t i = 0; i < std::min(kEpisodes, episodes_.size()); ++i) {
     GroundTruth truth;
     Environment environment(task, {&truth}, 1);
     environment.Reset(kLane, episodes_[i].episode, episodes_[i].world);
     ShortestPathAgent teacher(ShortestPathAgent::Config{});
     teacher.Reset(truth);
+    if (map) map->Reset();
     std::optional<sim::Action> last;
     for (int step = 0; step < kSteps && !environment.is_over(kLane); ++step) {
       environment.Observe({&kLane, 1});
       const agent::Observation observation = environment.observation(kLane);
+      if (map) map->See(observation);
       seen.push_back(shown(observation.panorama));
       goals.push_back(shown(environment.goal(kLane)));
       numbers.push_back(torch::empty({agent::kPolicyNumbers}));
@@ -79,13 +143,8 @@ agent::PolicyCalibration PolicyValidation::Calibration(int rows, bool with_depth
   return {at::stack(seen), at::stack(goals), at::stack(numbers)};
 }
 
-void PolicyValidation::Measure(const PolicyMaker& make, bool with_depth, const std::string& prefix,
-                               sim::WorkerPool* pool, Measures* measures) const {
-  std::vector<Result> results(episodes_.size());
-  pool->ForEach(static_cast<int>(episodes_.size()), [&](int i, int) {
-    const auto at = static_cast<std::size_t>(i);
-    results[at] = Play(episodes_[at], with_depth, make);
-  });
+void PolicyValidation::Measure(const PolicyMaker& make, const Way& way, Measures* measures) const {
+  const std::vector<Result> results = PlayAll(way, make);
   const auto mean = [&](double Result::*of, std::optional<Difficulty> kind) {
     double sum = 0.0;
     double count = 0.0;
@@ -96,14 +155,14 @@ void PolicyValidation::Measure(const PolicyMaker& make, bool with_depth, const s
     }
     return count > 0.0 ? sum / count : 0.0;
   };
-  (*measures)(prefix + "success", mean(&Result::success, std::nullopt));
-  (*measures)(prefix + "spl", mean(&Result::spl, std::nullopt));
+  (*measures)(way.prefix + "success", mean(&Result::success, std::nullopt));
+  (*measures)(way.prefix + "spl", mean(&Result::spl, std::nullopt));
   for (const Difficulty kind : {Difficulty::kEasy, Difficulty::kMedium, Difficulty::kHard}) {
-    (*measures)(prefix + "success_" + std::string(DifficultyName(kind)),
+    (*measures)(way.prefix + "success_" + std::string(DifficultyName(kind)),
                 mean(&Result::success, kind));
   }
-  (*measures)(prefix + "steps", mean(&Result::steps, std::nullopt));
-  (*measures)(prefix + "stopped", mean(&Result::stopped, std::nullopt));
+  (*measures)(way.prefix + "steps", mean(&Result::steps, std::nullopt));
+  (*measures)(way.prefix + "stopped", mean(&Result::stopped, std::nullopt));
 }
 
 }  // namespace bulletnav::bench

@@ -4,10 +4,12 @@
 #include <memory>
 #include <vector>
 
+#include "agent/policy/policy_agent.h"
 #include "agent/policy/policy_model.h"
 #include "agent/policy/quantise_policy.h"
 #include "benchmark/play/environment.h"
 #include "benchmark/training/core/measures.h"
+#include "benchmark/training/core/peers.h"
 #include "benchmark/training/rl/navigation/navigation_scenes.h"
 #include "sim/threads/worker_pool.h"
 
@@ -20,16 +22,25 @@ class PolicyValidation {
   /// The first `episodes` of the scenes, each in turn.
   PolicyValidation(NavigationScenes* scenes, const Task& task, int episodes);
 
+  /// How the episodes are played.
+  struct Way {
+    bool with_depth = false;
+    std::string prefix;  // before the names of measures
+    sim::WorkerPool* pool = nullptr;
+    Peers* peers = nullptr;      // share the episodes; null: alone
+    bool shuffle_goals = false;  // the panorama of another episode's goal is shown
+    bool blank_images = false;   // nothing is seen
+    agent::PolicyAgent::Config agent = {};
+  };
   /// Success and SPL of all episodes and of each kind, steps of an episode, share of episodes that
-  /// ended by a stop. `prefix` comes before the names. The same for any number of threads.
-  /// `make`: the policy, once an episode, in any thread.
+  /// ended by a stop. The same for any number of threads and processes. `make`: the policy, once an
+  /// episode, in any thread.
   using PolicyMaker = std::function<std::shared_ptr<agent::PolicyModel>()>;
-  void Measure(const PolicyMaker& make, bool with_depth, const std::string& prefix,
-               sim::WorkerPool* pool, Measures* measures) const;
+  void Measure(const PolicyMaker& make, const Way& way, Measures* measures) const;
 
   /// What policies see at the starts of the episodes and on the shortest ways from there, for
   /// scales of integers.
-  agent::PolicyCalibration Calibration(int rows, bool with_depth) const;
+  agent::PolicyCalibration Calibration(const agent::PolicyConfig& config, bool with_depth) const;
 
  private:
   struct Result {
@@ -39,7 +50,10 @@ class PolicyValidation {
     double steps = 0.0;
     double stopped = 0.0;
   };
-  Result Play(const NavigationScenes::Drawn& drawn, bool with_depth, const PolicyMaker& make) const;
+  struct Goal;
+  Goal GoalOf(std::size_t number, const Task& task) const;
+  Result Play(std::size_t number, const Way& way, const PolicyMaker& make) const;
+  std::vector<Result> PlayAll(const Way& way, const PolicyMaker& make) const;
 
   Task task_;
   std::vector<NavigationScenes::Drawn> episodes_;

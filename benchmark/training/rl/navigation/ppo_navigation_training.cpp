@@ -31,8 +31,8 @@ class PpoNavigationTraining final : public PpoTraining {
   using Config = PpoNavigationConfig;
 
   PpoNavigationTraining(const Config& config, const TrainContext& context)
-      : PpoNavigationTraining(config,
-                              std::make_shared<NavigationWorld>(config.navigation, context)) {}
+      : PpoNavigationTraining(config, std::make_shared<NavigationWorld>(config.navigation, context),
+                              context.peers) {}
 
   Measures Validate() override {
     Measures measures = world_->Validate(net_of_policy().policy(), pool());
@@ -65,18 +65,19 @@ class PpoNavigationTraining final : public PpoTraining {
   std::string validated_on() const override { return world_->validated_on(); }
 
  private:
-  PpoNavigationTraining(const Config& config, const std::shared_ptr<NavigationWorld>& world)
+  PpoNavigationTraining(const Config& config, const std::shared_ptr<NavigationWorld>& world,
+                        const std::shared_ptr<Peers>& peers)
       : PpoTraining(
             config,
             [config] {
               return config.navigation.MakeNet(config.seed);
             },
-            [config, world](sim::WorkerPool* pool) {
+            [config, world, peers](sim::WorkerPool* pool) {
               return std::make_unique<NavigationLanes>(
-                  NavigationSpec{config.ppo.lanes, config.navigation.model.rows,
-                                 config.navigation.setting, false, config.navigation.task()},
-                  world->scenes(), pool);
-            }),
+                  config.navigation.Lanes(Share(config.ppo, peers.get()), false), world->scenes(),
+                  pool);
+            },
+            peers),
         config_(config),
         world_(world) {}
 

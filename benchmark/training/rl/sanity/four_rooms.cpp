@@ -67,15 +67,17 @@ std::array<int, kCells> Distances() {
 /// and Singh, "Between MDPs and semi-MDPs", 1999. An episode's score: its return, by the best one.
 class FourRooms final : public PolicyTask {
  public:
-  FourRooms(int lanes, std::uint64_t seed) : seed_(seed), lanes_(static_cast<std::size_t>(lanes)) {}
+  FourRooms(const LaneShare& share, std::uint64_t seed)
+      : seed_(seed), first_(share.first), lanes_(static_cast<std::size_t>(share.lanes)) {}
 
   int lanes() const override { return static_cast<int>(lanes_.size()); }
+  int first_lane() const override { return first_; }
   int actions() const override { return 4; }
   int observation_size() const override { return kCells; }
 
   void Begin(int lane, std::uint64_t episode) override {
     sim::Rng rng = sim::Rng(seed_, "four_rooms")
-                       .Fork("lane", static_cast<std::uint64_t>(lane))
+                       .Fork("lane", static_cast<std::uint64_t>(first_ + lane))
                        .Fork("episode", episode);
     int cell = kGoal;
     while (cell == kGoal || !IsFree(cell)) cell = rng.Below(kCells);
@@ -129,6 +131,7 @@ class FourRooms final : public PolicyTask {
   }
 
   std::uint64_t seed_;
+  int first_;
   std::vector<Lane> lanes_;
   std::array<int, kCells> distances_ = Distances();
 };
@@ -153,15 +156,17 @@ class FourRoomsTraining final : public PpoTraining {
  public:
   static constexpr std::string_view kName = "four_rooms";
   using Config = FourRoomsConfig;
-  FourRoomsTraining(const Config& config, const TrainContext& /*context*/)
+  FourRoomsTraining(const Config& config, const TrainContext& context)
       : PpoTraining(
             config,
             [config] {
               return std::make_unique<NumberNet>(config.model, kCells, 4, config.seed);
             },
-            [config](sim::WorkerPool*) {
-              return std::make_unique<FourRooms>(config.ppo.lanes, config.seed);
-            }),
+            [config, context](sim::WorkerPool*) {
+              return std::make_unique<FourRooms>(Share(config.ppo, context.peers.get()),
+                                                 config.seed);
+            },
+            context.peers),
         config_(config) {}
 
   std::string title() const override { return "Four rooms"; }
@@ -169,7 +174,7 @@ class FourRoomsTraining final : public PpoTraining {
   /// "score" is the mean of the lanes' first episodes, acted as in training; one that does not end
   /// in time scores nothing. "loss" is what the score lacks of 1.
   Measures Validate() override {
-    FourRooms task(kValidationLanes, config_.seed + 1);
+    FourRooms task({kValidationLanes, 0}, config_.seed + 1);
     Actor actor(&task, &policy(), pool(), config_.ppo.group, config_.seed + 1);
     PlaySpec play;
     play.steps = config_.validation_steps;

@@ -2,6 +2,7 @@
 // Policies that are trained in a small building: what they are shown, and that a training goes on
 // as if it had not been killed.
 #include <filesystem>
+#include <set>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -13,6 +14,8 @@
 #include "benchmark/training/rl/lane_groups.h"
 #include "benchmark/training/rl/navigation/navigation_lanes.h"
 #include "benchmark/training/rl/navigation/navigation_plan.h"
+#include "benchmark/training/rl/navigation/policy_evaluation.h"
+#include "benchmark/training/rl/navigation/policy_validation.h"
 #include "benchmark/training/rl/ppo.h"
 #include "sim/base/error.h"
 #include "tests/benchmark/training/supervised/watchers.h"
@@ -61,16 +64,18 @@ class NavigationTest : public testing::Test {
            (folder_->path() / "houses/index.json").string() +
            ", split: test}}\nvalidation_episodes: 2\n"
            "model: {width: 16, rows: 32, features: 32, memory: 32, step_limit: 40, precision: "
-           "float32}\nsteps: 5\nvalidate_every: 2\n" +
-           more;
+           "float32" +
+           (more.starts_with("map") ? ", map: true}\nsetting: rgbd" : "}") +
+           "\nsteps: 5\nvalidate_every: 2\n" + (more.starts_with("map") ? more.substr(4) : more);
   }
   static TrainJob Job(const std::string& config) {
     return MakeTraining(sim::ParseYaml(config, "policy.yaml"), "nts", {});
   }
   /// Trains once in one go and once with kills, and tells whether the weights are the same.
-  static void ExpectResumes(const std::string& task, const std::string& more) {
+  static void ExpectResumes(const std::string& task, const std::string& more,
+                            const std::string& kind = "") {
     const auto out = [&](const char* name) {
-      return folder_->path() / (task + name);
+      return folder_->path() / (task + kind + name);
     };
     Watcher whole(0);
     RunTraining(Job(Config(task, out("_whole"), more)), &whole);
@@ -126,6 +131,93 @@ TEST_F(NavigationTest, EverySecondLaneSeesDepth) {
     EXPECT_EQ(seen > 0, lane % 2 == 0);
     EXPECT_EQ(of_goal > 0, lane % 2 == 0);
   }
+}
+
+TEST_F(NavigationTest, LanesAreTheSameWhoeverSharesThem) {
+  NavigationScenes scenes(Data(), {}, 1);
+  sim::WorkerPool pool(1);
+  NavigationLanes whole(Spec(false), &scenes, &pool);
+  NavigationSpec half = Spec(false);
+  half.lanes = 1;
+  half.first_lane = 3;
+  NavigationLanes last(half, &scenes, &pool);
+  for (int lane = 0; lane < 4; ++lane) whole.Begin(lane, 2);
+  last.Begin(0, 2);
+  const Shown all = Look(&whole);
+  const Shown own = Look(&last);
+  const auto bytes = static_cast<std::ptrdiff_t>(last.picture_bytes());
+  EXPECT_TRUE(
+      std::equal(own.pictures.begin(), own.pictures.end(), all.pictures.begin() + 3 * bytes));
+}
+
+TEST_F(NavigationTest, PicturesDrawnDirectlyAreAlmostTheAveragedOnesUntilTheyAreThose) {
+  NavigationScenes scenes(Data(), {}, 1);
+  sim::WorkerPool pool(2);
+  NavigationSpec spec = Spec(false);
+  spec.setting = LaneSetting::kRgbd;
+  NavigationLanes averaged(spec, &scenes, &pool);
+  spec.draw = DrawMode::kDirect;
+  NavigationLanes direct(spec, &scenes, &pool);
+  for (const double done : {0.0, 0.95}) {
+    averaged.StartRollout(done);
+    direct.StartRollout(done);
+    for (int lane = 0; lane < 4; ++lane) {
+      averaged.Begin(lane, 1);
+      direct.Begin(lane, 1);
+    }
+    const Shown a = Look(&averaged);
+    const Shown b = Look(&direct);
+    EXPECT_EQ(a.numbers, b.numbers);
+    ASSERT_EQ(a.pictures.size(), b.pictures.size());
+    double off = 0.0;
+    for (std::size_t i = 0; i < a.pictures.size(); ++i) {
+      off += std::abs(a.pictures[i] - b.pictures[i]) / static_cast<double>(a.pictures.size());
+    }
+    if (done == 0.0) {
+      EXPECT_GT(off, 0.01);
+      EXPECT_LT(off, 8.0);
+    } else {
+      EXPECT_EQ(off, 0.0);
+    }
+  }
+}
+
+TEST_F(NavigationTest, LanesWithMapsGoOnFromTheirStateAcrossWaysOfDrawing) {
+  NavigationScenes scenes(Data(), {}, 1);
+  sim::WorkerPool pool(2);
+  NavigationSpec spec = Spec(true);
+  spec.setting = LaneSetting::kRgbd;
+  spec.map = true;
+  spec.draw = DrawMode::kDirect;
+  NavigationLanes lanes(spec, &scenes, &pool);
+  for (int lane = 0; lane < 4; ++lane) lanes.Begin(lane, 1);
+  std::vector<int> actions(4);
+  std::vector<LaneOutcome> outcomes(4);
+  const Shown start = Look(&lanes);
+  for (int step = 0; step < 9; ++step) {
+    if (step == 5) {
+      lanes.StartRollout(0.9);
+      lanes.Begin(2, 2);
+    }
+    lanes.Teach(actions);
+    Look(&lanes);
+    for (int& action : actions) action = action == 0 ? 2 : action;
+    lanes.Step(actions, outcomes);
+  }
+  NavigationLanes again(spec, &scenes, &pool);
+  again.SetState(lanes.State());
+  again.StartRollout(0.9);
+  EXPECT_EQ(again.State(), lanes.State());
+  const Shown shown = Look(&lanes);
+  EXPECT_EQ(Look(&again), shown);
+  EXPECT_EQ(Look(&again), shown);  // however often the same is looked at
+  const std::size_t bytes = lanes.picture_bytes();
+  EXPECT_FALSE(std::equal(shown.pictures.end() - agent::kPolicyMapBytes, shown.pictures.end(),
+                          start.pictures.end() - agent::kPolicyMapBytes));
+  std::vector<std::uint8_t> goal(bytes, 1);
+  lanes.ShowGoal(0, goal);
+  EXPECT_EQ(std::count(goal.end() - agent::kPolicyMapBytes, goal.end(), 0),
+            static_cast<std::ptrdiff_t>(agent::kPolicyMapBytes));
 }
 
 TEST_F(NavigationTest, TheTeacherReachesTheGoalAndItsScoreIsSpl) {
@@ -214,6 +306,111 @@ TEST_F(NavigationTest, PpoBeginsWithTheRatioOneOnPictures) {
   EXPECT_NEAR(report.entropy, 1.16, 0.1);  // a fiftieth stops, the rest is even
 }
 
+/// Notes what it is shown, and stops after three steps.
+class Noting final : public agent::PolicyModel {
+ public:
+  struct Notes {
+    std::vector<float> goals;  // sums of what is seen of them
+    float seen = 0.0F;
+  };
+  explicit Noting(Notes* notes) : notes_(notes) {}
+  int step_limit() const override { return 40; }
+  std::vector<float> NoMemory() const override { return {0.0F}; }
+  std::vector<float> CodeOf(const agent::Panorama& goal) override {
+    notes_->goals.push_back(SumOf(goal));
+    return {0.0F};
+  }
+  std::array<float, 4> Act(const agent::PolicyQuestion& question,
+                           std::vector<float>* memory) override {
+    notes_->seen += SumOf(question.panorama);
+    memory->front() += 1.0F;
+    if (memory->front() > 3.0F) return {1.0F, 0.0F, 0.0F, 0.0F};
+    return {0.0F, 0.0F, 1.0F, 0.0F};
+  }
+
+ private:
+  static float SumOf(const agent::Panorama& panorama) {
+    float sum = 0.0F;
+    for (const std::uint8_t value : panorama.color) sum += static_cast<float>(value);
+    for (const float value : panorama.depth) sum += value;
+    return sum;
+  }
+  Notes* notes_;
+};
+
+TEST_F(NavigationTest, PoliciesAreTriedWithOtherGoalsAndWithBlankImages) {
+  NavigationScenes scenes(Data(), {}, 1);
+  const PolicyValidation validation(&scenes, Spec(false).task, 3);
+  sim::WorkerPool pool(1);
+  const auto notes_of = [&](bool shuffles, bool blanks) {
+    Noting::Notes notes;
+    PolicyValidation::Way way;
+    way.with_depth = true;
+    way.pool = &pool;
+    way.shuffle_goals = shuffles;
+    way.blank_images = blanks;
+    Measures measures;
+    validation.Measure(
+        [&] {
+          return std::make_shared<Noting>(&notes);
+        },
+        way, &measures);
+    EXPECT_EQ(measures.at("steps"), 4.0);
+    EXPECT_EQ(measures.at("stopped"), 1.0);
+    return notes;
+  };
+  const Noting::Notes plain = notes_of(false, false);
+  const Noting::Notes shuffled = notes_of(true, false);
+  const Noting::Notes blank = notes_of(false, true);
+  ASSERT_EQ(plain.goals.size(), 3U);
+  EXPECT_GT(plain.seen, 0.0F);
+  EXPECT_EQ(shuffled.seen, plain.seen);
+  EXPECT_NE(plain.goals[0], plain.goals[1]);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(shuffled.goals[i], plain.goals[(i + 1) % 3]);
+  EXPECT_THAT(blank.goals, Each(0.0F));
+  EXPECT_EQ(blank.seen, 0.0F);
+}
+
+TEST_F(NavigationTest, EvaluatesWhatAFileOfWeightsHolds) {
+  const std::filesystem::path file = folder_->path() / "untrained.safetensors";
+  agent::PolicyConfig policy;
+  policy.rows = 32;
+  policy.features = policy.memory = 32;
+  policy.step_limit = 20;
+  agent::SavePolicy(agent::PolicyNet(policy, 1), {}, agent::StoredType::kFloat32, file);
+  const auto config = sim::LoadYamlText<PolicyEvaluationConfig>(
+      "weights: here\ndata: {houses: {index: " + (folder_->path() / "houses/index.json").string() +
+          ", split: train}}\nepisodes: 2\nsetting: both\n",
+      "evaluate.yaml");
+  const auto rows = EvaluatePolicy(config, file, {true, true}, 1, {});
+  ASSERT_EQ(rows.size(), 6U);
+  EXPECT_EQ(rows[1].trial, "shuffled goals");
+  EXPECT_EQ(rows[4].setting, "rgbd");
+  for (const PolicyEvaluationRow& row : rows) EXPECT_LE(row.measures.at("steps"), 20.0);
+  EXPECT_THAT(ToText(rows), HasSubstr("blank images"));
+  EXPECT_THAT(ToJson(rows), HasSubstr("\"trial\": \"as it is\""));
+  EXPECT_THROW(EvaluatePolicy(config, folder_->path() / "houses/index.json", {}, 1, {}),
+               sim::Error);
+}
+
+TEST_F(NavigationTest, FixedEpisodesComeAgainAndAgain) {
+  NavigationData data = Data();
+  data.episodes = 3;
+  NavigationScenes scenes(data, {}, 1);
+  std::set<std::string> known;
+  for (std::uint64_t i = 0; i < 3; ++i) known.insert(scenes.DrawInTurn(i).episode.episode.id);
+  std::set<std::string> drawn;
+  for (std::uint64_t i = 0; i < 40; ++i) {
+    drawn.insert(scenes.Draw(static_cast<int>(i % 4), i).episode.episode.id);
+  }
+  EXPECT_EQ(drawn, known);
+}
+
+TEST_F(NavigationTest, ShippedConfigsOfTrialsLoad) {
+  EXPECT_NO_THROW(sim::LoadYaml<PolicyEvaluationConfig>(std::filesystem::path(BULLETNAV_CONFIGS) /
+                                                        "evaluate_policy.yaml"));
+}
+
 TEST_F(NavigationTest, ImitationResumesBitForBit) {
   ExpectResumes("imitation",
                 "lanes: 4\ngroup: 2\nrollout: 4\ndagger: {from: 1, to: 4, least: 0.2}\n");
@@ -221,6 +418,12 @@ TEST_F(NavigationTest, ImitationResumesBitForBit) {
 
 TEST_F(NavigationTest, PpoResumesBitForBit) {
   ExpectResumes("ppo", "ppo: {lanes: 4, group: 2, rollout: 4}\n");
+}
+
+TEST_F(NavigationTest, PpoWithAMapResumesBitForBit) {
+  ExpectResumes("ppo",
+                "map\nppo: {lanes: 4, group: 2, rollout: 8}\ndraw: direct\naveraged_from: 0.5\n",
+                "_map");
 }
 
 TEST_F(NavigationTest, BadConfigsAreNamed) {

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/training/rl/navigation/policy_evaluation.h"
+
+#include <memory>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "agent/models/model_registry.h"
+#include "benchmark/base/program_version.h"
+#include "benchmark/base/warn_line.h"
+#include "benchmark/training/rl/navigation/policy_validation.h"
+#include "sim/base/error.h"
+#include "sim/sensors/noise/sensor_noise.h"
+
+namespace bulletnav::bench {
+namespace {
+
+constexpr const char* kAsItIs = "as it is";
+
+std::vector<std::string> SettingsOf(LaneSetting setting) {
+  if (setting == LaneSetting::kBoth) return {"rgb", "rgbd"};
+  return {std::string(sim::NameOf(setting))};
+}
+
+Task TaskOf(const PolicyEvaluationConfig& config, int step_limit) {
+  Task task;
+  task.noise = config.noise;
+  task.sensor_noise = sim::NamedSensorNoise(config.sensor_noise.value_or("none"));
+  task.max_steps = step_limit;
+  return task;
+}
+
+std::shared_ptr<agent::PolicyModel> Load(const std::filesystem::path& weights, const Task& task,
+                                         bool has_depth) {
+  agent::Rig rig = RigOf(task);
+  rig.has_depth = has_depth;
+  auto policy = std::dynamic_pointer_cast<agent::PolicyModel>(agent::LoadModel(weights, rig));
+  if (!policy) throw sim::FileError(weights, "", "does not hold the weights of a policy");
+  return policy;
+}
+
+NavigationScenes LoadScenes(const NavigationData& data, int workers, const TrainContext& context) {
+  MakeHousesOf(data.as_data(), CommittedVersion(), workers, context.start);
+  std::function<void()> loaded;
+  if (context.start) {
+    loaded = context.start("loading scenes", static_cast<int>(ScenesOf(data.as_data()).size()));
+  }
+  return NavigationScenes(data, sim::BodySpec{}, workers, loaded, WarnLine);
+}
+
+std::vector<std::pair<std::string, PolicyValidation::Way>> WaysOf(const PolicyTrials& trials) {
+  std::vector<std::pair<std::string, PolicyValidation::Way>> ways;
+  ways.emplace_back(kAsItIs, PolicyValidation::Way{});
+  if (trials.shuffle_goals) {
+    ways.emplace_back("shuffled goals", PolicyValidation::Way{});
+    ways.back().second.shuffle_goals = true;
+  }
+  if (trials.blank_images) {
+    ways.emplace_back("blank images", PolicyValidation::Way{});
+    ways.back().second.blank_images = true;
+  }
+  return ways;
+}
+
+}  // namespace
+
+void PolicyEvaluationConfig::Validate() const {
+  internal::RequireAtLeast(1, episodes, "episodes");
+  sim::RequireSensorNoise(sensor_noise.value_or("none"));
+}
+
+std::vector<PolicyEvaluationRow> EvaluatePolicy(const PolicyEvaluationConfig& config,
+                                                const std::filesystem::path& weights,
+                                                const PolicyTrials& trials, int workers,
+                                                const TrainContext& context) {
+  const std::vector<std::string> settings = SettingsOf(config.setting);
+  const int limit = Load(weights, Task{}, settings.back() == "rgbd")->step_limit();
+  const Task task = TaskOf(config, limit);
+  NavigationScenes scenes = LoadScenes(config.data, workers, context);
+  const PolicyValidation validation(&scenes, task, config.episodes);
+  sim::WorkerPool pool(workers);
+  std::vector<PolicyEvaluationRow> rows;
+  for (const std::string& setting : settings) {
+    for (auto [trial, way] : WaysOf(trials)) {
+      way.with_depth = setting == "rgbd";
+      way.pool = &pool;
+      way.agent = config.agent;
+      Measures measures;
+      validation.Measure(
+          [&, has_depth = way.with_depth] {
+            return Load(weights, task, has_depth);
+          },
+          way, &measures);
+      rows.push_back({setting, trial, measures});
+    }
+  }
+  return rows;
+}
+
+std::string ToText(const std::vector<PolicyEvaluationRow>& rows) {
+  std::string text = fmt::format("{:<6}{:<16}{:>8}{:>8}{:>8}{:>8}{:>8}{:>8}{:>9}\n", "", "",
+                                 "success", "easy", "medium", "hard", "SPL", "steps", "stopped");
+  double success = 0.0;
+  for (const PolicyEvaluationRow& row : rows) {
+    const auto of = [&](const char* name) {
+      return row.measures.at(name);
+    };
+    text +=
+        fmt::format("{:<6}{:<16}{:>8.3f}{:>8.3f}{:>8.3f}{:>8.3f}{:>8.3f}{:>8.0f}{:>9.3f}",
+                    row.setting, row.trial, of("success"), of("success_easy"), of("success_medium"),
+                    of("success_hard"), of("spl"), of("steps"), of("stopped"));
+    if (row.trial == kAsItIs) {
+      success = of("success");
+    } else if (success > 0.0) {
+      text += fmt::format("   loses {:.0f}%", 100.0 * (1.0 - of("success") / success));
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+std::string ToJson(const std::vector<PolicyEvaluationRow>& rows) {
+  std::string text = "[";
+  for (const PolicyEvaluationRow& row : rows) {
+    text += fmt::format("{}{{\"setting\": \"{}\", \"trial\": \"{}\"", text.size() > 1 ? ",\n " : "",
+                        row.setting, row.trial);
+    for (const Measures::Item& item : row.measures.items()) {
+      text += fmt::format(", \"{}\": {}", item.name, item.value);
+    }
+    text += "}";
+  }
+  return text + "]\n";
+}
+
+}  // namespace bulletnav::bench

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "agent/policy/policy_agent.h"
+#include "benchmark/training/core/registry.h"
+#include "benchmark/training/rl/navigation/navigation_lanes.h"
+
+namespace bulletnav::bench {
+
+/// Where a learned policy is tried, and how: the config of `evaluate-policy`.
+struct PolicyEvaluationConfig {
+  std::string weights;
+  NavigationData data;
+  int episodes = 60;  // in each setting
+  LaneSetting setting = LaneSetting::kRgbd;
+  sim::NoiseMode noise = sim::NoiseMode::kAnsReleased;
+  std::optional<std::string> sensor_noise;  // of cameras, see sim::NamedSensorNoise; default: none
+  agent::PolicyAgent::Config agent;
+
+  template <class V>
+  void Visit(V& v) {
+    v.Required("weights", weights);
+    v.Required("data", data);
+    v("episodes", episodes);
+    v("setting", setting);
+    v("noise", noise);
+    v("sensor_noise", sensor_noise);
+    v("agent", agent);
+  }
+  /// Throws Error.
+  void Validate() const;
+};
+
+/// Beside the episodes as they are: what a policy must fail at.
+struct PolicyTrials {
+  bool shuffle_goals = false;  // of another episode
+  bool blank_images = false;   // black, and of no depth
+};
+
+struct PolicyEvaluationRow {
+  std::string setting;  // "rgb" or "rgbd"
+  std::string trial;    // "as it is", "shuffled goals" or "blank images"
+  Measures measures;
+};
+
+/// Plays the episodes with the policy in `weights`, as agents load it. Makes houses that are not
+/// there. The same for any number of threads. Throws FileError if the weights are no policy's.
+std::vector<PolicyEvaluationRow> EvaluatePolicy(const PolicyEvaluationConfig& config,
+                                                const std::filesystem::path& weights,
+                                                const PolicyTrials& trials, int workers,
+                                                const TrainContext& context);
+
+/// A table for people, with the share of its success that each trial takes from it.
+std::string ToText(const std::vector<PolicyEvaluationRow>& rows);
+std::string ToJson(const std::vector<PolicyEvaluationRow>& rows);
+
+}  // namespace bulletnav::bench
