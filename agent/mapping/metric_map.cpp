@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "agent/mapping/depth_ring.h"
 #include "agent/mapping/learned_ring.h"
@@ -45,8 +46,11 @@ std::unique_ptr<ViewWindow> MakeView(const Rig& rig, const MapSpec& spec,
 }  // namespace
 
 MetricMap::MetricMap(const Rig& rig, const MapSpec& spec, std::shared_ptr<FreeSpaceModel> mapper)
+    : MetricMap(spec, MakeView(rig, spec, std::move(mapper))) {}
+
+MetricMap::MetricMap(const MapSpec& spec, std::unique_ptr<ViewWindow> view)
     : spec_(spec),
-      view_(MakeView(rig, spec, std::move(mapper))),
+      view_(std::move(view)),
       evidence_(spec.cells()),
       explored_(spec.cells()),
       track_(spec.cells()),
