@@ -60,10 +60,10 @@ class ActiveNeuralSlamAgent final : public Agent {
     }
   };
 
-  /// The policy is needed but for random goals.
+  /// For random goals: models: {exploration: none}.
   static std::vector<ModelSlot> ModelSlots(const Rig& rig) {
     std::vector<ModelSlot> slots = SemanticAndMapSlots(rig);
-    slots.push_back(OptionalSlot<ExplorationPolicy>(kExploration, std::string(kName)));
+    slots.push_back(NeededSlot<ExplorationPolicy>(kExploration, std::string(kName)));
     return slots;
   }
 
