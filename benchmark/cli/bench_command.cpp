@@ -8,6 +8,7 @@
 
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/scene_options.h"
+#include "benchmark/cli/train_figures.h"
 #include "benchmark/perf/network_figures.h"
 #include "benchmark/perf/process.h"
 #include "benchmark/perf/run_figures.h"
@@ -21,7 +22,7 @@ namespace {
 struct BenchOptions {
   SceneOptions scene;
   bool json = false;
-  std::string only;  // "simulator", "networks", "runs", or all
+  std::string only;  // "simulator", "networks", "training", "runs", or all
 };
 
 void Bench(const BenchOptions& options) {
@@ -30,7 +31,7 @@ void Bench(const BenchOptions& options) {
   };
   std::optional<sim::TemporaryFolder> houses;
   std::filesystem::path file = options.scene.file;
-  if (file.empty() && (is_wanted("simulator") || is_wanted("runs"))) {
+  if (file.empty() && (is_wanted("simulator") || is_wanted("training") || is_wanted("runs"))) {
     fmt::print(stderr, "generating a house (seed 0)\n");
     const std::filesystem::path folder = houses.emplace().path();
     sim::WriteHouseSet(folder, {.count = 1, .first_seed = 0, .workers = 1}, [] {});
@@ -46,6 +47,7 @@ void Bench(const BenchOptions& options) {
     MeasureSimulator(scene, std::filesystem::read_symlink("/proc/self/exe"), tell);
   }
   if (is_wanted("networks")) MeasureNetworks(tell);
+  if (is_wanted("training")) MeasureMapSimulator(scene, tell);
   if (is_wanted("runs")) {
     MeasureRuns(scene, tell);
     MeasureLearnedRuns(scene, tell);
@@ -62,8 +64,10 @@ void AddBenchCommand(CLI::App* program) {
   command->add_flag("--json", options->json, "Print a list of JSON objects");
   command->add_option("--scene", options->scene.file,
                       "Scene to measure on; without it, a house is generated");
-  command->add_option("--only", options->only, "Only these figures: simulator, networks or runs")
-      ->check(CLI::IsMember({"simulator", "networks", "runs"}));
+  command
+      ->add_option("--only", options->only,
+                   "Only these figures: simulator, networks, training or runs")
+      ->check(CLI::IsMember({"simulator", "networks", "training", "runs"}));
   options->scene.AddImportOptions(command);
   command->callback([options] {
     Bench(*options);

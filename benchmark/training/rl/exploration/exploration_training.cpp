@@ -158,14 +158,18 @@ class ExplorationTraining final : public PpoTraining {
   std::string title() const override { return "An exploration policy of Active Neural SLAM"; }
   std::string Describe(const Measures& measures) const override {
     return fmt::format(
-        "explored {:.1f} m2 (goals at random {:.1f}), sigma {:.2f}, entropy {:.2f}, KL {:.4f}, "
+        "explored {:.1f} m2 (goals at random {:.1f}, frontiers {:.1f}), sigma {:.2f}, entropy "
+        "{:.2f}, KL {:.4f}, "
         "explained variance {:.2f}",
-        measures.at("explored"), measures.at("explored_at_random"), measures.at("deviation"),
-        measures.at("entropy"), measures.at("kl"), measures.at("explained_variance"));
+        measures.at("explored"), measures.at("explored_at_random"),
+        measures.at("explored_by_frontiers"), measures.at("deviation"), measures.at("entropy"),
+        measures.at("kl"), measures.at("explained_variance"));
   }
   std::string curves_label() const override { return "m2 explored, validation"; }
   std::vector<CurveLine> curves() const override {
-    return {{"the policy's goals", "explored"}, {"goals at random", "explored_at_random"}};
+    return {{"the policy's goals", "explored"},
+            {"goals at random", "explored_at_random"},
+            {"frontiers", "explored_by_frontiers"}};
   }
   std::vector<std::pair<std::string, std::string>> CardRows() const override {
     return {{"scenes", std::to_string(world_->scenes.count())},
@@ -197,17 +201,13 @@ class ExplorationTraining final : public PpoTraining {
   /// "loss": the m2 explored, negative.
   Measures Measure(const ExplorationValidation::PolicyMaker& make) {
     const ExplorationValidation::Result result = world_->validation.Measure(make, pool());
-    if (!at_random_) {
-      at_random_ = world_->validation.Measure(
-          [] {
-            return nullptr;
-          },
-          pool());
-    }
+    if (!at_random_) at_random_ = world_->validation.MeasureRandomGoals(pool());
+    if (!by_frontiers_) by_frontiers_ = world_->validation.MeasureFrontiers(pool());
     Measures measures;
     measures("loss", -result.explored);
     measures("explored", result.explored);
     measures("explored_at_random", at_random_->explored);
+    measures("explored_by_frontiers", by_frontiers_->explored);
     measures("collisions", result.collisions);
     measures("deviation", sim::Exp(goal_net().policy()->log_deviation().mean().item<double>()));
     AppendReport(&measures);
@@ -216,7 +216,9 @@ class ExplorationTraining final : public PpoTraining {
 
   Config config_;
   std::shared_ptr<ExplorationWorld> world_;
+  // To compare with; made once.
   std::optional<ExplorationValidation::Result> at_random_;
+  std::optional<ExplorationValidation::Result> by_frontiers_;
 };
 
 const TrainerRegistration<ExplorationTraining> registration;

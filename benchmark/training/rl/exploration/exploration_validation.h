@@ -24,18 +24,22 @@ class ExplorationValidation {
     double explored = 0.0;    // m2 of an episode, on the true map
     double collisions = 0.0;  // of an episode
   };
-  /// Makes a policy, once an episode, in any thread; null: goals at random.
+  /// Makes a policy, once an episode, in any thread.
   using PolicyMaker = std::function<std::shared_ptr<agent::ExplorationPolicy>()>;
   Result Measure(const PolicyMaker& make, sim::WorkerPool* pool) const;
+  /// The same episodes with goals anywhere in the window, or to the nearest frontiers.
+  Result MeasureRandomGoals(sim::WorkerPool* pool) const;
+  Result MeasureFrontiers(sim::WorkerPool* pool) const;
 
   /// What the policy is shown in the first `episodes` of them, for scales of integers: views of
   /// kExplorationBytes each.
   std::vector<std::uint8_t> Views(const PolicyMaker& make, int episodes) const;
 
  private:
-  /// `saw` is called with each view.
-  Result Play(int number, agent::ExplorationPolicy* policy,
-              const std::function<void(std::span<const std::uint8_t>)>& saw) const;
+  /// Walks to a goal.
+  using Walk = std::function<void(MapSimulator*, sim::Rng*)>;
+  Result Play(int number, const Walk& walk) const;
+  Result MeanOf(const std::function<Walk()>& make, sim::WorkerPool* pool) const;
 
   const ExplorationScenes* scenes_;
   MapSimulatorSpec spec_;

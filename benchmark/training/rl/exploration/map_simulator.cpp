@@ -63,6 +63,20 @@ double MapSimulator::Walk(const agent::GoalSteps& goal) {
   return explored() - before;
 }
 
+double MapSimulator::WalkToFrontiers() {
+  const double before = explored();
+  for (int i = 0; i < spec_.goal_steps; ++i) Step(ChooseByFrontier());
+  return explored() - before;
+}
+
+sim::Action MapSimulator::ChooseByFrontier() {
+  for (int tries = 0; tries < 2; ++tries) {
+    if (const auto plan = navigator_.ToFrontier()) return navigator_.Steer(plan->point);
+    navigator_.ForgetFeltWalls();
+  }
+  return sim::Action::kTurnLeft;  // all that can be got to is explored
+}
+
 sim::Action MapSimulator::Choose(const agent::Point& goal, bool plans) {
   if (plans) planner_.Plan(navigator_.map(), navigator_.here(), goal);
   const auto next = planner_.Next(navigator_.map(), navigator_.here());

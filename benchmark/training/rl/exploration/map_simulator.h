@@ -19,8 +19,9 @@ namespace bulletnav::bench {
 struct MapSimulatorSpec {
   int goal_steps = 25;      // steps between goals
   int episode_steps = 500;  // a multiple of these
-  /// Share of the odometry's error that is left when scans have mended it (see agent::ScanMatch).
-  double odometry_kept = 0.2;
+  /// Share of the odometry's error that is left when scans have mended it (see agent::ScanMatch):
+  /// in three furnished houses, .03 to .10 of it after 100 steps.
+  double odometry_kept = 0.1;
   sim::NoiseMode noise = sim::NoiseMode::kAnsReleased;
 
   template <class V>
@@ -50,6 +51,8 @@ class MapSimulator {
   /// Walks towards a goal in the present window for goal_steps steps. Returns m2 seen for the first
   /// time, on the true map. A goal that has been reached is waited at.
   double Walk(const agent::GoalSteps& goal);
+  /// The same by the nearest frontiers, as metric_map_fbe explores; to compare with.
+  double WalkToFrontiers();
 
   /// What the policy sees; see WriteExplorationView.
   void Show(std::span<std::uint8_t> view) const;
@@ -65,6 +68,7 @@ class MapSimulator {
 
  private:
   sim::Action Choose(const agent::Point& goal, bool plans);
+  sim::Action ChooseByFrontier();
   void Step(sim::Action action);
 
   MapSimulatorSpec spec_;

@@ -130,14 +130,12 @@ TEST_F(MapSimulatorTest, GoalsAreWholeNumbersAndBack) {
 
 TEST_F(MapSimulatorTest, ValidationIsTheSameForAnyNumberOfThreads) {
   const ExplorationValidation validation(scenes_, Spec(), 3);
-  const auto at_random = [] {
-    return nullptr;
-  };
   sim::WorkerPool one(1);
   sim::WorkerPool two(2);
-  const ExplorationValidation::Result result = validation.Measure(at_random, &one);
+  const ExplorationValidation::Result result = validation.MeasureRandomGoals(&one);
   EXPECT_GT(result.explored, 5.0);
-  EXPECT_EQ(validation.Measure(at_random, &two).explored, result.explored);
+  EXPECT_GT(validation.MeasureFrontiers(&two).explored, 5.0);
+  EXPECT_EQ(validation.MeasureRandomGoals(&two).explored, result.explored);
 }
 
 TEST(MapSimulatorSpec, RefusesEpisodesThatGoalsDoNotFill) {
