@@ -38,13 +38,22 @@ void NavigatorSpec::Validate() const {
 
 MapNavigator::MapNavigator(const Rig& rig, const NavigatorSpec& spec,
                            std::shared_ptr<FreeSpaceModel> mapper)
+    : MapNavigator(spec,
+                   rig.has_depth && spec.match_scans ? std::optional<ScanMatch>(rig) : std::nullopt,
+                   MetricMap(rig, spec.map, std::move(mapper)), rig.has_depth) {}
+
+MapNavigator::MapNavigator(const NavigatorSpec& spec, std::unique_ptr<ViewWindow> view)
+    : MapNavigator(spec, std::nullopt, MetricMap(spec.map, std::move(view)), false) {}
+
+MapNavigator::MapNavigator(const NavigatorSpec& spec, std::optional<ScanMatch> match, MetricMap map,
+                           bool can_doubt)
     : spec_(spec),
-      match_(rig.has_depth && spec.match_scans ? std::optional<ScanMatch>(rig) : std::nullopt),
-      map_(rig, spec.map, std::move(mapper)),
+      match_(std::move(match)),
+      map_(std::move(map)),
       planner_(spec.map, spec.ahead),
       frontiers_(spec.map.cells(), spec.least_frontier),
       frontier_watch_(kPatience, kNearer),
-      can_doubt_(rig.has_depth) {}
+      can_doubt_(can_doubt) {}
 
 void MapNavigator::Reset() {
   pose_ = {};

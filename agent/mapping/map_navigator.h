@@ -49,6 +49,9 @@ class MapNavigator {
   /// See MetricMap.
   MapNavigator(const Rig& rig, const NavigatorSpec& spec,
                std::shared_ptr<FreeSpaceModel> mapper = nullptr);
+  /// Maps by another view, such as a simulated one; takes the odometry as it is and never doubts
+  /// the map.
+  MapNavigator(const NavigatorSpec& spec, std::unique_ptr<ViewWindow> view);
 
   void Reset();
   /// Moves the pose by the odometry, mended by depth, marks felt walls, adds what is seen to the
@@ -93,6 +96,8 @@ class MapNavigator {
   bool MayLeadOn(const Point& point, double radius) const;
 
  private:
+  MapNavigator(const NavigatorSpec& spec, std::optional<ScanMatch> match, MetricMap map,
+               bool can_doubt);
   void FeelWalls(const sim::PlanarPose& before);
   void DoubtMap(const Panorama& panorama);
   void GiveUpFrontier();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "agent/mapping/depth_ring.h"
 #include "agent/mapping/learned_ring.h"
@@ -45,8 +46,11 @@ std::unique_ptr<ViewWindow> MakeView(const Rig& rig, const MapSpec& spec,
 }  // namespace
 
 MetricMap::MetricMap(const Rig& rig, const MapSpec& spec, std::shared_ptr<FreeSpaceModel> mapper)
+    : MetricMap(spec, MakeView(rig, spec, std::move(mapper))) {}
+
+MetricMap::MetricMap(const MapSpec& spec, std::unique_ptr<ViewWindow> view)
     : spec_(spec),
-      view_(MakeView(rig, spec, std::move(mapper))),
+      view_(std::move(view)),
       evidence_(spec.cells()),
       explored_(spec.cells()),
       track_(spec.cells()),
@@ -232,17 +236,26 @@ void MetricMap::GrowObstacle(const sim::Cell& obstacle, const sim::Cell& low,
                              const sim::Cell& high) {
   const int hard = spec_.dilation_cells;
   const int soft = hard + spec_.clearance_cells;
-  const int to_y = std::min(obstacle.y + soft, high.y);
-  const int to_x = std::min(obstacle.x + soft, high.x);
-  for (int y = std::max(obstacle.y - soft, low.y); y <= to_y; ++y) {
-    for (int x = std::max(obstacle.x - soft, low.x); x <= to_x; ++x) {
+  int width = 0;  // of the row of a disc, to either side
+  for (int dy = -soft; dy <= soft; ++dy) {
+    // It grows to the middle row and shrinks after it.
+    while ((width + 1) * (width + 1) + dy * dy <= soft * soft) ++width;
+    while (width * width + dy * dy > soft * soft) --width;
+    const int y = obstacle.y + dy;
+    if (y < low.y || y > high.y) continue;
+    const int to = std::min(obstacle.x + width, high.x);
+    for (int x = std::max(obstacle.x - width, low.x); x <= to; ++x) {
+      sim::CellState& state = states_[sim::Cell{x, y}];
+      state = state == sim::CellState::kFree ? sim::CellState::kTight : state;
+    }
+  }
+  for (int y = std::max(obstacle.y - hard, low.y); y <= std::min(obstacle.y + hard, high.y); ++y) {
+    for (int x = std::max(obstacle.x - hard, low.x); x <= std::min(obstacle.x + hard, high.x);
+         ++x) {
       const int dx = x - obstacle.x;
       const int dy = y - obstacle.y;
-      if (dx * dx + dy * dy > soft * soft) continue;
-      sim::CellState& state = states_[sim::Cell{x, y}];
-      const bool is_hard = dx * dx + dy * dy <= hard * hard && track_[sim::Cell{x, y}] == 0;
-      if (is_hard) state = sim::CellState::kBlocked;
-      if (state == sim::CellState::kFree) state = sim::CellState::kTight;
+      if (dx * dx + dy * dy > hard * hard || track_[sim::Cell{x, y}] != 0) continue;
+      states_[sim::Cell{x, y}] = sim::CellState::kBlocked;
     }
   }
 }

@@ -9,6 +9,7 @@
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/learning.h"
 #include "benchmark/cli/scene_options.h"
+#include "benchmark/cli/train_figures.h"
 #include "benchmark/perf/network_figures.h"
 #include "benchmark/perf/process.h"
 #include "benchmark/perf/run_figures.h"
@@ -22,7 +23,7 @@ namespace {
 struct BenchOptions {
   SceneOptions scene;
   bool json = false;
-  std::string only;  // "simulator", "networks", "runs", "training", or all
+  std::string only;  // "simulator", "networks", "training", "runs", or all
 };
 
 void Bench(const BenchOptions& options) {
@@ -31,7 +32,7 @@ void Bench(const BenchOptions& options) {
   };
   std::optional<sim::TemporaryFolder> houses;
   std::filesystem::path file = options.scene.file;
-  if (file.empty() && options.only != "networks") {
+  if (file.empty() && (is_wanted("simulator") || is_wanted("training") || is_wanted("runs"))) {
     fmt::print(stderr, "generating a house (seed 0)\n");
     const std::filesystem::path folder = houses.emplace().path();
     sim::WriteHouseSet(folder, {.count = 1, .first_seed = 0, .workers = 1}, [] {});
@@ -51,7 +52,10 @@ void Bench(const BenchOptions& options) {
     MeasureRuns(scene, tell);
     MeasureLearnedRuns(scene, tell);
   }
-  if (is_wanted("training")) MeasureTrainingThere(scene, tell);
+  if (is_wanted("training")) {
+    MeasureMapSimulator(scene, tell);
+    MeasureTrainingThere(scene, tell);
+  }
   fmt::print("{}", options.json ? ToJson(figures) : ToText(figures));
 }
 

@@ -8,6 +8,7 @@
 
 #include "agent/models/goal_estimator.h"
 #include "agent/models/usual_slots.h"
+#include "agent/policy/exploration_policy.h"
 #include "agent/policy/policy_model.h"
 #include "agent/registry.h"
 #include "sim/base/error.h"
@@ -107,6 +108,17 @@ class FixedPolicy final : public PolicyModel {
   bool sees_map_;
 };
 
+/// Goals to one side or another by how much is mapped.
+class FixedExploration final : public ExplorationPolicy {
+ public:
+  GoalDistribution Ask(std::span<const std::uint8_t> view, int heading) override {
+    const auto known = std::count_if(view.begin(), view.end(), [](std::uint8_t pixel) {
+      return pixel != 0;
+    });
+    return {{0.01 * static_cast<double>(known % 200) - 1.0, 0.02 * heading - 0.7}, {0.5, 0.5}};
+  }
+};
+
 sim::SimulatorSpec SmallSpec() {
   sim::SimulatorSpec spec;
   spec.panorama.rows = 16;
@@ -119,6 +131,7 @@ AgentContext Context(bool sees = false) {
   context.rig.panorama = SmallSpec().panorama;
   context.models.Set("semantic_model", std::make_shared<FixedModel>(sees));
   context.models.Set("policy", std::make_shared<FixedPolicy>(false));
+  context.models.Set("exploration", std::make_shared<FixedExploration>());
   return context;
 }
 

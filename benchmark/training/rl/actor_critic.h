@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <span>
+
 #include "agent/perception/torch.h"
+#include "sim/math/rng.h"
 
 namespace bulletnav::bench {
 
@@ -14,9 +17,11 @@ class ActorCritic : public torch::nn::Module {
     torch::Tensor goal_codes;  // likewise
   };
   struct Output {
-    torch::Tensor log_probabilities;  // [steps, lanes, actions]
-    torch::Tensor values;             // [steps, lanes], normalised
-    torch::Tensor hidden;             // [lanes, width], after the last step
+    /// [steps, lanes, actions]; or, of a policy that has a distribution of its own over actions,
+    /// what that is given by.
+    torch::Tensor log_probabilities;
+    torch::Tensor values;  // [steps, lanes], normalised
+    torch::Tensor hidden;  // [lanes, width], after the last step
   };
 
   /// Pictures u8 [n, bytes] to [n, code].
@@ -28,6 +33,15 @@ class ActorCritic : public torch::nn::Module {
   virtual Output Run(const Seen& seen, const torch::Tensor& starts,
                      const torch::Tensor& hidden) = 0;
   virtual torch::Tensor NoMemory(int lanes) const = 0;
+
+  // The distribution of actions, by default the one of log_probabilities.
+
+  /// An action, by what is said of one lane in one step.
+  virtual int Draw(std::span<const float> log_probabilities, sim::Rng* rng) const;
+  /// [steps, lanes] of actions [steps, lanes].
+  virtual torch::Tensor LogProbabilitiesOf(const Output& output,
+                                           const torch::Tensor& actions) const;
+  virtual torch::Tensor EntropyOf(const Output& output) const;  // [steps, lanes]
 };
 
 }  // namespace bulletnav::bench

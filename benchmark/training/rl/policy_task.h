@@ -33,7 +33,7 @@ class PolicyTask {
   /// Of those that a training has, where several processes share them; what a lane comes to
   /// follows from its number among all.
   virtual int first_lane() const { return 0; }
-  virtual int actions() const = 0;
+  virtual int actions() const = 0;                         // numbers of a choice; see ActorCritic
   virtual int observation_size() const = 0;                // numbers
   virtual std::size_t picture_bytes() const { return 0; }  // 0: there are no pictures
 
@@ -42,6 +42,7 @@ class PolicyTask {
   virtual void Begin(int lane, std::uint64_t episode) = 0;
   /// [lanes, observation_size] and [lanes, picture_bytes]
   virtual void Observe(std::span<float> numbers, std::span<std::uint8_t> pictures) = 0;
+  virtual bool shows_goals() const { return true; }  // if there are pictures
   /// The picture of a lane's goal, [picture_bytes].
   virtual void ShowGoal(int /*lane*/, std::span<std::uint8_t> /*picture*/) const {}
   /// What a teacher who sees the truth would do, [lanes]. False: there is none.

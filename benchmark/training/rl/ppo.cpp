@@ -68,16 +68,14 @@ torch::Tensor LossOf(const Rollout& rollout, const Targets& targets, const torch
   };
   const ActorCritic::Output output = net->Run(rollout.SeenBy(net, lanes), of(rollout.starts),
                                               rollout.hidden.index_select(0, lanes));
-  const torch::Tensor log_probability =
-      output.log_probabilities.gather(-1, of(rollout.actions).unsqueeze(-1)).squeeze(-1);
+  const torch::Tensor log_probability = net->LogProbabilitiesOf(output, of(rollout.actions));
   const torch::Tensor log_ratio = log_probability - of(rollout.log_probabilities);
   const torch::Tensor ratio = log_ratio.exp();
   const torch::Tensor advantages = of(targets.advantages);
   const torch::Tensor gain =
       at::minimum(ratio * advantages, ratio.clamp(1.0 - spec.clip, 1.0 + spec.clip) * advantages);
   const torch::Tensor value_error = (output.values - of(targets.returns)).square().mean();
-  const torch::Tensor entropy =
-      -(output.log_probabilities.exp() * output.log_probabilities).sum(-1).mean();
+  const torch::Tensor entropy = net->EntropyOf(output).mean();
   report->entropy = entropy.item<double>();
   report->kl = (ratio - 1.0 - log_ratio).mean().item<double>();
   const torch::Tensor off = (ratio - 1.0).abs();

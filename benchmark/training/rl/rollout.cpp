@@ -6,7 +6,6 @@
 
 #include "agent/perception/one_thread.h"
 #include "sim/base/check.h"
-#include "sim/base/elementary.h"
 #include "sim/math/rng.h"
 
 namespace bulletnav::bench {
@@ -25,7 +24,18 @@ torch::Tensor Indices(const std::vector<std::int64_t>& indices) {
 ActorCritic::Seen Rollout::SeenBy(ActorCritic* net, const torch::Tensor& lanes) const {
   ActorCritic::Seen seen;
   seen.numbers = numbers.index_select(1, lanes);
-  if (!goals.defined()) return seen;
+  if (goals.defined()) SeeGoals(net, lanes, &seen);
+  if (codes.defined()) seen.codes = codes.index_select(1, lanes);
+  if (!pictures.defined()) return seen;
+  const torch::Tensor shown = pictures.index_select(1, lanes);
+  const std::int64_t rows = shown.size(0);
+  const std::int64_t columns = shown.size(1);
+  seen.codes = net->Encode(shown.view({rows * columns, -1})).view({rows, columns, -1});
+  return seen;
+}
+
+void Rollout::SeeGoals(ActorCritic* net, const torch::Tensor& lanes,
+                       ActorCritic::Seen* seen) const {
   const torch::Tensor index = goal_index.index_select(1, lanes);
   const std::int64_t rows = index.size(0);
   const std::int64_t columns = index.size(1);
@@ -33,25 +43,15 @@ ActorCritic::Seen Rollout::SeenBy(ActorCritic* net, const torch::Tensor& lanes) 
   const torch::Tensor used = goals.index_select(0, std::get<0>(in_order));
   const bool learns = pictures.defined();
   const torch::Tensor coded = learns ? net->Encode(used) : used;
-  seen.goal_codes = coded.index_select(0, std::get<1>(in_order)).view({rows, columns, -1});
-  seen.codes = codes.defined() ? codes.index_select(1, lanes) : torch::Tensor();
-  if (!learns) return seen;
-  const torch::Tensor shown = pictures.index_select(1, lanes);
-  seen.codes = net->Encode(shown.view({rows * columns, -1})).view({rows, columns, -1});
-  return seen;
+  seen->goal_codes = coded.index_select(0, std::get<1>(in_order)).view({rows, columns, -1});
 }
 
-int SampleAction(const ActionKey& key, std::span<const float> log_probabilities) {
-  std::vector<double> weights(log_probabilities.size());
-  std::transform(log_probabilities.begin(), log_probabilities.end(), weights.begin(),
-                 [](float value) {
-                   return sim::Exp(double{value});
-                 });
+int SampleAction(const ActionKey& key, const ActorCritic& policy, std::span<const float> said) {
   sim::Rng rng = sim::Rng(key.seed, "action")
                      .Fork("lane", static_cast<std::uint64_t>(key.lane))
                      .Fork("episode", key.episode)
                      .Fork("step", key.step);
-  return static_cast<int>(rng.Weighted(weights));
+  return policy.Draw(said, &rng);
 }
 
 struct Actor::Now {
@@ -73,7 +73,8 @@ Actor::Actor(PolicyTask* task, ActorCritic* net, sim::WorkerPool* pool, int grou
       steps_(episodes_.size()) {
   BULLETNAV_CHECK(group >= 1);
   const std::size_t bytes = task->picture_bytes();
-  if (bytes > 0) goals_ = torch::zeros({Wide(lanes()), Wide(bytes)}, torch::kUInt8);
+  if (bytes > 0 && task->shows_goals())
+    goals_ = torch::zeros({Wide(lanes()), Wide(bytes)}, torch::kUInt8);
   for (std::size_t i = 0; i < lanes(); ++i) Begin(i, 0);
 }
 
@@ -128,7 +129,7 @@ ActorCritic::Output Actor::Ask(Now* now) {
     if (now->pictures.defined()) {
       code = net_->Encode(of(now->pictures));
       seen.codes = code.unsqueeze(0);
-      seen.goal_codes = of(goal_codes_).unsqueeze(0);
+      if (goal_codes_.defined()) seen.goal_codes = of(goal_codes_).unsqueeze(0);
     }
     parts[static_cast<std::size_t>(i)] = net_->Run(seen, of(starts_).unsqueeze(0), of(hidden_));
   });
@@ -154,8 +155,9 @@ struct Actor::Record {
 
 Actor::Record Actor::BeginRecord(const PlaySpec& spec) {
   Record record;
-  record.keeps_pictures = goals_.defined() && net_->learns_to_see();
-  const bool keeps_codes = goals_.defined() && !record.keeps_pictures;
+  const bool has_pictures = task_->picture_bytes() > 0;
+  record.keeps_pictures = has_pictures && net_->learns_to_see();
+  const bool keeps_codes = has_pictures && !record.keeps_pictures;
   record.asks = keeps_codes || !(spec.lessons && spec.taught_episodes >= 1.0);
   record.goal_of_lane.resize(lanes());
   std::iota(record.goal_of_lane.begin(), record.goal_of_lane.end(), 0);
@@ -185,7 +187,7 @@ std::vector<int> Actor::Choose(const PlaySpec& spec, Record* record, ActorCritic
     hidden_ = output->hidden;
     Act(*output, &actions);
   }
-  if (goals_.defined()) {
+  if (now.pictures.defined()) {
     record->seen.push_back(record->keeps_pictures ? now.pictures : now.codes);
   }
   starts_ = torch::zeros_like(starts_);
@@ -201,7 +203,7 @@ std::vector<int> Actor::Choose(const PlaySpec& spec, Record* record, ActorCritic
   record->actions.push_back(chosen);
   if (record->asks) {
     record->log_probabilities.push_back(
-        output->log_probabilities[0].gather(-1, chosen.unsqueeze(-1)).squeeze(-1));
+        net_->LogProbabilitiesOf(*output, chosen.unsqueeze(0)).squeeze(0));
   }
   return actions;
 }
@@ -246,18 +248,19 @@ void Actor::Stack(const Record& record, Rollout* rollout) const {
   rollout->goal_index = at::stack(record.goal_index);
   if (!record.lessons.empty()) rollout->lessons = at::stack(record.lessons);
   if (record.asks) rollout->log_probabilities = at::stack(record.log_probabilities);
-  if (!goals_.defined()) return;
-  (record.keeps_pictures ? rollout->pictures : rollout->codes) = at::stack(record.seen);
-  rollout->goals = at::cat(record.goals);
+  if (!record.seen.empty()) {
+    (record.keeps_pictures ? rollout->pictures : rollout->codes) = at::stack(record.seen);
+  }
+  if (goals_.defined()) rollout->goals = at::cat(record.goals);
 }
 
 void Actor::Act(const ActorCritic::Output& output, std::vector<int>* actions) const {
-  const auto count = static_cast<std::size_t>(task_->actions());
   const torch::Tensor flat = output.log_probabilities.contiguous();
+  const auto count = static_cast<std::size_t>(flat.size(-1));
   for (std::size_t i = 0; i < actions->size(); ++i) {
-    (*actions)[i] =
-        SampleAction({seed_, task_->first_lane() + static_cast<int>(i), episodes_[i], steps_[i]},
-                     {flat.data_ptr<float>() + i * count, count});
+    (*actions)[i] = SampleAction(
+        {seed_, task_->first_lane() + static_cast<int>(i), episodes_[i], steps_[i]}, *net_,
+        {flat.data_ptr<float>() + i * count, count});
   }
 }
 

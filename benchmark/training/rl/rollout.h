@@ -38,6 +38,9 @@ struct Rollout {
 
   /// What a net is shown of some lanes, encoded by it; `lanes`: i64.
   ActorCritic::Seen SeenBy(ActorCritic* net, const torch::Tensor& lanes) const;
+
+ private:
+  void SeeGoals(ActorCritic* net, const torch::Tensor& lanes, ActorCritic::Seen* seen) const;
 };
 
 /// The action of a step: a function of its key and the policy's probabilities.
@@ -47,8 +50,8 @@ struct ActionKey {
   std::uint64_t episode = 0;
   std::uint64_t step = 0;  // of the episode
 };
-/// `log_probabilities`: of all actions.
-int SampleAction(const ActionKey& key, std::span<const float> log_probabilities);
+/// `said`: what the policy says in that step; see ActorCritic::Draw.
+int SampleAction(const ActionKey& key, const ActorCritic& policy, std::span<const float> said);
 
 /// How lanes are played.
 struct PlaySpec {

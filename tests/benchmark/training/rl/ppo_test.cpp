@@ -131,11 +131,12 @@ TEST(Ppo, GradientsAreTheSameForAnyNumberOfThreads) {
 }
 
 TEST(Ppo, ActionsAreAFunctionOfTheirKeyWithTheProbabilitiesAsked) {
+  const NumberNet net({}, 1, 2, 0);
   const std::array<float, 2> log_probabilities = {std::log(0.25F), std::log(0.75F)};
   int ones = 0;
   for (std::uint64_t step = 0; step < 4000; ++step) {
-    const int action = SampleAction({1, 2, 3, step}, log_probabilities);
-    EXPECT_EQ(action, SampleAction({1, 2, 3, step}, log_probabilities));
+    const int action = SampleAction({1, 2, 3, step}, net, log_probabilities);
+    EXPECT_EQ(action, SampleAction({1, 2, 3, step}, net, log_probabilities));
     ones += action;
   }
   EXPECT_NEAR(ones / 4000.0, 0.75, 0.03);

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/training/rl/exploration/map_simulator.h"
+
+#include <utility>
+
+#include "agent/policy/exploration_view.h"
+#include "sim/config/yaml_reader.h"
+
+namespace bulletnav::bench {
+namespace {
+
+constexpr int kPlanEvery = 5;  // steps
+
+agent::NavigatorSpec Navigator() {
+  return {};
+}
+
+}  // namespace
+
+void MapSimulatorSpec::Validate() const {
+  if (goal_steps < 1) throw sim::KeyError("goal_steps", "goal_steps must be at least 1");
+  if (episode_steps < goal_steps || episode_steps % goal_steps != 0) {
+    throw sim::KeyError("episode_steps", "episode_steps must be a multiple of goal_steps");
+  }
+  if (!(odometry_kept >= 0.0 && odometry_kept <= 1.0)) {
+    throw sim::KeyError("odometry_kept", "odometry_kept must be in [0, 1]");
+  }
+}
+
+MapSimulator::MapSimulator(const MapSimulatorSpec& spec)
+    : spec_(spec),
+      noise_(spec.noise),
+      made_view_(std::make_unique<Viewshed>(Navigator().map, double{body_spec_.camera_height})),
+      view_(made_view_.get()),
+      navigator_(Navigator(), std::move(made_view_)),
+      planner_(Navigator().map.cells()) {}
+
+void MapSimulator::Begin(const ExplorationScene& scene, const sim::BodyPose& start,
+                         std::uint64_t seed) {
+  if (scene_ != &scene) {
+    body_ = std::make_unique<sim::CapsuleBody>(scene.ground->physics, body_spec_);
+  }
+  scene_ = &scene;
+  body_->Reset(start);
+  seed_ = seed;
+  steps_ = 0;
+  collisions_ = 0;
+  was_hindered_ = false;
+  seen_.cells.assign(scene.columns->values().size(), 0);
+  seen_.count = 0;
+  navigator_.Reset();
+  view_->Place(scene.columns.get(), body_->pose(), &seen_);
+  navigator_.Observe({});
+}
+
+double MapSimulator::Walk(const agent::GoalSteps& goal) {
+  const double before = explored();
+  const agent::Point point =
+      agent::GoalAt(navigator_.map(), navigator_.pose(), agent::SharesOf(goal));
+  for (int i = 0; i < spec_.goal_steps; ++i) {
+    Step(Choose(point, i % kPlanEvery == 0 || was_hindered_));
+  }
+  return explored() - before;
+}
+
+double MapSimulator::WalkToFrontiers() {
+  const double before = explored();
+  for (int i = 0; i < spec_.goal_steps; ++i) Step(ChooseByFrontier());
+  return explored() - before;
+}
+
+sim::Action MapSimulator::ChooseByFrontier() {
+  for (int tries = 0; tries < 2; ++tries) {
+    if (const auto plan = navigator_.ToFrontier()) return navigator_.Steer(plan->point);
+    navigator_.ForgetFeltWalls();
+  }
+  return sim::Action::kTurnLeft;  // all that can be got to is explored
+}
+
+sim::Action MapSimulator::Choose(const agent::Point& goal, bool plans) {
+  if (plans) planner_.Plan(navigator_.map(), navigator_.here(), goal);
+  const auto next = planner_.Next(navigator_.map(), navigator_.here());
+  return next ? navigator_.Steer(*next) : sim::Action::kTurnLeft;
+}
+
+void MapSimulator::Step(sim::Action action) {
+  const auto rng = [&](sim::Stream stream) {
+    return sim::Rng(sim::RngKey{seed_, 0, 0, static_cast<std::uint32_t>(steps_), stream});
+  };
+  sim::Rng actuation = rng(sim::Stream::kActuation);
+  sim::Rng odometry = rng(sim::Stream::kOdometry);
+  navigator_.Took(action);
+  const sim::BodyPose before = body_->pose();
+  const sim::MoveResult move = body_->Move(noise_.Actuation(action, actuation));
+  const sim::PlanarPose motion = sim::RelativePose(before, body_->pose());
+  const sim::PlanarPose read = noise_.Odometry(action, motion, odometry);
+  const auto mended = [&](double truth, double measured) {
+    return truth + spec_.odometry_kept * (measured - truth);
+  };
+  ++steps_;
+  collisions_ += move.collided ? 1 : 0;
+  was_hindered_ = move.collided;
+  agent::Observation seen;
+  seen.odometry = {mended(motion.x, read.x), mended(motion.y, read.y),
+                   motion.yaw + spec_.odometry_kept * sim::WrapAngle(read.yaw - motion.yaw)};
+  view_->Place(scene_->columns.get(), body_->pose(), &seen_);
+  navigator_.Observe(seen);
+}
+
+void MapSimulator::Show(std::span<std::uint8_t> view) const {
+  agent::WriteExplorationView(navigator_.map(), navigator_.pose(), view);
+}
+
+int MapSimulator::heading() const {
+  return agent::HeadingBin(navigator_.pose().yaw);
+}
+
+double MapSimulator::explored() const {
+  return static_cast<double>(seen_.count) * HeightColumns::kCell * HeightColumns::kCell;
+}
+
+}  // namespace bulletnav::bench
