@@ -19,7 +19,9 @@ struct LoopFrame {
   int height_px = 0;
   std::span<const std::uint8_t> color;    // [height, width, 3] RGB
   const OrbFeatures* features = nullptr;  // of `color`, shared by all who need them
-  sim::PlanarPose odometry;               // from the first frame's body
+  /// Of the picture as a whole, see PictureDescriber; empty where the config names none.
+  std::span<const std::int16_t> descriptor;
+  sim::PlanarPose odometry;  // from the first frame's body
   /// How many of the first frames are so far back, by travel as odometry has it, that they are
   /// asked about.
   int comparable = 0;
@@ -36,6 +38,7 @@ struct LoopCandidate {
 /// What detectors are built with, besides their own config.
 struct LoopContext {
   std::shared_ptr<const Vocabulary> vocabulary;  // of ORB
+  int descriptor_size = 0;                       // of LoopFrame::descriptor; 0: there is none
 };
 
 /// Finds pairs of frames of a drive that show the same place. Sees what LoopFrame has and nothing

@@ -22,8 +22,8 @@ inline double Cosine(std::span<const std::int16_t> a, std::span<const std::int16
   return static_cast<double>(sum) / (static_cast<double>(kDescriptorUnit) * kDescriptorUnit);
 }
 
-/// The direction of some numbers; all zeros have none and stay so. Expects: numbers whose squares'
-/// sum fits into 63 bits (checked).
+/// The direction of some numbers, sums of descriptors say; all zeros have none and stay so.
+/// Expects: at most 1024 numbers (checked).
 PictureDescriptor DirectionOf(std::span<const std::int64_t> numbers);
 
 /// The direction of the mean of descriptors. Expects: at least one, all of one size (checked).

@@ -109,6 +109,7 @@ struct SlamConfig {
   std::vector<int> actions = {700};
   std::vector<std::uint64_t> seeds = {0};
   std::optional<VocabularySource> vocabulary;
+  std::string descriptors;  // file of weights of a PictureDescriber; empty: frames have none
   agent::OrbSpec orb;
   double apart_m = 10.0;  // of travel, as odometry has it, between frames that may be a loop
   agent::VerifySpec verify;
@@ -130,6 +131,7 @@ struct SlamConfig {
     v("actions", actions);
     v("seeds", seeds);
     v("vocabulary", vocabulary);
+    v("descriptors", descriptors);
     v("orb", orb);
     v("apart_m", apart_m);
     v("verify", verify);
