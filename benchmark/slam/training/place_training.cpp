@@ -13,6 +13,7 @@
 #include "agent/perception/one_thread.h"
 #include "agent/slam/descriptors/descriptor_net.h"
 #include "agent/slam/descriptors/picture_describer.h"
+#include "benchmark/base/shipped_file.h"
 #include "benchmark/slam/training/place_loss.h"
 #include "benchmark/slam/training/place_measures.h"
 #include "benchmark/slam/training/place_views_file.h"
@@ -55,7 +56,9 @@ std::vector<PlaceViews> FirstOf(std::vector<PlaceViews> scenes, int count) {
 
 std::unique_ptr<agent::DescriptorNet> MakeNet(const PlaceTrainConfig& config) {
   auto net = std::make_unique<agent::DescriptorNet>(config.model, config.seed);
-  if (!config.start_from.empty()) net->StartFrom(config.start_from);
+  if (!config.start_from.empty()) {
+    net->StartFrom(FindShipped(config.start_from).value_or(config.start_from));
+  }
   return net;
 }
 
@@ -94,7 +97,8 @@ struct PlaceTraining::Work {
 
   void MakeLanes() {
     for (int i = 0; i < config.lanes; ++i) {
-      lanes.push_back(MakeNet(config));
+      // Numbers are the net's.
+      lanes.push_back(std::make_unique<agent::DescriptorNet>(config.model, config.seed));
       lanes.back()->to(device());
       ShareParameters(*net, *lanes.back());
       lanes.back()->train();
