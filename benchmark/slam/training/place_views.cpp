@@ -8,6 +8,7 @@
 #include <span>
 
 #include "agent/slam/descriptors/shrink_picture.h"
+#include "benchmark/slam/training/depth_view.h"
 #include "benchmark/slam/truth/covisibility.h"
 #include "sim/base/elementary.h"
 #include "sim/base/error.h"
@@ -16,13 +17,17 @@
 namespace bulletnav::bench {
 namespace {
 
-constexpr int kCoarse = 4;        // pixels a ray of the pictures of depth, along each side
 constexpr int kStands = 600;      // points of the floor that views are taken from
 constexpr int kTries = 16;        // for a view
 constexpr int kTriesAPlace = 12;  // for a place
 constexpr double kNearest = 0.7;  // metres from a view to what it looks at
 constexpr double kFarthest = 4.5;
-constexpr double kStorey = 0.6;       // metres of height between floors of one storey, at most
+constexpr double kStorey = 0.6;  // metres of height between floors of one storey, at most
+/// Two views that are farther apart on foot than this times as far, and so many metres, are in
+/// rooms beside each other: depth alone takes both sides of a thin wall for one.
+constexpr double kDetour = 1.5;
+constexpr double kDetourMetres = 1.5;
+constexpr std::uint8_t kUnsure = 51;  // covisibility of such pairs: neither same nor other
 constexpr double kAside = 0.35;       // radians that a view looks beside it
 constexpr double kTurned = M_PI / 2;  // that is a view from another side
 constexpr float kLeastDepth = 0.8f;   // mean metres of a first view: no picture of a wall alone
@@ -36,15 +41,14 @@ class ViewMaker {
  public:
   ViewMaker(const sim::World& world, const sim::RenderScene* changed, const PlaceDataConfig& config)
       : config_(config),
-        coarse_(CoarseOf(config.camera)),
         rng_(sim::MixSeed(config.seed, world.id()), "places"),
-        depth_(world.render_scene().MakeRenderer(coarse_)),
+        query_(world.navmesh()),
+        depth_(world.render_scene(), config),
         plain_(world.render_scene().MakeRenderer(config.camera)),
         changed_(changed != nullptr ? changed->MakeRenderer(config.camera) : nullptr) {
-    const sim::NavmeshQuery query(world.navmesh());
     sim::Rng stands = rng_.Fork("stands");
     for (int i = 0; i < kStands; ++i) {
-      stands_.push_back(query.RandomPoint(&stands, 0).cast<double>());
+      stands_.push_back(query_.RandomPoint(&stands, 0).cast<double>());
     }
   }
 
@@ -71,35 +75,7 @@ class ViewMaker {
   }
 
  private:
-  static sim::PinholeSpec CoarseOf(sim::PinholeSpec camera) {
-    camera.rows /= kCoarse;
-    camera.cols /= kCoarse;
-    return camera;
-  }
-
-  sim::CameraPose EyeOf(const sim::BodyPose& pose) const {
-    const Eigen::Vector3d eye =
-        pose.position + Eigen::Vector3d(0.0, double{config_.body.camera_height}, 0.0);
-    return {eye.cast<float>(), static_cast<float>(pose.yaw)};
-  }
-
-  View See(const sim::BodyPose& pose) {
-    std::vector<float> ranges(coarse_.pixels());
-    const sim::CameraPose eye = EyeOf(pose);
-    depth_->Render({&eye, 1}, {}, ranges);
-    DepthPicture depth{coarse_.cols, coarse_.rows, {}};
-    const double f = coarse_.cols / 2.0 / coarse_.tan_x();
-    const Intrinsics k = {f, f, (coarse_.cols - 1) / 2.0, (coarse_.rows - 1) / 2.0};
-    for (int row = 0; row < coarse_.rows; ++row) {
-      for (int col = 0; col < coarse_.cols; ++col) {
-        const float range = ranges[depth.metres.size()];
-        const double length = std::hypot((col - k.cx) / f, (row - k.cy) / f, 1.0);
-        depth.metres.push_back(range < coarse_.max_depth_m ? static_cast<float>(range / length)
-                                                           : 0.0f);
-      }
-    }
-    return {pose, ThumbnailOf(std::move(depth), k)};
-  }
+  View See(const sim::BodyPose& pose) { return {pose, depth_.See(pose)}; }
 
   /// All views of a place, or none.
   std::vector<View> Place(sim::Rng* rng) {
@@ -138,9 +114,16 @@ class ViewMaker {
       if (is_turned && turn < kTurned) continue;
       View view = See(*pose);
       const sim::PlanarPose X = sim::RelativePose(first.pose, view.pose);
-      if (Covisibility(first.seen, view.seen, X) >= kSamePlace) return view;
+      if (Covisibility(first.seen, view.seen, X) < kSamePlace) continue;
+      if (IsInOneRoom(first, view)) return view;
     }
     return {};
+  }
+
+  bool IsInOneRoom(const View& a, const View& b) const {
+    const double apart = (a.pose.position - b.pose.position).norm();
+    return query_.GeodesicDistance(a.pose.position.cast<float>(), b.pose.position.cast<float>()) <=
+           kDetour * apart + kDetourMetres;
   }
 
   /// Somewhere around, looking at it.
@@ -159,7 +142,7 @@ class ViewMaker {
     return {};
   }
 
-  static void Compare(const std::vector<View>& views, PlaceViews* made) {
+  void Compare(const std::vector<View>& views, PlaceViews* made) const {
     const std::size_t count = views.size();
     made->shared.assign(count * count, 255);
     for (std::size_t a = 0; a < count; ++a) {
@@ -169,7 +152,8 @@ class ViewMaker {
         const bool is_level =
             std::abs(views[a].pose.position.y() - views[b].pose.position.y()) <= kStorey;
         const double share = is_level ? Covisibility(views[a].seen, views[b].seen, X) : 0.0;
-        const auto byte = static_cast<std::uint8_t>(std::lround(255.0 * share));
+        auto byte = static_cast<std::uint8_t>(std::lround(255.0 * share));
+        if (share > kOtherPlace && !IsInOneRoom(views[a], views[b])) byte = kUnsure;
         made->shared[a * count + b] = byte;
         made->shared[b * count + a] = byte;
       }
@@ -180,7 +164,7 @@ class ViewMaker {
     std::vector<std::uint8_t> color(config_.camera.pixels() * 3);
     for (std::size_t i = 0; i < made->poses.size(); ++i) {
       sim::Renderer& renderer = changed_ && i % 2 == 1 ? *changed_ : *plain_;
-      const sim::CameraPose eye = EyeOf(made->poses[i]);
+      const sim::CameraPose eye = EyeAt(made->poses[i], config_.body);
       renderer.Render({&eye, 1}, color, {});
       const auto small = agent::ShrinkPicture(color, config_.camera.cols, config_.camera.rows,
                                               kViewRows, kViewCols);
@@ -189,9 +173,9 @@ class ViewMaker {
   }
 
   const PlaceDataConfig& config_;
-  sim::PinholeSpec coarse_;
   sim::Rng rng_;
-  std::unique_ptr<sim::Renderer> depth_;
+  sim::NavmeshQuery query_;
+  DepthEye depth_;
   std::unique_ptr<sim::Renderer> plain_;
   std::unique_ptr<sim::Renderer> changed_;  // null: nothing changes
   std::vector<Eigen::Vector3d> stands_;
