@@ -14,6 +14,7 @@
 namespace bulletnav::agent {
 namespace {
 
+constexpr int kCellStage = 2;  // of four
 constexpr int kLastStage = 3;
 
 std::size_t Bytes(const DescriptorConfig& config) {
@@ -69,6 +70,16 @@ PictureDescriptor PictureDescriber::DescribeShrunk(std::span<const std::uint8_t>
   values.resize(static_cast<std::size_t>(config_.size));
   const std::vector<std::int64_t> numbers(values.begin(), values.end());
   return DirectionOf(numbers);
+}
+
+std::vector<std::uint8_t> PictureDescriber::Cells() const {
+  const Pictures& map = trunk_.bytes(kCellStage);
+  std::vector<std::uint8_t> cells;
+  for (int row = 0; row < map.shape.rows; ++row) {
+    const auto first = map.bytes.begin() + map.shape.Offset(row, 0);
+    cells.insert(cells.end(), first, first + map.shape.cols * map.shape.channels);
+  }
+  return cells;
 }
 
 void PictureDescriber::Use(const IntegerKernels& kernels) {

@@ -31,6 +31,9 @@ class PictureDescriber {
   /// Of one that ShrinkPicture made. Expects: its size (checked).
   PictureDescriptor DescribeShrunk(std::span<const std::uint8_t> picture);
 
+  /// What stage three of the trunk saw in the last picture: [cells, 4 * width] bytes.
+  std::vector<std::uint8_t> Cells() const;
+
   void Use(const IntegerKernels& kernels);
 
  private:

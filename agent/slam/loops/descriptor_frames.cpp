@@ -8,7 +8,8 @@
 
 namespace bulletnav::agent {
 
-DescriptorFrames::DescriptorFrames(std::string_view detector, const LoopContext& context) {
+DescriptorFrames::DescriptorFrames(std::string_view detector, const LoopContext& context)
+    : keeps_cells_(context.sequences != nullptr) {
   if (context.descriptor_size > 0) return;
   throw sim::Error("the detector '" + std::string(detector) +
                    "' needs descriptors of pictures; add 'descriptors', a file of weights, to the "
@@ -18,6 +19,16 @@ DescriptorFrames::DescriptorFrames(std::string_view detector, const LoopContext&
 void DescriptorFrames::Add(const LoopFrame& frame) {
   descriptors_.emplace_back(frame.descriptor.begin(), frame.descriptor.end());
   comparable_.push_back(frame.comparable);
+  if (keeps_cells_) cells_.emplace_back(frame.cells.begin(), frame.cells.end());
+}
+
+std::vector<std::uint8_t> DescriptorFrames::Cells(int first, int last) const {
+  std::vector<std::uint8_t> cells;
+  for (int frame = first; frame <= last; ++frame) {
+    const auto& one = cells_[static_cast<std::size_t>(frame)];
+    cells.insert(cells.end(), one.begin(), one.end());
+  }
+  return cells;
 }
 
 void ProposeBest(std::size_t first, double least, std::vector<LoopCandidate>* candidates) {

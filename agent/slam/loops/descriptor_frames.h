@@ -23,10 +23,14 @@ class DescriptorFrames {
     return descriptors_[static_cast<std::size_t>(frame)];
   }
   int comparable(int frame) const { return comparable_[static_cast<std::size_t>(frame)]; }
+  /// Of frames `first` to `last`, one after the other.
+  std::vector<std::uint8_t> Cells(int first, int last) const;
 
  private:
   std::vector<PictureDescriptor> descriptors_;
   std::vector<int> comparable_;
+  bool keeps_cells_;
+  std::vector<std::vector<std::uint8_t>> cells_;  // by frame, if there is who describes sequences
 };
 
 /// Takes the best of the candidates from position `first` on for a loop, if it scores `least`.

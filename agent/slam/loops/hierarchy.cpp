@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <span>
+#include <string>
 
 #include "agent/slam/topology/clusters.h"
 #include "sim/base/error.h"
@@ -22,18 +23,6 @@ Eigen::MatrixXf Points(const DescriptorFrames& frames) {
     }
   }
   return points;
-}
-
-std::vector<PictureDescriptor> WholesOf(const DescriptorFrames& frames,
-                                        const std::vector<Sequence>& sequences) {
-  std::vector<PictureDescriptor> wholes;
-  wholes.reserve(sequences.size());
-  for (const Sequence& sequence : sequences) {
-    wholes.push_back(MeanDirection(std::span(frames.descriptors())
-                                       .subspan(static_cast<std::size_t>(sequence.first),
-                                                static_cast<std::size_t>(sequence.size()))));
-  }
-  return wholes;
 }
 
 }  // namespace
@@ -75,11 +64,34 @@ std::vector<Sequence> CutSequences(const std::vector<Sequence>& sequences, int l
 
 HierarchyDetector::HierarchyDetector(std::string_view name, const HierarchyConfig& config,
                                      const LoopContext& context)
-    : config_(config), frames_(name, context) {}
+    : config_(config), frames_(name, context), model_(context.sequences) {
+  if (!config_.seqvlad || model_) return;
+  throw sim::Error("the detector '" + std::string(name) +
+                   "' needs a descriptor of sequences; add 'sequences', a file of weights, to the "
+                   "config, or set 'seqvlad' to false");
+}
 
 std::vector<LoopCandidate> HierarchyDetector::Add(const LoopFrame& frame) {
   frames_.Add(frame);
   return {};
+}
+
+std::vector<PictureDescriptor> HierarchyDetector::WholesOf(
+    const std::vector<Sequence>& sequences) const {
+  std::vector<PictureDescriptor> wholes;
+  wholes.reserve(sequences.size());
+  for (const Sequence& sequence : sequences) {
+    if (config_.seqvlad) {
+      SequenceModel::Sum sum;
+      model_->Add(frames_.Cells(sequence.first, sequence.last), &sum);
+      wholes.push_back(model_->Describe(sum));
+    } else {
+      wholes.push_back(MeanDirection(std::span(frames_.descriptors())
+                                         .subspan(static_cast<std::size_t>(sequence.first),
+                                                  static_cast<std::size_t>(sequence.size()))));
+    }
+  }
+  return wholes;
 }
 
 std::vector<LoopCandidate> HierarchyDetector::Finish() {
@@ -90,7 +102,7 @@ std::vector<LoopCandidate> HierarchyDetector::Finish() {
       Points(frames_), {.most = config_.most_clusters, .starts = config_.starts}, &rng);
   std::vector<Sequence> sequences = SequencesOf(clusters.group, config_.shortest);
   if (config_.length > 0) sequences = CutSequences(sequences, config_.length);
-  const std::vector<PictureDescriptor> wholes = WholesOf(frames_, sequences);
+  const std::vector<PictureDescriptor> wholes = WholesOf(sequences);
   for (std::size_t own = 0; own < sequences.size(); ++own) {
     for (int frame = sequences[own].first; frame <= sequences[own].last; ++frame) {
       CompareInSequences(frame, own, frames_, sequences, wholes, config_.match, &candidates);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <string_view>
 #include <vector>
 
@@ -38,9 +39,10 @@ std::vector<Sequence> CutSequences(const std::vector<Sequence>& sequences, int l
 /// The settings of HierarchyDetector.
 struct HierarchyConfig {
   int most_clusters = 60;
-  int starts = 10;   // of clustering, for each number of clusters
-  int shortest = 3;  // frames of a sequence; shorter ones join a neighbour. 1: they stay
-  int length = 0;    // of the pieces that sequences are cut into; 0: they stay whole
+  int starts = 3;        // of clustering, for each number of clusters
+  int shortest = 3;      // frames of a sequence; shorter ones join a neighbour. 1: they stay
+  int length = 0;        // of the pieces that sequences are cut into; 0: they stay whole
+  bool seqvlad = false;  // describe sequences by it, else by the mean of their descriptors
   SequenceMatchSpec match;
   std::uint64_t seed = 1;
 
@@ -50,6 +52,7 @@ struct HierarchyConfig {
     v("starts", starts);
     v("shortest", shortest);
     v("length", length);
+    v("seqvlad", seqvlad);
     match.Visit(v);
     v("seed", seed);
   }
@@ -64,6 +67,7 @@ struct HierarchyConfig {
 /// there sequences are described by SeqVLAD.
 class HierarchyDetector : public LoopDetector {
  public:
+  /// Throws sim::Error if frames have no descriptors, or SeqVLAD is wanted and not there.
   HierarchyDetector(std::string_view name, const HierarchyConfig& config,
                     const LoopContext& context);
 
@@ -71,8 +75,11 @@ class HierarchyDetector : public LoopDetector {
   std::vector<LoopCandidate> Finish() override;
 
  private:
+  std::vector<PictureDescriptor> WholesOf(const std::vector<Sequence>& sequences) const;
+
   HierarchyConfig config_;
   DescriptorFrames frames_;
+  std::shared_ptr<const SequenceModel> model_;
 };
 
 }  // namespace bulletnav::agent

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "agent/slam/features/orb.h"
+#include "agent/slam/retrieval/sequence_model.h"
 #include "agent/slam/retrieval/vocabulary.h"
 #include "sim/math/pose.h"
 
@@ -21,7 +22,8 @@ struct LoopFrame {
   const OrbFeatures* features = nullptr;  // of `color`, shared by all who need them
   /// Of the picture as a whole, see PictureDescriber; empty where the config names none.
   std::span<const std::int16_t> descriptor;
-  sim::PlanarPose odometry;  // from the first frame's body
+  std::span<const std::uint8_t> cells;  // of the same network; see PictureDescriber::Cells
+  sim::PlanarPose odometry;             // from the first frame's body
   /// How many of the first frames are so far back, by travel as odometry has it, that they are
   /// asked about.
   int comparable = 0;
@@ -37,8 +39,9 @@ struct LoopCandidate {
 
 /// What detectors are built with, besides their own config.
 struct LoopContext {
-  std::shared_ptr<const Vocabulary> vocabulary;  // of ORB
-  int descriptor_size = 0;                       // of LoopFrame::descriptor; 0: there is none
+  std::shared_ptr<const Vocabulary> vocabulary;    // of ORB
+  int descriptor_size = 0;                         // of LoopFrame::descriptor; 0: there is none
+  std::shared_ptr<const SequenceModel> sequences;  // of LoopFrame::cells
 };
 
 /// Finds pairs of frames of a drive that show the same place. Sees what LoopFrame has and nothing

@@ -5,9 +5,11 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <filesystem>
 #include <utility>
 
 #include "agent/slam/descriptors/picture_describer.h"
+#include "agent/slam/descriptors/seqvlad.h"
 #include "benchmark/base/shipped_file.h"
 #include "benchmark/privileged/visibility.h"
 #include "benchmark/slam/runs/drive_frames.h"
@@ -81,23 +83,27 @@ struct RunningDetector {
   }
 };
 
+std::filesystem::path WeightsOf(const std::string& file) {
+  return FindShipped(file).value_or(file);
+}
+
 /// A drive while it is played.
 class DrivePlay {
  public:
   DrivePlay(const SlamConfig& config, const Drive& drive,
             const std::shared_ptr<const agent::Vocabulary>& vocabulary)
       : config_(config), source_(config, drive), travel_(config.apart_m) {
-    if (!config.descriptors.empty()) {
-      describer_ =
-          agent::LoadPictureDescriber(FindShipped(config.descriptors).value_or(config.descriptors));
+    if (config.descriptors) {
+      describer_ = agent::LoadPictureDescriber(WeightsOf(*config.descriptors));
     }
+    if (config.sequences) sequences_ = agent::LoadSeqVlad(WeightsOf(*config.sequences));
     played_.result.drive = drive.name;
     played_.result.actions = drive.actions;
     detectors_.reserve(config.detectors.size());
     for (const DetectorEntry& entry : config.detectors) {
       const sim::YamlNode name = sim::ParseYaml(entry.detector, "detectors");
       const auto make = agent::ConfigureLoopDetector(name, entry.parameters);
-      detectors_.push_back({entry.name, make({vocabulary, descriptor_size()}), {}, {}});
+      detectors_.push_back({entry.name, make({vocabulary, descriptor_size(), sequences_}), {}, {}});
     }
   }
 
@@ -142,7 +148,10 @@ class DrivePlay {
       descriptor = describer_->Describe(frame.color.pixels, frame.color.width, frame.color.height);
       descriptors_ms_.push_back(MillisecondsSince(start));
     }
+    const std::vector<std::uint8_t> cells =
+        sequences_ ? describer_->Cells() : std::vector<std::uint8_t>();
     seen.descriptor = descriptor;
+    seen.cells = cells;
     seen.odometry = frame.odometry;
     seen.comparable = travel_.Next(frame.odometry);
     for (RunningDetector& running : detectors_) running.Take(seen);
@@ -251,6 +260,7 @@ class DrivePlay {
   DriveSource source_;
   Travel travel_;
   std::unique_ptr<agent::PictureDescriber> describer_;  // null: frames are not described
+  std::shared_ptr<const agent::SequenceModel> sequences_;
   std::vector<RunningDetector> detectors_;
   std::vector<KeptFrame> kept_;
   std::vector<TruthFrame> truth_frames_;

@@ -109,7 +109,9 @@ struct SlamConfig {
   std::vector<int> actions = {700};
   std::vector<std::uint64_t> seeds = {0};
   std::optional<VocabularySource> vocabulary;
-  std::string descriptors;  // file of weights of a PictureDescriber; empty: frames have none
+  /// File of weights of a PictureDescriber; absent: frames have no descriptors.
+  std::optional<std::string> descriptors;
+  std::optional<std::string> sequences;  // likewise of SeqVLAD, trained on what that sees
   agent::OrbSpec orb;
   double apart_m = 10.0;  // of travel, as odometry has it, between frames that may be a loop
   agent::VerifySpec verify;
@@ -132,6 +134,7 @@ struct SlamConfig {
     v("seeds", seeds);
     v("vocabulary", vocabulary);
     v("descriptors", descriptors);
+    v("sequences", sequences);
     v("orb", orb);
     v("apart_m", apart_m);
     v("verify", verify);

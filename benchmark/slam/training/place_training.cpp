@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <span>
 #include <thread>
 
 #include <fmt/core.h>
@@ -87,12 +88,16 @@ struct PlaceTraining::Work {
 
   torch::Device device() const { return net->parameters().front().device(); }
 
+  using Describer = std::function<torch::Tensor(std::span<const std::uint8_t> pictures)>;
+
+  torch::Tensor ByNet(std::span<const std::uint8_t> pictures, agent::DescriptorNet* with) const {
+    return with->forward(agent::DescriptorInput(config.model, pictures).to(device())).cpu();
+  }
+
   torch::Tensor LossOf(const PlaceBatches& batches, std::uint64_t number,
-                       agent::DescriptorNet* with) const {
+                       const Describer& describe) const {
     const PlaceBatch batch = batches.Batch(number);
-    const torch::Tensor input = agent::DescriptorInput(config.model, batch.pictures);
-    return SimilarityLoss(with->forward(input.to(device())).cpu(), Covisibilities(batch),
-                          config.loss);
+    return SimilarityLoss(describe(batch.pictures), Covisibilities(batch), config.loss);
   }
 
   void MakeLanes() {
@@ -128,8 +133,7 @@ struct PlaceTraining::Work {
     }
   }
 
-  /// `cosines(scene)`: of all its views.
-  Measures MeasuresOf(const std::function<std::vector<float>(const PlaceViews&)>& cosines) {
+  Measures MeasuresOf(const Describer& describe) {
     const auto& scenes = validation.scenes();
     std::vector<PlaceMeasures> all(scenes.size());
     std::vector<double> losses(kValidationBatches);
@@ -138,18 +142,19 @@ struct PlaceTraining::Work {
       agent::StayInThisThread();
       if (task < kValidationBatches) {
         losses[static_cast<std::size_t>(task)] =
-            LossOf(validation, static_cast<std::uint64_t>(task), net.get()).item<double>();
+            LossOf(validation, static_cast<std::uint64_t>(task), describe).item<double>();
         return;
       }
       const auto at = static_cast<std::size_t>(task - kValidationBatches);
-      all[at] = MeasurePlaces(scenes[at], cosines(scenes[at]));
+      all[at] = MeasurePlaces(scenes[at], CosinesOf(AllOf(scenes[at], describe)));
     });
     PlaceMeasures mean = MeanOf(all);
     mean.loss = std::accumulate(losses.begin(), losses.end(), 0.0) / kValidationBatches;
     return Measures::Of(mean);
   }
 
-  std::vector<float> CosinesByNet(const PlaceViews& scene) const {
+  /// Descriptors of all views of a scene.
+  torch::Tensor AllOf(const PlaceViews& scene, const Describer& describe) const {
     std::vector<torch::Tensor> parts;
     for (int first = 0; first < scene.count(); first += kAtATime) {
       std::vector<std::uint8_t> pictures;
@@ -157,17 +162,19 @@ struct PlaceTraining::Work {
         const auto picture = PictureOf(scene, i, config.model.rows);
         pictures.insert(pictures.end(), picture.begin(), picture.end());
       }
-      const torch::Tensor input = agent::DescriptorInput(config.model, pictures);
-      parts.push_back(net->forward(input.to(device())).cpu());
+      parts.push_back(describe(pictures));
     }
-    return CosinesOf(at::cat(parts));
+    return at::cat(parts);
+  }
+
+  std::size_t picture_bytes() const {
+    return static_cast<std::size_t>(config.model.rows) *
+           static_cast<std::size_t>(config.model.cols()) * 3;
   }
 
   torch::Tensor CalibrationInput() const {
     std::vector<std::uint8_t> pictures;
-    const std::size_t picture = static_cast<std::size_t>(config.model.rows) *
-                                static_cast<std::size_t>(config.model.cols()) * 3;
-    for (std::uint64_t i = 0; pictures.size() < kCalibrationPictures * picture; ++i) {
+    for (std::uint64_t i = 0; pictures.size() < kCalibrationPictures * picture_bytes(); ++i) {
       const PlaceBatch batch = train.Batch(i);
       pictures.insert(pictures.end(), batch.pictures.begin(), batch.pictures.end());
     }
@@ -207,7 +214,9 @@ double PlaceTraining::Learn(const TrainStep& step) {
         static_cast<std::uint64_t>(step.step) * static_cast<std::uint64_t>(work.config.lanes) +
         static_cast<std::uint64_t>(lane);
     const auto at = static_cast<std::size_t>(lane);
-    const torch::Tensor loss = work.LossOf(work.train, number, work.lanes[at].get());
+    const torch::Tensor loss = work.LossOf(work.train, number, [&](const auto& pictures) {
+      return work.ByNet(pictures, work.lanes[at].get());
+    });
     loss.backward();
     losses[at] = loss.item<double>();
   });
@@ -218,8 +227,8 @@ double PlaceTraining::Learn(const TrainStep& step) {
 }
 
 Measures PlaceTraining::Validate() {
-  return work_->MeasuresOf([this](const PlaceViews& scene) {
-    return work_->CosinesByNet(scene);
+  return work_->MeasuresOf([this](const auto& pictures) {
+    return work_->ByNet(pictures, work_->net.get());
   });
 }
 
@@ -233,22 +242,21 @@ void PlaceTraining::Save(std::map<std::string, std::string> notes,
 }
 
 std::optional<Measures> PlaceTraining::Quantise(const std::filesystem::path& file) {
-  // The loss stays that of the net; cosines are of the integers.
   const agent::QuantisedNet net =
       agent::Quantise(*agent::LoadDescriptor(file), work_->CalibrationInput());
   agent::AddQuantised(net, file, file);
-  return work_->MeasuresOf([&](const PlaceViews& scene) {
+  return work_->MeasuresOf([&](std::span<const std::uint8_t> pictures) {
     agent::PictureDescriber describer(net, work_->config.model);
-    std::vector<agent::PictureDescriptor> descriptors;
-    for (int i = 0; i < scene.count(); ++i) {
-      descriptors.push_back(
-          describer.DescribeShrunk(PictureOf(scene, i, work_->config.model.rows)));
+    const std::size_t picture = work_->picture_bytes();
+    const auto count = static_cast<std::int64_t>(pictures.size() / picture);
+    torch::Tensor told = torch::empty({count, work_->config.model.size});
+    float* at = told.data_ptr<float>();
+    for (std::size_t first = 0; first < pictures.size(); first += picture) {
+      for (const std::int16_t number : describer.DescribeShrunk(pictures.subspan(first, picture))) {
+        *at++ = static_cast<float>(number) / agent::kDescriptorUnit;
+      }
     }
-    std::vector<float> cosines;
-    for (const auto& a : descriptors) {
-      for (const auto& b : descriptors) cosines.push_back(static_cast<float>(agent::Cosine(a, b)));
-    }
-    return cosines;
+    return told;
   });
 }
 

@@ -104,7 +104,7 @@ std::unique_ptr<LoopDetector> Make(const std::string& name) {
     parameters = sim::ParseYaml(NeedsLikeness(name), "test");
   }
   return ConfigureLoopDetector(sim::ParseYaml(name, "test"),
-                               parameters)({SomeVocabulary(), kDescriptorSize});
+                               parameters)({SomeVocabulary(), kDescriptorSize, nullptr});
 }
 
 /// Places in turn, twice, or each only once.
