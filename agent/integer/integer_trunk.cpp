@@ -18,7 +18,11 @@ PictureShape InputShape(const QuantisedTrunk& trunk) {
   if (trunk.rows < 16 || trunk.rows > 128 || trunk.rows % 16 != 0) {
     throw sim::Error("pictures of " + std::to_string(trunk.rows) + " rows");
   }
-  return {trunk.rows, 4 * trunk.rows, kInputChannels, kStemBorder};
+  const int cols = trunk.cols == 0 ? 4 * trunk.rows : trunk.cols;
+  if (cols < 16 || cols > 512 || cols % 16 != 0) {
+    throw sim::Error("pictures of " + std::to_string(cols) + " columns");
+  }
+  return {trunk.rows, cols, kInputChannels, kStemBorder};
 }
 
 std::vector<std::int32_t> FineOffsets(const PictureShape& shape, int count) {
@@ -34,15 +38,11 @@ PictureShape Halved(const PictureShape& shape) {
   return {shape.rows / 2, shape.cols / 2, shape.channels, kBorder};
 }
 
-}  // namespace
-
-QuantisedTrunk TrunkOf(const QuantisedNet& net, const std::string& prefix, int rows) {
+QuantisedTrunk LayersOf(const QuantisedNet& net, const std::string& prefix, int halvings) {
   QuantisedTrunk trunk;
-  trunk.rows = rows;
   trunk.in_scale = net.Scale(prefix + "input");
   trunk.stem = net.Layer(prefix + "stem");
   trunk.stem_scale = net.Scale(prefix + "stem");
-  const int halvings = rows == 128 ? 3 : rows == 64 ? 2 : 1;
   for (int i = 0; i < kStages * static_cast<int>(kBlocksInStage); ++i) {
     const int stage = i / 2;
     const std::string name =
@@ -59,6 +59,23 @@ QuantisedTrunk TrunkOf(const QuantisedNet& net, const std::string& prefix, int r
     }
     trunk.blocks.push_back(std::move(block));
   }
+  return trunk;
+}
+
+}  // namespace
+
+QuantisedTrunk TrunkOf(const QuantisedNet& net, const std::string& prefix, int rows) {
+  QuantisedTrunk trunk = LayersOf(net, prefix, rows == 128 ? 3 : rows == 64 ? 2 : 1);
+  trunk.rows = rows;
+  return trunk;
+}
+
+QuantisedTrunk FlatTrunkOf(const QuantisedNet& net, const std::string& prefix, int rows, int cols,
+                           int halvings) {
+  QuantisedTrunk trunk = LayersOf(net, prefix, halvings);
+  trunk.rows = rows;
+  trunk.cols = cols;
+  trunk.ends_meet = false;
   return trunk;
 }
 
@@ -87,7 +104,8 @@ IntegerTrunk::End IntegerTrunk::MakeEnd(const PictureShape& in, int stride, int 
 }
 
 IntegerTrunk::IntegerTrunk(const QuantisedTrunk& trunk)
-    : input_(InputShape(trunk), kAtATime, kInputZero),
+    : ends_meet_(trunk.ends_meet),
+      input_(InputShape(trunk), kAtATime, kInputZero),
       stem_(MakeStep(trunk.stem, input_, 2,
                      {trunk.in_scale, kInputZero, 255, trunk.stem_scale / kFineSteps})),
       stem_end_(MakeEnd(input_.shape, 2, trunk.stem.outputs, trunk.stem_scale)) {
@@ -130,7 +148,7 @@ void IntegerTrunk::AddBlock(const QuantisedTrunk::Block& block) {
 }
 
 void IntegerTrunk::RunStep(Step* step, const Pictures& in, int count, const KeptValues& kept,
-                           End* end) {
+                           End* end) const {
   LayerOutput output;
   output.bytes = end->out.bytes.data();
   output.byte_offsets = end->byte_offsets.data();
@@ -142,7 +160,7 @@ void IntegerTrunk::RunStep(Step* step, const Pictures& in, int count, const Kept
   step->layer.Run(
       {in.bytes.data(), std::span(step->in_offsets).first(pixels), step->segment_stride}, kept,
       output);
-  end->out.JoinEnds(count);
+  if (ends_meet_) end->out.JoinEnds(count);
 }
 
 void IntegerTrunk::RunBlock(std::size_t index, int count) {
@@ -168,10 +186,10 @@ void IntegerTrunk::RunBlock(std::size_t index, int count) {
 
 void IntegerTrunk::Run(int count) {
   BULLETNAV_CHECK(count >= 1 && count <= kAtATime);
-  input_.JoinEnds(count);
+  if (ends_meet_) input_.JoinEnds(count);
   RunStep(&stem_, input_, count, {}, &stem_end_);
   PoolLargest(stem_end_.out, count, &ends_[0].out, &ends_[0].fine);
-  ends_[0].out.JoinEnds(count);
+  if (ends_meet_) ends_[0].out.JoinEnds(count);
   for (std::size_t i = 0; i < blocks_.size(); ++i) RunBlock(i, count);
 }
 

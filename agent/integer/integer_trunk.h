@@ -23,7 +23,9 @@ struct QuantisedTrunk {
     float shortcut_scale = 0.0f;
     bool operator==(const Block&) const = default;
   };
-  int rows = 0;           // of the input, which has four times as many columns
+  int rows = 0;           // of the input
+  int cols = 0;           // 0: four times as many
+  bool ends_meet = true;  // left and right, as in panoramas; else there are zeros beyond
   float in_scale = 0.0f;  // the input's zero is kInputZero
   QuantisedLayer stem;    // of kInputChannels
   float stem_scale = 0.0f;
@@ -34,12 +36,15 @@ struct QuantisedTrunk {
 /// From layers and scales named as in Trunk, after `prefix`: "stem", "stage1_1_first", and so on.
 /// Throws Error if some are missing.
 QuantisedTrunk TrunkOf(const QuantisedNet& net, const std::string& prefix, int rows);
+/// Likewise, of flat pictures; the first `halvings` of stages two to four halve rows and columns.
+QuantisedTrunk FlatTrunkOf(const QuantisedNet& net, const std::string& prefix, int rows, int cols,
+                           int halvings);
 
 inline constexpr int kInputChannels = 4;  // red, green, blue, depth
 inline constexpr int kInputZero = 127;    // of 0 to 254
 inline constexpr int kStemBorder = 3;
 
-/// Trunk::Stages of pictures whose ends meet. Not for several threads at once. All work is done in
+/// Trunk::Stages of pictures. Not for several threads at once. All work is done in
 /// the calling thread; the same bits for any number of pictures at a time, on every processor.
 class IntegerTrunk {
  public:
@@ -48,7 +53,7 @@ class IntegerTrunk {
   /// Throws Error if the layers do not fit together.
   explicit IntegerTrunk(const QuantisedTrunk& trunk);
 
-  /// To be filled: [rows, 4 rows, kInputChannels], up to kAtATime of them.
+  /// To be filled: [rows, cols, kInputChannels], up to kAtATime of them.
   Pictures* input() { return &input_; }
   /// Runs the first `count` pictures.
   void Run(int count);
@@ -88,9 +93,10 @@ class IntegerTrunk {
                        const LayerScales& scales);
   static End MakeEnd(const PictureShape& in, int stride, int channels, double scale);
   void AddBlock(const QuantisedTrunk::Block& block);
-  static void RunStep(Step* step, const Pictures& in, int count, const KeptValues& kept, End* end);
+  void RunStep(Step* step, const Pictures& in, int count, const KeptValues& kept, End* end) const;
   void RunBlock(std::size_t index, int count);
 
+  bool ends_meet_;
   Pictures input_;
   Step stem_;
   End stem_end_;

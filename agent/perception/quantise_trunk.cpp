@@ -130,7 +130,7 @@ torch::Tensor Quantiser::Convolve(const std::string& name, const torch::Tensor& 
   result_.layers[name] = Rounded(rows, bias, kLargestWeight8,
                                  std::vector<double>(static_cast<std::size_t>(rows.size(0)), 0.0));
   const int pad = conv.kernel / 2;
-  return at::conv2d(pad > 0 ? WrapColumns(x, pad) : x, weight, bias, conv.stride,
+  return at::conv2d(Widened(x, pad), weight, bias, conv.stride,
                     std::array<std::int64_t, 2>{pad, 0});
 }
 
@@ -147,12 +147,28 @@ torch::Tensor Quantiser::Block(const std::string& prefix, const torch::Tensor& x
   return end;
 }
 
+torch::Tensor Quantiser::Widened(const torch::Tensor& x, int count) const {
+  if (count == 0) return x;
+  return ends_meet_ ? WrapColumns(x, count) : at::constant_pad_nd(x, {count, count});
+}
+
 std::vector<torch::Tensor> Quantiser::Trunk(const std::string& prefix, const torch::Tensor& input) {
-  result_.scales[prefix + "input"] = 4.0f / 254.0f;  // of colours, see PrepareInput
   const std::int64_t rows = input.size(2);
-  const int halvings = rows == 128 ? 3 : rows == 64 ? 2 : 1;
+  ends_meet_ = true;
+  return Stages(prefix, input, rows == 128 ? 3 : rows == 64 ? 2 : 1);
+}
+
+std::vector<torch::Tensor> Quantiser::FlatTrunk(const std::string& prefix,
+                                                const torch::Tensor& input, int halvings) {
+  ends_meet_ = false;
+  return Stages(prefix, input, halvings);
+}
+
+std::vector<torch::Tensor> Quantiser::Stages(const std::string& prefix, const torch::Tensor& input,
+                                             int halvings) {
+  result_.scales[prefix + "input"] = 4.0f / 254.0f;  // of colours, see PrepareInput
   torch::Tensor x = Convolve(prefix + "stem", input, {7, 2}).relu();
-  x = at::max_pool2d(WrapColumns(x, 1), {3, 3}, {2, 2}, {1, 0});
+  x = at::max_pool2d(Widened(x, 1), {3, 3}, {2, 2}, {1, 0});
   FitScale(prefix + "stem", x, 255);
   std::vector<torch::Tensor> stages;
   for (int stage = 0; stage < 4; ++stage) {

@@ -25,6 +25,9 @@ class Quantiser {
   /// What Trunk::Stages says of [n, channels, rows, cols] of PrepareInput, float32; layers and
   /// scales go to the result, after `prefix`.
   std::vector<torch::Tensor> Trunk(const std::string& prefix, const torch::Tensor& input);
+  /// Likewise, of flat pictures, whose ends do not meet.
+  std::vector<torch::Tensor> FlatTrunk(const std::string& prefix, const torch::Tensor& input,
+                                       int halvings);
 
   /// The layer Dense of this name in 8 bits, or in 16 for inputs of the real value `in_step` a
   /// step, no larger than `largest` steps. `weight`: instead of the trained one's; shape [out, in]
@@ -45,11 +48,16 @@ class Quantiser {
     int kernel;
     int stride;
   };
+  /// `x` with `count` columns more at each end.
+  torch::Tensor Widened(const torch::Tensor& x, int count) const;
+  std::vector<torch::Tensor> Stages(const std::string& prefix, const torch::Tensor& input,
+                                    int halvings);
   torch::Tensor Convolve(const std::string& name, const torch::Tensor& x, const Conv& conv);
   torch::Tensor Block(const std::string& prefix, const torch::Tensor& x, int stride);
 
   std::map<std::string, torch::Tensor> weights_;
   QuantisedNet result_;
+  bool ends_meet_ = true;  // of the trunk that is in work
 };
 
 }  // namespace bulletnav::agent

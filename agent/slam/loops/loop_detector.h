@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "agent/slam/features/orb.h"
+#include "agent/slam/retrieval/sequence_model.h"
 #include "agent/slam/retrieval/vocabulary.h"
 #include "sim/math/pose.h"
 
@@ -19,7 +20,10 @@ struct LoopFrame {
   int height_px = 0;
   std::span<const std::uint8_t> color;    // [height, width, 3] RGB
   const OrbFeatures* features = nullptr;  // of `color`, shared by all who need them
-  sim::PlanarPose odometry;               // from the first frame's body
+  /// Of the picture as a whole, see PictureDescriber; empty where the config names none.
+  std::span<const std::int16_t> descriptor;
+  std::span<const std::uint8_t> cells;  // of the same network; see PictureDescriber::Cells
+  sim::PlanarPose odometry;             // from the first frame's body
   /// How many of the first frames are so far back, by travel as odometry has it, that they are
   /// asked about.
   int comparable = 0;
@@ -35,7 +39,9 @@ struct LoopCandidate {
 
 /// What detectors are built with, besides their own config.
 struct LoopContext {
-  std::shared_ptr<const Vocabulary> vocabulary;  // of ORB
+  std::shared_ptr<const Vocabulary> vocabulary;    // of ORB
+  int descriptor_size = 0;                         // of LoopFrame::descriptor; 0: there is none
+  std::shared_ptr<const SequenceModel> sequences;  // of LoopFrame::cells
 };
 
 /// Finds pairs of frames of a drive that show the same place. Sees what LoopFrame has and nothing

@@ -5,8 +5,12 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <filesystem>
 #include <utility>
 
+#include "agent/slam/descriptors/picture_describer.h"
+#include "agent/slam/descriptors/seqvlad.h"
+#include "benchmark/base/shipped_file.h"
 #include "benchmark/privileged/visibility.h"
 #include "benchmark/slam/runs/drive_frames.h"
 #include "benchmark/slam/runs/measure_drive.h"
@@ -79,19 +83,27 @@ struct RunningDetector {
   }
 };
 
+std::filesystem::path WeightsOf(const std::string& file) {
+  return FindShipped(file).value_or(file);
+}
+
 /// A drive while it is played.
 class DrivePlay {
  public:
   DrivePlay(const SlamConfig& config, const Drive& drive,
             const std::shared_ptr<const agent::Vocabulary>& vocabulary)
       : config_(config), source_(config, drive), travel_(config.apart_m) {
+    if (config.descriptors) {
+      describer_ = agent::LoadPictureDescriber(WeightsOf(*config.descriptors));
+    }
+    if (config.sequences) sequences_ = agent::LoadSeqVlad(WeightsOf(*config.sequences));
     played_.result.drive = drive.name;
     played_.result.actions = drive.actions;
     detectors_.reserve(config.detectors.size());
     for (const DetectorEntry& entry : config.detectors) {
       const sim::YamlNode name = sim::ParseYaml(entry.detector, "detectors");
       const auto make = agent::ConfigureLoopDetector(name, entry.parameters);
-      detectors_.push_back({entry.name, make({vocabulary}), {}, {}});
+      detectors_.push_back({entry.name, make({vocabulary, descriptor_size(), sequences_}), {}, {}});
     }
   }
 
@@ -109,11 +121,14 @@ class DrivePlay {
     for (const RunningDetector& running : detectors_) Close(running);
     if (truth_) CloseWithTruth();
     played_.times["corners"] = TimesOf(corners_ms_);
+    if (describer_) played_.times["descriptors"] = TimesOf(descriptors_ms_);
     played_.times["verification of a pair"] = TimesOf(verify_ms_);
     return std::move(played_);
   }
 
  private:
+  int descriptor_size() const { return describer_ ? describer_->config().size : 0; }
+
   void Take(const DriveFrame& frame) {
     auto start = Clock::now();
     KeptFrame kept;
@@ -127,6 +142,16 @@ class DrivePlay {
     seen.height_px = frame.color.height;
     seen.color = frame.color.pixels;
     seen.features = &kept.features;
+    agent::PictureDescriptor descriptor;
+    if (describer_) {
+      start = Clock::now();
+      descriptor = describer_->Describe(frame.color.pixels, frame.color.width, frame.color.height);
+      descriptors_ms_.push_back(MillisecondsSince(start));
+    }
+    const std::vector<std::uint8_t> cells =
+        sequences_ ? describer_->Cells() : std::vector<std::uint8_t>();
+    seen.descriptor = descriptor;
+    seen.cells = cells;
     seen.odometry = frame.odometry;
     seen.comparable = travel_.Next(frame.odometry);
     for (RunningDetector& running : detectors_) running.Take(seen);
@@ -234,11 +259,14 @@ class DrivePlay {
   const SlamConfig& config_;
   DriveSource source_;
   Travel travel_;
+  std::unique_ptr<agent::PictureDescriber> describer_;  // null: frames are not described
+  std::shared_ptr<const agent::SequenceModel> sequences_;
   std::vector<RunningDetector> detectors_;
   std::vector<KeptFrame> kept_;
   std::vector<TruthFrame> truth_frames_;
   std::optional<LoopTruth> truth_;
   std::vector<double> corners_ms_;
+  std::vector<double> descriptors_ms_;
   std::vector<double> verify_ms_;
   PlayedDrive played_;
 };

@@ -109,6 +109,9 @@ struct SlamConfig {
   std::vector<int> actions = {700};
   std::vector<std::uint64_t> seeds = {0};
   std::optional<VocabularySource> vocabulary;
+  /// File of weights of a PictureDescriber; absent: frames have no descriptors.
+  std::optional<std::string> descriptors;
+  std::optional<std::string> sequences;  // likewise of SeqVLAD, trained on what that sees
   agent::OrbSpec orb;
   double apart_m = 10.0;  // of travel, as odometry has it, between frames that may be a loop
   agent::VerifySpec verify;
@@ -130,6 +133,8 @@ struct SlamConfig {
     v("actions", actions);
     v("seeds", seeds);
     v("vocabulary", vocabulary);
+    v("descriptors", descriptors);
+    v("sequences", sequences);
     v("orb", orb);
     v("apart_m", apart_m);
     v("verify", verify);

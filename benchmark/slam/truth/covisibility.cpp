@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "sim/base/check.h"
 
@@ -41,22 +42,25 @@ DepthThumbnail Coarsened(const DepthPicture& depth, const Intrinsics& intrinsics
   BULLETNAV_CHECK(depth.width > 0 && depth.height > 0 &&
                   depth.metres.size() == static_cast<std::size_t>(depth.width) *
                                              static_cast<std::size_t>(depth.height));
-  DepthThumbnail thumbnail;
-  thumbnail.depth.width = std::max(1, depth.width / kCoarse);
-  thumbnail.depth.height = std::max(1, depth.height / kCoarse);
+  DepthPicture coarse;
+  coarse.width = std::max(1, depth.width / kCoarse);
+  coarse.height = std::max(1, depth.height / kCoarse);
   const int offset_x = std::min(kCoarse / 2, depth.width - 1);
   const int offset_y = std::min(kCoarse / 2, depth.height - 1);
-  thumbnail.depth.metres.reserve(static_cast<std::size_t>(thumbnail.depth.width) *
-                                 static_cast<std::size_t>(thumbnail.depth.height));
-  for (int row = 0; row < thumbnail.depth.height; ++row) {
-    for (int col = 0; col < thumbnail.depth.width; ++col) {
-      thumbnail.depth.metres.push_back(
-          DepthAt(depth, col * kCoarse + offset_x, row * kCoarse + offset_y));
+  coarse.metres.reserve(static_cast<std::size_t>(coarse.width) *
+                        static_cast<std::size_t>(coarse.height));
+  for (int row = 0; row < coarse.height; ++row) {
+    for (int col = 0; col < coarse.width; ++col) {
+      coarse.metres.push_back(DepthAt(depth, col * kCoarse + offset_x, row * kCoarse + offset_y));
     }
   }
-  thumbnail.intrinsics = {intrinsics.fx / kCoarse, intrinsics.fy / kCoarse,
-                          (intrinsics.cx - offset_x) / kCoarse,
-                          (intrinsics.cy - offset_y) / kCoarse};
+  return ThumbnailOf(std::move(coarse),
+                     {intrinsics.fx / kCoarse, intrinsics.fy / kCoarse,
+                      (intrinsics.cx - offset_x) / kCoarse, (intrinsics.cy - offset_y) / kCoarse});
+}
+
+DepthThumbnail ThumbnailOf(DepthPicture coarse, const Intrinsics& intrinsics) {
+  DepthThumbnail thumbnail{std::move(coarse), intrinsics, {}};
   thumbnail.points = PointsOf(thumbnail.depth, thumbnail.intrinsics);
   return thumbnail;
 }

@@ -21,6 +21,9 @@ struct DepthThumbnail {
 /// Expects: a picture of at least one pixel, with as many values as its size says (checked).
 DepthThumbnail Coarsened(const DepthPicture& depth, const Intrinsics& intrinsics);
 
+/// Of a depth picture that is as coarse already.
+DepthThumbnail ThumbnailOf(DepthPicture coarse, const Intrinsics& intrinsics);
+
 /// The share of points of `a` that fall into the picture of `b` where nothing hides them: depth
 /// there differs from theirs by at most 5% and 5 cm. 0 if `a` has no points. X_AB: body b seen from
 /// body a; both cameras are level and above their body's axis.

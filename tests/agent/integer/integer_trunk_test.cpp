@@ -14,19 +14,21 @@
 namespace bulletnav::agent {
 namespace {
 
-/// [rows, cols, channels], whose columns go round and whose rows end in `outside`.
+/// [rows, cols, channels], whose columns go round, if they do, and whose rows end in `outside`.
 struct Plain {
   int rows;
   int cols;
   int channels;
   int outside = 0;
   std::vector<int> values = std::vector<int>(static_cast<std::size_t>(rows * cols * channels));
+  bool ends_meet = true;
 
   int& At(int row, int col, int channel) {
     return values[static_cast<std::size_t>((row * cols + col) * channels + channel)];
   }
   int Around(int row, int col, int channel) {
     if (row < 0 || row >= rows) return outside;
+    if (!ends_meet && (col < 0 || col >= cols)) return outside;
     return At(row, (col + cols) % cols, channel);
   }
 };
@@ -44,6 +46,7 @@ Result Convolve(const QuantisedLayer& layer, Plain in, int stride, const LayerSc
   for (const float scale : layer.scale) largest = std::max(largest, scales.in * scale);
   const int shift = std::min(32, 30 - std::ilogb(largest / scales.out));
   Plain fine = {in.rows / stride, in.cols / stride, layer.outputs};
+  fine.ends_meet = in.ends_meet;
   Plain bytes = fine;
   for (int row = 0; row < fine.rows; ++row) {
     for (int col = 0; col < fine.cols; ++col) {
@@ -79,6 +82,7 @@ Result Convolve(const QuantisedLayer& layer, Plain in, int stride, const LayerSc
 
 Plain Pool(Plain in) {
   Plain out = {in.rows / 2, in.cols / 2, in.channels};
+  out.ends_meet = in.ends_meet;
   for (int row = 0; row < out.rows; ++row) {
     for (int col = 0; col < out.cols; ++col) {
       for (int i = 0; i < 9 * in.channels; ++i) {
@@ -93,6 +97,7 @@ Plain Pool(Plain in) {
 /// The last stage's fine values.
 Plain RunPlainly(const QuantisedTrunk& trunk, Plain input) {
   input.outside = kInputZero;
+  input.ends_meet = trunk.ends_meet;
   Plain bytes = Pool(
       Convolve(trunk.stem, input, 2, {trunk.in_scale, kInputZero, 255, trunk.stem_scale / 128.0})
           .bytes);
@@ -121,9 +126,9 @@ Plain RunPlainly(const QuantisedTrunk& trunk, Plain input) {
   return fine;
 }
 
-Plain RandomPicture(int rows, std::uint64_t seed) {
+Plain RandomPicture(int rows, std::uint64_t seed, int cols = 0) {
   sim::Rng rng(seed, "picture");
-  Plain picture = {rows, 4 * rows, kInputChannels};
+  Plain picture = {rows, cols == 0 ? 4 * rows : cols, kInputChannels};
   for (int& value : picture.values) value = rng.Between(0, 254);
   return picture;
 }
@@ -162,6 +167,22 @@ TEST_P(EveryTrunk, IsWhatPlainLoopsMakeOfIt) {
     const auto values = EndOf(trunk, 0, expected.values.size());
     EXPECT_TRUE(std::equal(values.begin(), values.end(), expected.values.begin()));
   }
+}
+
+TEST_P(EveryTrunk, FlatPicturesHaveNothingBeyondTheirEnds) {
+  QuantisedTrunk shape = RandomTrunk(48, 16, 2, 1);
+  shape.cols = 64;
+  shape.ends_meet = false;
+  const Plain picture = RandomPicture(48, 2, 64);
+  const Plain expected = RunPlainly(shape, picture);
+  IntegerTrunk trunk(shape);
+  trunk.Use(*GetParam());
+  SetInput(RandomPicture(48, 3, 64), 0, trunk.input());
+  trunk.Run(1);  // leaves nothing behind
+  SetInput(picture, 0, trunk.input());
+  trunk.Run(1);
+  const auto values = EndOf(trunk, 0, expected.values.size());
+  EXPECT_TRUE(std::equal(values.begin(), values.end(), expected.values.begin()));
 }
 
 TEST_P(EveryTrunk, SeveralPicturesAreAsOneByOne) {

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 // All detectors, each on a made-up drive that comes by the same places twice.
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <map>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "agent/slam/loops/loop_registry.h"
+#include "agent/slam/retrieval/picture_descriptor.h"
 #include "sim/base/error.h"
 #include "sim/math/rng.h"
 
@@ -25,7 +29,23 @@ constexpr int kHeight = 32;
 struct Seen {
   OrbFeatures features;
   std::vector<std::uint8_t> color;
+  PictureDescriptor descriptor;
 };
+
+constexpr int kDescriptorSize = 64;
+
+/// A direction of a place, a little different each time; that of ten places in a row, a room, is
+/// much the same.
+PictureDescriptor DescriptorOf(int place, sim::Rng* noise) {
+  sim::Rng own(static_cast<std::uint64_t>(place), "own");
+  sim::Rng room(static_cast<std::uint64_t>(place / 10), "room");
+  std::vector<std::int64_t> numbers;
+  for (int i = 0; i < kDescriptorSize; ++i) {
+    numbers.push_back(
+        std::llround(1000.0 * room.Normal() + 700.0 * own.Normal() + 100.0 * noise->Normal()));
+  }
+  return DirectionOf(numbers);
+}
 
 /// Twenty descriptors of a place, a little different each time.
 void AddDescriptors(int place, sim::Rng* noise, Seen* seen) {
@@ -50,6 +70,7 @@ Seen See(int place, int time) {
   Seen seen;
   AddDescriptors(place, &noise, &seen);
   AddDescriptors(place + 1, &noise, &seen);
+  seen.descriptor = DescriptorOf(place, &noise);
   std::vector<int> blocks(32 * 16);
   for (int& block : blocks) block = fixed.Between(20, 230);
   for (int y = 0; y < kHeight; ++y) {
@@ -69,11 +90,21 @@ std::shared_ptr<const Vocabulary> SomeVocabulary() {
   return std::make_shared<const Vocabulary>(pictures, VocabularySpec{.branches = 5, .levels = 4});
 }
 
+/// Settings under which places of one room are not taken for one another.
+std::string NeedsLikeness(const std::string& name) {
+  return name.starts_with("hut") ? "{least_frame: 0.95, least_sequence: 0.7}"
+                                 : "{least_frame: 0.95}";
+}
+
 std::unique_ptr<LoopDetector> Make(const std::string& name) {
   // Frames are half like their neighbours here, less than in drives, to which likeness is compared.
   std::optional<sim::YamlNode> parameters;
   if (name == "words_hierarchy") parameters = sim::ParseYaml("{least_frame: 1.0}", "test");
-  return ConfigureLoopDetector(sim::ParseYaml(name, "test"), parameters)({SomeVocabulary()});
+  if (name.starts_with("gem_") || name.starts_with("hut")) {
+    parameters = sim::ParseYaml(NeedsLikeness(name), "test");
+  }
+  return ConfigureLoopDetector(sim::ParseYaml(name, "test"),
+                               parameters)({SomeVocabulary(), kDescriptorSize, nullptr});
 }
 
 /// Places in turn, twice, or each only once.
@@ -89,6 +120,7 @@ std::vector<LoopCandidate> Drive(const std::string& name, bool is_twice) {
     frame.height_px = kHeight;
     frame.color = seen.color;
     frame.features = &seen.features;
+    frame.descriptor = seen.descriptor;
     frame.comparable = std::max(0, i - kApart);
     const auto found = detector->Add(frame);
     all.insert(all.end(), found.begin(), found.end());
@@ -142,7 +174,7 @@ TEST(LoopRegistry, AnUnknownDetectorIsToldWithTheKnownOnes) {
   const auto configure = [] {
     ConfigureLoopDetector(sim::ParseYaml("bwo", "c.yaml"), std::nullopt);
   };
-  EXPECT_THAT(configure, ThrowsMessage<sim::FileError>(HasSubstr("bow, seqslam, words_hierarchy")));
+  EXPECT_THAT(configure, ThrowsMessage<sim::FileError>(HasSubstr("bow, gem_cat, gem_flat")));
   EXPECT_THAT(LoopDetectorNames(), Contains("bow"));
 }
 
@@ -154,6 +186,36 @@ TEST(LoopRegistry, ParametersAreCheckedAtTheirPlace) {
   EXPECT_THAT(configure, ThrowsMessage<sim::FileError>(HasSubstr("multiples of patch")));
   EXPECT_THAT(ResolveLoopConfig(sim::ParseYaml("bow", "c.yaml"), std::nullopt),
               HasSubstr("least_score: 0.3"));
+}
+
+TEST(LoopRegistry, DetectorsThatNeedDescriptorsSaySo) {
+  for (const char* name : {"gem_cat", "gem_flat", "gem_mean", "hut", "hut_fixed5", "hut_online"}) {
+    const auto make = ConfigureLoopDetector(sim::ParseYaml(name, "c.yaml"), std::nullopt);
+    EXPECT_THAT(
+        [&] {
+          make({});
+        },
+        ThrowsMessage<sim::Error>(HasSubstr("needs descriptors")));
+  }
+  EXPECT_THAT(ResolveLoopConfig(sim::ParseYaml("hut_fixed5", "c.yaml"), std::nullopt),
+              HasSubstr("length: 5"));
+}
+
+/// What a hierarchy names is part of what comparing all with all names, with the same scores.
+TEST(Hierarchies, NamePairsOfTheFlatComparison) {
+  std::map<std::pair<int, int>, double> flat;
+  for (const LoopCandidate& pair : Drive("gem_flat", true)) {
+    flat[{pair.later, pair.earlier}] = pair.score;
+  }
+  for (const char* name : {"hut", "hut_fixed5", "hut_online"}) {
+    const auto pairs = Drive(name, true);
+    EXPECT_LT(pairs.size(), flat.size() / 2) << name;
+    for (const LoopCandidate& pair : pairs) {
+      const auto found = flat.find({pair.later, pair.earlier});
+      ASSERT_NE(found, flat.end()) << name;
+      EXPECT_EQ(found->second, pair.score) << name;
+    }
+  }
 }
 
 TEST(LoopRegistry, DetectorsThatNeedAVocabularySaySo) {

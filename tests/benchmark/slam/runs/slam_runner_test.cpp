@@ -142,6 +142,20 @@ TEST_F(SlamRunner, ABadConfigIsToldWithItsPlace) {
               ThrowsMessage<sim::FileError>(HasSubstr("bad.yaml:1")));
 }
 
+TEST_F(SlamRunner, WeightsThatAreMissingAreTold) {
+  EXPECT_THAT(
+      [&] {
+        Config("sequences: s.safetensors\n");
+      },
+      ThrowsMessage<sim::FileError>(HasSubstr("'sequences' needs 'descriptors'")));
+  const SlamConfig config = Config("descriptors: nowhere.safetensors\n");
+  EXPECT_THAT(
+      [&] {
+        RunSlam(config, path("run"), {});
+      },
+      ThrowsMessage<sim::FileError>(HasSubstr("nowhere.safetensors")));
+}
+
 TEST(SlamConfig, EveryShippedOneLoads) {
   int count = 0;
   for (const auto& entry : fs::directory_iterator(fs::path(BULLETNAV_CONFIGS) / "slam")) {

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include "agent/slam/descriptors/seqvlad.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "agent/integer/integer_functions.h"
+#include "sim/base/check.h"
+#include "sim/base/error.h"
+
+namespace bulletnav::agent {
+namespace {
+
+/// Of a cell. Fine, since what clusters have little of counts as much as the rest.
+constexpr int kShareSteps = 1 << 24;
+constexpr int kAssignSteps = 1 << 12;
+constexpr int kProjectionSteps = 1 << 14;
+constexpr double kLargest = 1 << 20;
+
+std::vector<std::int32_t> Steps(const TensorFile& weights, const std::string& name,
+                                std::vector<std::int64_t> shape, int steps,
+                                const std::filesystem::path& file) {
+  const auto found = weights.tensors.find(name);
+  if (found == weights.tensors.end() || found->second.shape != shape) {
+    throw sim::FileError(file, name,
+                         "is missing or has another shape: these are weights of another model");
+  }
+  std::vector<std::int32_t> rounded;
+  rounded.reserve(found->second.values.size());
+  for (const float value : found->second.values) {
+    const double scaled = std::nearbyint(double{value} * steps);
+    if (!(std::abs(scaled) <= kLargest)) {
+      throw sim::FileError(file, name, "holds numbers that are too large or none at all");
+    }
+    rounded.push_back(static_cast<std::int32_t>(scaled));
+  }
+  return rounded;
+}
+
+}  // namespace
+
+SeqVlad::SeqVlad(const TensorFile& weights, const std::filesystem::path& file)
+    : config_(SequenceConfigOf(weights, file)) {
+  const std::vector<std::int64_t> clusters = {config_.clusters, config_.channels};
+  assign_ = Steps(weights, "assign", clusters, kAssignSteps, file);
+  centres_ = Steps(weights, "centres", clusters, kDescriptorUnit, file);
+  mean_ = Steps(weights, "mean", {config_.whole()}, kDescriptorUnit, file);
+  projection_ =
+      Steps(weights, "projection", {config_.size, config_.whole()}, kProjectionSteps, file);
+}
+
+void SeqVlad::Add(std::span<const std::uint8_t> cells, Sum* sum) const {
+  const auto channels = static_cast<std::size_t>(config_.channels);
+  const auto clusters = static_cast<std::size_t>(config_.clusters);
+  BULLETNAV_CHECK(!cells.empty() && cells.size() % channels == 0);
+  sum->resize(clusters * channels, 0);
+  std::vector<std::int32_t> logits(clusters);
+  std::vector<float> shares(clusters);
+  for (std::size_t first = 0; first < cells.size(); first += channels) {
+    const auto bytes = cells.subspan(first, channels);
+    const PictureDescriptor cell =
+        DirectionOf(std::vector<std::int64_t>(bytes.begin(), bytes.end()));
+    for (std::size_t k = 0; k < clusters; ++k) {
+      std::int64_t dot = 0;
+      for (std::size_t i = 0; i < channels; ++i) {
+        dot += std::int64_t{assign_[k * channels + i]} * cell[i];
+      }
+      // Steps of 2^-26 to those of 2^-kLogitBits.
+      logits[k] = static_cast<std::int32_t>(dot / (1 << (26 - kLogitBits)));
+    }
+    SoftmaxOf(logits, shares);
+    for (std::size_t k = 0; k < clusters; ++k) {
+      const auto share = static_cast<std::int64_t>(std::nearbyint(double{shares[k]} * kShareSteps));
+      if (share == 0) continue;
+      for (std::size_t i = 0; i < channels; ++i) {
+        (*sum)[k * channels + i] += share * (cell[i] - centres_[k * channels + i]);
+      }
+    }
+  }
+}
+
+std::vector<std::int16_t> SeqVlad::Whole(const Sum& sum) const {
+  const auto channels = static_cast<std::size_t>(config_.channels);
+  BULLETNAV_CHECK_EQ(sum.size(), static_cast<std::size_t>(config_.whole()));
+  std::vector<std::int16_t> whole;
+  whole.reserve(sum.size());
+  for (std::size_t first = 0; first < sum.size(); first += channels) {
+    const PictureDescriptor cluster = DirectionOf(std::span(sum).subspan(first, channels));
+    whole.insert(whole.end(), cluster.begin(), cluster.end());
+  }
+  return whole;
+}
+
+PictureDescriptor SeqVlad::Describe(const Sum& sum) const {
+  const std::vector<std::int16_t> whole = Whole(sum);
+  // All clusters have one length, so that the whole's is known.
+  const auto factor = 1.0 / std::sqrt(static_cast<double>(config_.clusters));
+  const auto length = static_cast<std::int64_t>(std::nearbyint(factor * (1 << 15)));
+  std::vector<std::int64_t> off(whole.size());
+  for (std::size_t i = 0; i < whole.size(); ++i) off[i] = ((whole[i] * length) >> 15) - mean_[i];
+  std::vector<std::int64_t> numbers(static_cast<std::size_t>(config_.size), 0);
+  for (std::size_t row = 0; row < numbers.size(); ++row) {
+    for (std::size_t i = 0; i < off.size(); ++i) {
+      numbers[row] += off[i] * projection_[row * off.size() + i];
+    }
+  }
+  return DirectionOf(numbers);
+}
+
+std::shared_ptr<const SeqVlad> LoadSeqVlad(const std::filesystem::path& weights) {
+  return std::make_shared<const SeqVlad>(ReadTensorFile(weights), weights);
+}
+
+}  // namespace bulletnav::agent

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "agent/slam/loops/descriptor_frames.h"
+
+#include <algorithm>
+#include <string>
+
+#include "sim/base/error.h"
+
+namespace bulletnav::agent {
+
+DescriptorFrames::DescriptorFrames(std::string_view detector, const LoopContext& context)
+    : keeps_cells_(context.sequences != nullptr) {
+  if (context.descriptor_size > 0) return;
+  throw sim::Error("the detector '" + std::string(detector) +
+                   "' needs descriptors of pictures; add 'descriptors', a file of weights, to the "
+                   "config");
+}
+
+void DescriptorFrames::Add(const LoopFrame& frame) {
+  descriptors_.emplace_back(frame.descriptor.begin(), frame.descriptor.end());
+  comparable_.push_back(frame.comparable);
+  if (keeps_cells_) cells_.emplace_back(frame.cells.begin(), frame.cells.end());
+}
+
+std::vector<std::uint8_t> DescriptorFrames::Cells(int first, int last) const {
+  std::vector<std::uint8_t> cells;
+  for (int frame = first; frame <= last; ++frame) {
+    const auto& one = cells_[static_cast<std::size_t>(frame)];
+    cells.insert(cells.end(), one.begin(), one.end());
+  }
+  return cells;
+}
+
+void ProposeBest(std::size_t first, double least, std::vector<LoopCandidate>* candidates) {
+  const auto best =
+      std::max_element(candidates->begin() + static_cast<std::ptrdiff_t>(first), candidates->end(),
+                       [](const LoopCandidate& a, const LoopCandidate& b) {
+                         return a.score < b.score;
+                       });
+  if (best != candidates->end() && best->score >= least) best->is_proposed = true;
+}
+
+std::vector<LoopCandidate> CompareWithAll(int later, int comparable,
+                                          const std::vector<PictureDescriptor>& descriptors,
+                                          double least) {
+  std::vector<LoopCandidate> candidates;
+  candidates.reserve(static_cast<std::size_t>(comparable));
+  for (int earlier = 0; earlier < comparable; ++earlier) {
+    const double cosine = Cosine(descriptors[static_cast<std::size_t>(later)],
+                                 descriptors[static_cast<std::size_t>(earlier)]);
+    candidates.push_back({later, earlier, cosine, false});
+  }
+  ProposeBest(0, least, &candidates);
+  return candidates;
+}
+
+}  // namespace bulletnav::agent

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "agent/slam/loops/loop_detector.h"
+#include "agent/slam/retrieval/picture_descriptor.h"
+
+namespace bulletnav::agent {
+
+/// What detectors that go by descriptors of pictures keep of a drive.
+class DescriptorFrames {
+ public:
+  /// Throws sim::Error, naming `detector`, if frames will have no descriptor.
+  DescriptorFrames(std::string_view detector, const LoopContext& context);
+
+  void Add(const LoopFrame& frame);
+
+  int size() const { return static_cast<int>(descriptors_.size()); }
+  const std::vector<PictureDescriptor>& descriptors() const { return descriptors_; }
+  const PictureDescriptor& descriptor(int frame) const {
+    return descriptors_[static_cast<std::size_t>(frame)];
+  }
+  int comparable(int frame) const { return comparable_[static_cast<std::size_t>(frame)]; }
+  /// Of frames `first` to `last`, one after the other.
+  std::vector<std::uint8_t> Cells(int first, int last) const;
+
+ private:
+  std::vector<PictureDescriptor> descriptors_;
+  std::vector<int> comparable_;
+  bool keeps_cells_;
+  std::vector<std::vector<std::uint8_t>> cells_;  // by frame, if there is who describes sequences
+};
+
+/// Takes the best of the candidates from position `first` on for a loop, if it scores `least`.
+void ProposeBest(std::size_t first, double least, std::vector<LoopCandidate>* candidates);
+
+/// Compares frame `later` with each before its `comparable`, and takes the best for a loop if it
+/// scores `least`; `descriptors` are by frame, of frames or of what ends with them.
+std::vector<LoopCandidate> CompareWithAll(int later, int comparable,
+                                          const std::vector<PictureDescriptor>& descriptors,
+                                          double least);
+
+}  // namespace bulletnav::agent

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "agent/slam/loops/descriptor_frames.h"
+#include "agent/slam/loops/loop_registry.h"
+#include "sim/base/error.h"
+
+namespace bulletnav::agent {
+namespace {
+
+/// The descriptors of the last few frames one after the other, as one long descriptor, against
+/// those of all earlier frames. It knows the order of frames, and so the direction of travel.
+/// Source: "GeM + CAT" in Mereu et al., "Learning sequential descriptors for sequence-based visual
+/// place recognition", RA-L 2022; after Facil et al., 2019.
+class GemCat final : public LoopDetector {
+ public:
+  static constexpr std::string_view kName = "gem_cat";
+
+  struct Config {
+    int length = 5;            // frames
+    double least_frame = 0.8;  // cosine of two sequences
+
+    template <class V>
+    void Visit(V& v) {
+      v("length", length);
+      v("least_frame", least_frame);
+    }
+    void Validate() const {
+      if (length < 1) throw sim::Error("length must be at least 1");
+    }
+  };
+
+  GemCat(const Config& config, const LoopContext& context)
+      : config_(config), frames_(kName, context) {}
+
+  std::vector<LoopCandidate> Add(const LoopFrame& frame) override {
+    frames_.Add(frame);
+    std::vector<LoopCandidate> candidates;
+    candidates.reserve(static_cast<std::size_t>(frame.comparable));
+    for (int earlier = 0; earlier < frame.comparable; ++earlier) {
+      candidates.push_back({frame.number, earlier, Likeness(frame.number, earlier), false});
+    }
+    ProposeBest(0, config_.least_frame, &candidates);
+    return candidates;
+  }
+
+ private:
+  /// Parts have the same length, so that the cosine of the whole is the mean of theirs. At the
+  /// start of the drive there are fewer.
+  double Likeness(int later, int earlier) const {
+    const int count = std::min(config_.length, earlier + 1);
+    double sum = 0.0;
+    for (int back = 0; back < count; ++back) {
+      sum += Cosine(frames_.descriptor(later - back), frames_.descriptor(earlier - back));
+    }
+    return sum / count;
+  }
+
+  Config config_;
+  DescriptorFrames frames_;
+};
+
+const LoopDetectorRegistration<GemCat> registration;
+
+}  // namespace
+}  // namespace bulletnav::agent

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <span>
+
+#include "agent/slam/loops/descriptor_frames.h"
+#include "agent/slam/loops/loop_registry.h"
+#include "sim/base/error.h"
+
+namespace bulletnav::agent {
+namespace {
+
+/// The mean descriptor of the last few frames against that of all earlier ones: sequences of fixed
+/// length, described by a filter over time that is even and not learned. Source of the form: Garg
+/// and Milford, "SeqNet: learning descriptors for sequence-based hierarchical place recognition",
+/// RA-L 2021, whose filter is learned.
+class GemMean final : public LoopDetector {
+ public:
+  static constexpr std::string_view kName = "gem_mean";
+
+  struct Config {
+    int length = 5;            // frames
+    double least_frame = 0.8;  // cosine of two sequences
+
+    template <class V>
+    void Visit(V& v) {
+      v("length", length);
+      v("least_frame", least_frame);
+    }
+    void Validate() const {
+      if (length < 1) throw sim::Error("length must be at least 1");
+    }
+  };
+
+  GemMean(const Config& config, const LoopContext& context)
+      : config_(config), frames_(kName, context) {}
+
+  std::vector<LoopCandidate> Add(const LoopFrame& frame) override {
+    frames_.Add(frame);
+    const auto length =
+        std::min(frames_.descriptors().size(), static_cast<std::size_t>(config_.length));
+    means_.push_back(MeanDirection(std::span(frames_.descriptors()).last(length)));
+    return CompareWithAll(frame.number, frame.comparable, means_, config_.least_frame);
+  }
+
+ private:
+  Config config_;
+  DescriptorFrames frames_;
+  std::vector<PictureDescriptor> means_;  // of what ends with each frame
+};
+
+const LoopDetectorRegistration<GemMean> registration;
+
+}  // namespace
+}  // namespace bulletnav::agent

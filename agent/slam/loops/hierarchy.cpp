@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "agent/slam/loops/hierarchy.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <string>
+
+#include "agent/slam/topology/clusters.h"
+#include "sim/base/error.h"
+
+namespace bulletnav::agent {
+namespace {
+
+/// A row a frame.
+Eigen::MatrixXf Points(const DescriptorFrames& frames) {
+  const auto columns = static_cast<Eigen::Index>(frames.descriptor(0).size());
+  Eigen::MatrixXf points(frames.size(), columns);
+  for (int frame = 0; frame < frames.size(); ++frame) {
+    for (Eigen::Index i = 0; i < columns; ++i) {
+      points(frame, i) = static_cast<float>(frames.descriptor(frame)[static_cast<std::size_t>(i)]) /
+                         kDescriptorUnit;
+    }
+  }
+  return points;
+}
+
+}  // namespace
+
+void HierarchyConfig::Validate() const {
+  if (starts < 1 || shortest < 1 || most_clusters < 2 || length < 0) {
+    throw sim::Error(
+        "starts and shortest must be at least 1, most_clusters at least 2, length at least 0");
+  }
+}
+
+void CompareInSequences(int frame, std::size_t own, const DescriptorFrames& frames,
+                        const std::vector<Sequence>& sequences,
+                        const std::vector<PictureDescriptor>& wholes, const SequenceMatchSpec& spec,
+                        std::vector<LoopCandidate>* candidates) {
+  const std::size_t first = candidates->size();
+  for (std::size_t i = 0; i <= own; ++i) {
+    const int end = std::min(sequences[i].last + 1, frames.comparable(frame));
+    if (end <= sequences[i].first) continue;
+    if (spec.within_clusters && sequences[i].cluster != sequences[own].cluster) continue;
+    if (Cosine(wholes[i], wholes[own]) < spec.least_sequence) continue;
+    for (int earlier = sequences[i].first; earlier < end; ++earlier) {
+      const double cosine = Cosine(frames.descriptor(frame), frames.descriptor(earlier));
+      candidates->push_back({frame, earlier, cosine, false});
+    }
+  }
+  ProposeBest(first, spec.least_frame, candidates);
+}
+
+std::vector<Sequence> CutSequences(const std::vector<Sequence>& sequences, int length) {
+  std::vector<Sequence> pieces;
+  for (const Sequence& sequence : sequences) {
+    for (int first = sequence.first; first <= sequence.last; first += length) {
+      pieces.push_back({first, std::min(first + length - 1, sequence.last), sequence.cluster});
+    }
+  }
+  return pieces;
+}
+
+HierarchyDetector::HierarchyDetector(std::string_view name, const HierarchyConfig& config,
+                                     const LoopContext& context)
+    : config_(config), frames_(name, context), model_(context.sequences) {
+  if (!config_.seqvlad || model_) return;
+  throw sim::Error("the detector '" + std::string(name) +
+                   "' needs a descriptor of sequences; add 'sequences', a file of weights, to the "
+                   "config, or set 'seqvlad' to false");
+}
+
+std::vector<LoopCandidate> HierarchyDetector::Add(const LoopFrame& frame) {
+  frames_.Add(frame);
+  return {};
+}
+
+std::vector<PictureDescriptor> HierarchyDetector::WholesOf(
+    const std::vector<Sequence>& sequences) const {
+  std::vector<PictureDescriptor> wholes;
+  wholes.reserve(sequences.size());
+  for (const Sequence& sequence : sequences) {
+    if (config_.seqvlad) {
+      SequenceModel::Sum sum;
+      model_->Add(frames_.Cells(sequence.first, sequence.last), &sum);
+      wholes.push_back(model_->Describe(sum));
+    } else {
+      wholes.push_back(MeanDirection(std::span(frames_.descriptors())
+                                         .subspan(static_cast<std::size_t>(sequence.first),
+                                                  static_cast<std::size_t>(sequence.size()))));
+    }
+  }
+  return wholes;
+}
+
+std::vector<LoopCandidate> HierarchyDetector::Finish() {
+  std::vector<LoopCandidate> candidates;
+  if (frames_.size() == 0) return candidates;
+  sim::Rng rng(config_.seed, "clusters");
+  const Clusters clusters = ClusterByElbow(
+      Points(frames_), {.most = config_.most_clusters, .starts = config_.starts}, &rng);
+  std::vector<Sequence> sequences = SequencesOf(clusters.group, config_.shortest);
+  if (config_.length > 0) sequences = CutSequences(sequences, config_.length);
+  const std::vector<PictureDescriptor> wholes = WholesOf(sequences);
+  for (std::size_t own = 0; own < sequences.size(); ++own) {
+    for (int frame = sequences[own].first; frame <= sequences[own].last; ++frame) {
+      CompareInSequences(frame, own, frames_, sequences, wholes, config_.match, &candidates);
+    }
+  }
+  return candidates;
+}
+
+}  // namespace bulletnav::agent
