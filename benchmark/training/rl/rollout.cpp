@@ -258,9 +258,9 @@ void Actor::Act(const ActorCritic::Output& output, std::vector<int>* actions) co
   const torch::Tensor flat = output.log_probabilities.contiguous();
   const auto count = static_cast<std::size_t>(flat.size(-1));
   for (std::size_t i = 0; i < actions->size(); ++i) {
-    (*actions)[i] = SampleAction(
-        {seed_, task_->first_lane() + static_cast<int>(i), episodes_[i], steps_[i]}, *net_,
-        {flat.data_ptr<float>() + i * count, count});
+    (*actions)[i] =
+        SampleAction({seed_, task_->first_lane() + static_cast<int>(i), episodes_[i], steps_[i]},
+                     *net_, {flat.data_ptr<float>() + i * count, count});
   }
 }
 
