@@ -355,7 +355,7 @@ TEST_F(NavigationTest, PoliciesAreTriedWithOtherGoalsAndWithBlankImages) {
           return std::make_shared<Noting>(&notes);
         },
         way, &measures);
-    EXPECT_EQ(measures.at("steps"), 4.0);
+    EXPECT_EQ(measures.at("steps"), 3.0);  // a stop is none
     EXPECT_EQ(measures.at("stopped"), 1.0);
     return notes;
   };
