@@ -42,8 +42,10 @@ MapNavigator::MapNavigator(const Rig& rig, const NavigatorSpec& spec,
                    rig.has_depth && spec.match_scans ? std::optional<ScanMatch>(rig) : std::nullopt,
                    MetricMap(rig, spec.map, std::move(mapper)), rig.has_depth) {}
 
-MapNavigator::MapNavigator(const NavigatorSpec& spec, std::unique_ptr<ViewWindow> view)
-    : MapNavigator(spec, std::nullopt, MetricMap(spec.map, std::move(view)), false) {}
+MapNavigator::MapNavigator(const NavigatorSpec& spec, std::unique_ptr<ViewWindow> view,
+                           bool can_doubt)
+    : MapNavigator(spec, std::nullopt, MetricMap(spec.map, std::move(view), sim::PlanarPose{}),
+                   can_doubt) {}
 
 MapNavigator::MapNavigator(const NavigatorSpec& spec, std::optional<ScanMatch> match, MetricMap map,
                            bool can_doubt)

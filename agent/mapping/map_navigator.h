@@ -49,9 +49,9 @@ class MapNavigator {
   /// See MetricMap.
   MapNavigator(const Rig& rig, const NavigatorSpec& spec,
                std::shared_ptr<FreeSpaceModel> mapper = nullptr);
-  /// Maps by another view, such as a simulated one; takes the odometry as it is and never doubts
-  /// the map.
-  MapNavigator(const NavigatorSpec& spec, std::unique_ptr<ViewWindow> view);
+  /// Maps by another view, such as a simulated one, and takes the odometry as it is. `can_doubt`:
+  /// forgets a map that is contradicted.
+  MapNavigator(const NavigatorSpec& spec, std::unique_ptr<ViewWindow> view, bool can_doubt);
 
   void Reset();
   /// Moves the pose by the odometry, mended by depth, marks felt walls, adds what is seen to the

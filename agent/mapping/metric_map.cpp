@@ -46,9 +46,10 @@ std::unique_ptr<ViewWindow> MakeView(const Rig& rig, const MapSpec& spec,
 }  // namespace
 
 MetricMap::MetricMap(const Rig& rig, const MapSpec& spec, std::shared_ptr<FreeSpaceModel> mapper)
-    : MetricMap(spec, MakeView(rig, spec, std::move(mapper))) {}
+    : MetricMap(spec, MakeView(rig, spec, std::move(mapper)), sim::PlanarPose{}) {}
 
-MetricMap::MetricMap(const MapSpec& spec, std::unique_ptr<ViewWindow> view)
+MetricMap::MetricMap(const MapSpec& spec, std::unique_ptr<ViewWindow> view,
+                     const sim::PlanarPose& pose)
     : spec_(spec),
       view_(std::move(view)),
       evidence_(spec.cells()),
@@ -56,7 +57,7 @@ MetricMap::MetricMap(const MapSpec& spec, std::unique_ptr<ViewWindow> view)
       track_(spec.cells()),
       felt_(spec.cells()),
       states_(spec.cells()) {
-  Clear({});
+  Clear(pose);
 }
 
 void MetricMap::Clear(const sim::PlanarPose& pose) {
@@ -213,6 +214,20 @@ void MetricMap::Refresh(const sim::Cell& middle, int reach) {
   const sim::Cell low{std::max(middle.x - reach, 0), std::max(middle.y - reach, 0)};
   const sim::Cell high{std::min(middle.x + reach, last), std::min(middle.y + reach, last)};
   for (int y = low.y; y <= high.y; ++y) {
+    // Plain loops over memory, for compilers.
+    const std::size_t row = states_.index({0, y});
+    const std::uint8_t* felt = felt_.values().data() + row;
+    const std::uint8_t* explored = explored_.values().data() + row;
+    sim::CellState* states = &states_[row];
+    for (int x = low.x; x <= high.x; ++x) {
+      const auto open = explored[x] != 0 ? sim::CellState::kFree : sim::CellState::kUnknown;
+      states[x] = felt[x] != 0 ? sim::CellState::kBlocked : open;
+    }
+    if (low.x == 0) states[0] = OpenState({0, y});
+    if (high.x == last) states[last] = OpenState({last, y});
+  }
+  for (const int y : {0, last}) {
+    if (y < low.y || y > high.y) continue;
     for (int x = low.x; x <= high.x; ++x) states_[sim::Cell{x, y}] = OpenState({x, y});
   }
   const int grown = spec_.dilation_cells + spec_.clearance_cells;

@@ -33,8 +33,9 @@ class MetricMap {
   /// Maps by depth if the rig has it, else by what `mapper` makes of colour. Throws Error if it has
   /// neither, or no depth as far as the vision goes.
   MetricMap(const Rig& rig, const MapSpec& spec, std::shared_ptr<FreeSpaceModel> mapper = nullptr);
-  /// Maps by another view, such as a simulated one, of the spec's cells and vision.
-  MetricMap(const MapSpec& spec, std::unique_ptr<ViewWindow> view);
+  /// Maps by another view, such as a simulated one, of the spec's cells and vision, for a body that
+  /// begins at `pose`.
+  MetricMap(const MapSpec& spec, std::unique_ptr<ViewWindow> view, const sim::PlanarPose& pose);
 
   /// Forgets everything; the body is at `pose`.
   void Clear(const sim::PlanarPose& pose);

@@ -34,7 +34,7 @@ class RandomView final : public ViewWindow {
 };
 
 MetricMap SomeMap(const sim::PlanarPose& pose) {
-  MetricMap map(MapSpec{}, std::make_unique<RandomView>());
+  MetricMap map(MapSpec{}, std::make_unique<RandomView>(), sim::PlanarPose{});
   map.Clear({});
   map.MarkTrack({}, pose);
   map.Update({}, pose);

@@ -32,7 +32,7 @@ MapSimulator::MapSimulator(const MapSimulatorSpec& spec)
       noise_(spec.noise),
       made_view_(std::make_unique<Viewshed>(Navigator().map, double{body_spec_.camera_height})),
       view_(made_view_.get()),
-      navigator_(Navigator(), std::move(made_view_)),
+      navigator_(Navigator(), std::move(made_view_), false),
       planner_(Navigator().map.cells()) {}
 
 void MapSimulator::Begin(const ExplorationScene& scene, const sim::BodyPose& start,

@@ -42,7 +42,7 @@ inline MapOverlap CompareMaps(const sim::SceneMesh& mesh, double floor, int plac
   agent::MetricMap rendered(rig, spec);
   auto made = std::make_unique<bench::Viewshed>(spec, double{rig.camera_height});
   bench::Viewshed* view = made.get();
-  agent::MetricMap simulated(spec, std::move(made));
+  agent::MetricMap simulated(spec, std::move(made), sim::PlanarPose{});
   bench::SeenGround seen{std::vector<std::uint8_t>(columns.values().size()), 0};
   std::vector<std::uint8_t> color(3 * rig.panorama.pixels());
   std::vector<float> depth(rig.panorama.pixels());
