@@ -32,7 +32,8 @@ const std::vector<std::vector<std::string>> kFloors = {
     {"agent/models/"},
     {"agent/slam/pose_graph/", "agent/slam/retrieval/", "agent/slam/topology/"},
     {"agent/slam/features/"},
-    {"agent/slam/verify/", "agent/slam/loops/"},
+    {"agent/slam/verify/"},
+    {"agent/slam/loops/"},
     {"agent/"},
     {"agent/mapping/"},
     {"agent/integer/"},
@@ -53,7 +54,7 @@ const std::vector<std::vector<std::string>> kFloors = {
     {"benchmark/slam/traversal/"},
     {"benchmark/slam/truth/"},
     {"benchmark/slam/runs/"},
-    {"benchmark/slam/plots/"},
+    {"benchmark/slam/plots/", "benchmark/slam/recordings/"},
     {"python/"},
     {"benchmark/cli/"},
 };

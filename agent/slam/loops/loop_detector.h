@@ -3,10 +3,13 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "agent/slam/features/orb.h"
 #include "agent/slam/retrieval/vocabulary.h"
+#include "agent/slam/topology/sequences.h"
+#include "agent/slam/verify/pinhole.h"
 #include "sim/math/pose.h"
 
 namespace bulletnav::agent {
@@ -19,7 +22,10 @@ struct LoopFrame {
   int height_px = 0;
   std::span<const std::uint8_t> color;    // [height, width, 3] RGB
   const OrbFeatures* features = nullptr;  // of `color`, shared by all who need them
-  sim::PlanarPose odometry;               // from the first frame's body
+  std::span<const float>
+      depth;  // [height, width] metres along the camera's axis, 0: none; or empty
+  Pinhole camera;
+  sim::PlanarPose odometry;  // from the first frame's body
   /// How many of the first frames are so far back, by travel as odometry has it, that they are
   /// asked about.
   int comparable = 0;
@@ -36,6 +42,14 @@ struct LoopCandidate {
 /// What detectors are built with, besides their own config.
 struct LoopContext {
   std::shared_ptr<const Vocabulary> vocabulary;  // of ORB
+};
+
+/// How a detector that works with sequences of frames saw the drive, for pictures.
+struct SequenceTrace {
+  std::vector<Sequence> sequences;          // together all frames
+  std::vector<int> tried;                   // numbers of clusters
+  std::vector<double> spreads;              // of each of them, see Clusters
+  std::vector<std::pair<int, int>> joined;  // sequences, later and earlier, that were compared
 };
 
 /// Finds pairs of frames of a drive that show the same place. Sees what LoopFrame has and nothing
@@ -59,6 +73,9 @@ class LoopDetector {
 
   /// After the last frame: candidates of detectors that need the whole drive, which are not causal.
   virtual std::vector<LoopCandidate> Finish() { return {}; }
+
+  /// After Finish: of detectors that have sequences; else nothing.
+  virtual SequenceTrace Trace() const { return {}; }
 };
 
 }  // namespace bulletnav::agent

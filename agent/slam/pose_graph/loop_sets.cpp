@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <string>
 
 #include <Eigen/Cholesky>
@@ -115,6 +116,34 @@ double CircleError(const OdometryChain<Pose>& odometry, const PoseEdge<Pose>& a,
 }
 
 template <class Pose>
+double OdometryError(const OdometryChain<Pose>& odometry, const PoseEdge<Pose>& loop) {
+  const auto from = static_cast<int>(loop.from);
+  const auto to = static_cast<int>(loop.to);
+  BULLETNAV_CHECK(std::min(from, to) >= 0 && std::max(from, to) < odometry.size());
+  const Pose circle = Compose(loop.measured, odometry.Seen(to, from));
+  const PoseMatrix<Pose> covariance = Carried<Pose>(loop.measured, loop.information.inverse()) +
+                                      Carried<Pose>(circle, odometry.Covariance(to, from));
+  const auto error = NumbersOf(circle);
+  return error.dot(covariance.llt().solve(error));
+}
+
+int SeparateLoops(std::span<const std::pair<int, int>> ends, int gap) {
+  using Ends = std::pair<int, int>;
+  std::size_t most = 0;
+  for (const Ends& first : ends) {
+    std::vector<Ends> apart = {first};
+    for (const Ends& other : ends) {
+      const bool is_apart = std::all_of(apart.begin(), apart.end(), [&](const Ends& one) {
+        return std::abs(one.first - other.first) > gap && std::abs(one.second - other.second) > gap;
+      });
+      if (is_apart) apart.push_back(other);
+    }
+    most = std::max(most, apart.size());
+  }
+  return static_cast<int>(most);
+}
+
+template <class Pose>
 ConsistentSet ConsistentLoops(const OdometryChain<Pose>& odometry,
                               std::span<const PoseEdge<Pose>> loops,
                               const LoopSetOptions& options) {
@@ -146,12 +175,15 @@ double ChiSquaredQuantile(double p, int degrees) {
 }
 
 template class OdometryChain<sim::PlanarPose>;
+template double OdometryError(const OdometryChain<sim::PlanarPose>&,
+                              const PoseEdge<sim::PlanarPose>&);
 template double CircleError(const OdometryChain<sim::PlanarPose>&, const PoseEdge<sim::PlanarPose>&,
                             const PoseEdge<sim::PlanarPose>&);
 template ConsistentSet ConsistentLoops(const OdometryChain<sim::PlanarPose>&,
                                        std::span<const PoseEdge<sim::PlanarPose>>,
                                        const LoopSetOptions&);
 template class OdometryChain<SpatialPose>;
+template double OdometryError(const OdometryChain<SpatialPose>&, const PoseEdge<SpatialPose>&);
 template double CircleError(const OdometryChain<SpatialPose>&, const PoseEdge<SpatialPose>&,
                             const PoseEdge<SpatialPose>&);
 template ConsistentSet ConsistentLoops(const OdometryChain<SpatialPose>&,

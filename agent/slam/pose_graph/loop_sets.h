@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "agent/slam/pose_graph/pose_graph.h"
@@ -35,6 +36,17 @@ class OdometryChain {
 template <class Pose>
 double CircleError(const OdometryChain<Pose>& odometry, const PoseEdge<Pose>& a,
                    const PoseEdge<Pose>& b);
+
+/// How far a loop is from where odometry alone has its ends: squared Mahalanobis distance, likewise
+/// chi-squared if the loop is right. The loop's vertices are in the chain (checked).
+template <class Pose>
+double OdometryError(const OdometryChain<Pose>& odometry, const PoseEdge<Pose>& loop);
+
+/// How many of some loops support each other: more than `gap` apart from each other at both their
+/// first and their second ends, which are places in the chain. Loops near each other at one end may
+/// all be wrong together, as where two rooms are furnished alike. By greedy growth from each loop;
+/// never too many, and 2 if any two are that far apart. Cost: pairs of loops times the result.
+int SeparateLoops(std::span<const std::pair<int, int>> ends, int gap);
 
 struct LoopSetOptions {
   /// Circles of right loops that are taken for right.
