@@ -77,12 +77,17 @@ double ChiSquaredBelow(double x, int degrees) {
 }  // namespace
 
 template <class Pose>
-OdometryChain<Pose>::OdometryChain() : poses_(1), unsure_(1, PoseMatrix<Pose>::Zero()) {}
+OdometryChain<Pose>::OdometryChain(const Spread& shared)
+    : shared_(shared),
+      poses_(1),
+      unsure_(1, PoseMatrix<Pose>::Zero()),
+      drift_(1, PoseMatrix<Pose>::Zero()) {}
 
 template <class Pose>
 void OdometryChain<Pose>::Add(const Pose& step, const PoseMatrix<Pose>& covariance) {
   poses_.push_back(Compose(poses_.back(), step));
   unsure_.push_back(unsure_.back() + Carried(poses_.back(), covariance));
+  drift_.push_back(drift_.back() + Carrier(poses_.back()));
 }
 
 template <class Pose>
@@ -95,7 +100,9 @@ template <class Pose>
 PoseMatrix<Pose> OdometryChain<Pose>::Covariance(int from, int to) const {
   const auto low = static_cast<std::size_t>(std::min(from, to));
   const auto high = static_cast<std::size_t>(std::max(from, to));
-  return Carried<Pose>(Inverse(poses_[static_cast<std::size_t>(to)]), unsure_[high] - unsure_[low]);
+  const PoseMatrix<Pose> drift = (drift_[high] - drift_[low]) * shared_.asDiagonal();
+  return Carried<Pose>(Inverse(poses_[static_cast<std::size_t>(to)]),
+                       unsure_[high] - unsure_[low] + drift * drift.transpose());
 }
 
 template <class Pose>

@@ -10,11 +10,15 @@
 namespace bulletnav::agent {
 
 /// Odometry from vertex 0 to the last: poses one after the other, and how unsure any is as seen
-/// from any other. Steps are taken to err independently of each other.
+/// from any other. Each step has an error of its own, and all share one, as of a wheel that is a
+/// little too small, which grows with the way instead of with its square root.
 template <class Pose>
 class OdometryChain {
  public:
-  OdometryChain();
+  using Spread = Eigen::Matrix<double, kFreedoms<Pose>, 1>;
+
+  /// Standard deviations of the shared error, a step; as PoseEdge's error.
+  explicit OdometryChain(const Spread& shared = Spread::Zero());
   /// The next vertex as measured from the last; covariance as of PoseEdge's error.
   void Add(const Pose& step, const PoseMatrix<Pose>& covariance);
 
@@ -25,8 +29,10 @@ class OdometryChain {
   PoseMatrix<Pose> Covariance(int from, int to) const;
 
  private:
+  Spread shared_;
   std::vector<Pose> poses_;               // seen from vertex 0
   std::vector<PoseMatrix<Pose>> unsure_;  // of the steps up to a vertex, all carried to vertex 0
+  std::vector<PoseMatrix<Pose>> drift_;   // likewise, what a unit of each shared error does
 };
 
 /// How far the circle "loop a, odometry, loop b backwards, odometry" is from closing: squared

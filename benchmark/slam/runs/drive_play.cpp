@@ -9,6 +9,7 @@
 
 #include "benchmark/privileged/visibility.h"
 #include "benchmark/slam/runs/drive_frames.h"
+#include "benchmark/slam/runs/drive_traces.h"
 #include "benchmark/slam/runs/measure_drive.h"
 #include "sim/base/error.h"
 
@@ -26,19 +27,6 @@ struct KeptFrame {
   agent::OrbFeatures features;
   std::vector<float> corner_depths;
 };
-
-std::vector<float> DepthsAtCorners(const DepthPicture& depth, const agent::OrbFeatures& features) {
-  std::vector<float> depths;
-  depths.reserve(features.corners.size());
-  for (const agent::Corner& corner : features.corners) {
-    const int col = std::clamp(static_cast<int>(std::lround(corner.x)), 0, depth.width - 1);
-    const int row = std::clamp(static_cast<int>(std::lround(corner.y)), 0, depth.height - 1);
-    depths.push_back(
-        depth.metres[static_cast<std::size_t>(row) * static_cast<std::size_t>(depth.width) +
-                     static_cast<std::size_t>(col)]);
-  }
-  return depths;
-}
 
 /// How far the body has come, as odometry has it, and which frames are far back.
 class Travel {
@@ -120,13 +108,16 @@ class DrivePlay {
     kept.features =
         agent::FindOrb(frame.color.pixels, frame.color.width, frame.color.height, config_.orb);
     corners_ms_.push_back(MillisecondsSince(start));
-    kept.corner_depths = DepthsAtCorners(frame.depth, kept.features);
+    kept.corner_depths =
+        agent::DepthsAt(frame.depth.metres, frame.depth.width, frame.depth.height, kept.features);
     agent::LoopFrame seen;
     seen.number = static_cast<int>(kept_.size());
     seen.width_px = frame.color.width;
     seen.height_px = frame.color.height;
     seen.color = frame.color.pixels;
     seen.features = &kept.features;
+    seen.depth = frame.depth.metres;
+    seen.camera = source_.intrinsics();
     seen.odometry = frame.odometry;
     seen.comparable = travel_.Next(frame.odometry);
     for (RunningDetector& running : detectors_) running.Take(seen);
@@ -147,6 +138,7 @@ class DrivePlay {
       };
     }
     truth_.emplace(truth_frames_, is_node);
+    played_.covisible = CovisibleMatrix(*truth_);
     played_.result.odometry = MeasureBoth(played_.truth, played_.odometry);
   }
 
@@ -191,6 +183,8 @@ class DrivePlay {
     PlayedDetector& played = played_.detectors.emplace_back();
     played.name = running.name;
     played.loops = Verified(running);
+    played.trace = running.detector->Trace();
+    played.similarity = SimilarityMatrix(running.named, played_.result.frames);
     std::vector<MeasuredLoop> measured;
     std::vector<std::size_t> places;
     for (std::size_t i = 0; i < played.loops.size(); ++i) {

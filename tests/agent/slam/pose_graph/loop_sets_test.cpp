@@ -262,6 +262,22 @@ TEST(OdometryError, IsTheCircleWithALoopThatSaysNothing) {
   EXPECT_NEAR(OdometryError(chain, loop), 0.0, 1e-12);
 }
 
+/// Straight on: a turn too much in every step, always the same, grows with the way in yaw and with
+/// its square to the side.
+TEST(OdometryChain, ASharedErrorAddsUp) {
+  constexpr double kTurn = 1e-3;
+  OdometryChain<PlanarPose> chain(Eigen::Vector3d(0.0, 0.0, kTurn));
+  for (int i = 0; i < 20; ++i) chain.Add({0.5, 0.0, 0.0}, PoseMatrix<PlanarPose>::Zero());
+  // Turned after each step: the last one moves nothing, that before it what comes after it.
+  double aside = 0.0;
+  for (int i = 0; i < 20; ++i) aside += 0.5 * i;
+  const PoseMatrix<PlanarPose> covariance = chain.Covariance(0, 20);
+  EXPECT_NEAR(covariance(2, 2), std::pow(20 * kTurn, 2), 1e-12);
+  EXPECT_NEAR(covariance(1, 1), std::pow(aside * kTurn, 2), 1e-12);
+  EXPECT_NEAR(covariance(0, 0), 0.0, 1e-12);
+  EXPECT_NEAR(chain.Covariance(5, 15)(2, 2), std::pow(10 * kTurn, 2), 1e-12);
+}
+
 TEST(SeparateLoops, CountsThoseApartAtBothEnds) {
   EXPECT_EQ(SeparateLoops({}, 5), 0);
   // One run; then the same place again later: near at one end.
