@@ -33,7 +33,8 @@ const std::vector<std::vector<std::string>> kFloors = {
     {"agent/slam/pose_graph/", "agent/slam/retrieval/"},
     {"agent/slam/topology/"},
     {"agent/slam/features/"},
-    {"agent/slam/verify/", "agent/slam/loops/"},
+    {"agent/slam/verify/"},
+    {"agent/slam/loops/"},
     {"agent/"},
     {"agent/mapping/"},
     {"agent/integer/"},
@@ -56,7 +57,7 @@ const std::vector<std::vector<std::string>> kFloors = {
     {"benchmark/slam/traversal/"},
     {"benchmark/slam/truth/"},
     {"benchmark/slam/runs/", "benchmark/slam/training/"},
-    {"benchmark/slam/plots/"},
+    {"benchmark/slam/plots/", "benchmark/slam/recordings/"},
     {"python/"},
     {"benchmark/cli/"},
 };

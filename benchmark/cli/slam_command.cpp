@@ -103,6 +103,8 @@ void AddSlamCommand(CLI::App* program) {
   slam->require_subcommand(1);
   AddOptimizeCommand(slam);
   AddSlamTraverseCommand(slam);
+  AddSlamImportCommand(slam);
+  AddSlamExportCommand(slam);
   AddSlamRunCommand(slam);
   AddSlamTableCommand(slam);
   AddSlamPlotCommand(slam);

@@ -11,6 +11,9 @@ void AddSlamTraverseCommand(CLI::App* slam);
 /// Draws a run's pictures into its folder's plots/. Throws sim::FileError.
 void DrawSlamRun(const std::filesystem::path& folder);
 
+/// Adds "import" and "export".
+void AddSlamImportCommand(CLI::App* slam);
+void AddSlamExportCommand(CLI::App* slam);
 /// Adds "plot".
 void AddSlamPlotCommand(CLI::App* slam);
 /// Adds "run" and "table".

@@ -4,6 +4,8 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
@@ -12,11 +14,17 @@
 #include "benchmark/base/counted.h"
 #include "benchmark/cli/slam_commands.h"
 #include "benchmark/slam/plots/drive_figure.h"
+#include "benchmark/slam/plots/heading_histogram.h"
+#include "benchmark/slam/plots/matrix_figure.h"
+#include "benchmark/slam/plots/sequence_figure.h"
 #include "benchmark/slam/plots/slam_charts.h"
 #include "benchmark/slam/runs/drive_files.h"
 #include "benchmark/slam/runs/drive_frames.h"
+#include "benchmark/slam/runs/drive_traces.h"
 #include "benchmark/slam/runs/slam_runner.h"
 #include "sim/base/error.h"
+#include "sim/base/files.h"
+#include "sim/image/image.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -33,6 +41,46 @@ DrivePicture PictureOf(const SlamConfig& config, const fs::path& folder) {
         {detector.name, ReadPoses(folder, detector.name), ReadLoops(folder, detector.name)});
   }
   return picture;
+}
+
+/// Counts a drive's accepted loops.
+void CountHeadings(const SlamConfig& config, const fs::path& place,
+                   std::vector<HeadingCounts>* counts) {
+  for (std::size_t i = 0; i < config.detectors.size(); ++i) {
+    for (const LoopRecord& loop : ReadLoops(place, config.detectors[i].name)) {
+      if (loop.is_accepted) (*counts)[i].Add(loop.turned_deg, loop.is_wrong);
+    }
+  }
+}
+
+/// A grey picture of results; none where there is none.
+sim::Image ReadGrey(const fs::path& file) {
+  sim::Image grey;
+  if (!fs::exists(file)) return grey;
+  const sim::Image picture = sim::DecodeImage(sim::ReadFile(file));
+  grey = sim::Image(picture.width, picture.height, 1);
+  for (std::size_t i = 0; i < grey.pixels.size(); ++i) grey.pixels[i] = picture.pixels[4 * i];
+  return grey;
+}
+
+/// Similarity of frames, and sequences where there are some; how many pictures.
+std::size_t DrawFrames(const SlamConfig& config, const fs::path& place, const fs::path& stem,
+                       const std::optional<SceneMap>& map) {
+  std::vector<MatrixPanel> matrices;
+  std::vector<SequencePanel> sequences;
+  for (const DetectorEntry& detector : config.detectors) {
+    matrices.push_back({detector.name, ReadGrey(place / (detector.name + ".similarity.png"))});
+    agent::SequenceTrace trace = ReadTrace(place, detector.name);
+    if (!trace.sequences.empty()) sequences.push_back({detector.name, std::move(trace)});
+  }
+  matrices.push_back({"covisible", ReadGrey(place / "covisible.png")});
+  const auto truth = ReadTruth(place);
+  WriteFigure(MatrixFigure(matrices, ReadDriveResult(place).frames), stem.string() + "_similarity");
+  if (sequences.empty()) return 1;
+  WriteFigure(ElbowFigure(sequences), stem.string() + "_elbow");
+  if (truth.empty()) return 2;
+  WriteFigure(SequenceFigure(truth, sequences, map), stem.string() + "_sequences");
+  return 3;
 }
 
 /// The plans of scenes; all drives of one come one after the other.
@@ -65,14 +113,19 @@ void DrawSlamRun(const fs::path& folder) {
   const fs::path plots = folder / "plots";
   WriteFigure(PrecisionRecallFigure(config, results), plots / "precision_recall");
   WriteFigure(HeadingFigure(config, results), plots / "headings");
-  std::size_t drawn = 2;
+  std::size_t drawn = 3;
+  std::vector<HeadingCounts> headings(config.detectors.size());
+  for (std::size_t i = 0; i < headings.size(); ++i) headings[i].name = config.detectors[i].name;
   ScenePlans plans(config);
   for (const Drive& drive : DrivesOf(config)) {
     const fs::path place = DriveFolder(folder, drive.name);
     if (!HasDrive(place)) continue;
-    WriteFigure(DriveFigure(PictureOf(config, place), plans.Of(drive)), plots / drive.name);
-    ++drawn;
+    const std::optional<SceneMap>& map = plans.Of(drive);
+    WriteFigure(DriveFigure(PictureOf(config, place), map), plots / drive.name);
+    drawn += 1 + DrawFrames(config, place, plots / drive.name, map);
+    CountHeadings(config, place, &headings);
   }
+  WriteFigure(HeadingHistogram(headings), plots / "loops_by_heading");
   fmt::print(stderr, "{} in {}\n", Counted(drawn, "picture"), plots.string());
 }
 

@@ -3,11 +3,14 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "agent/slam/features/orb.h"
 #include "agent/slam/retrieval/sequence_model.h"
 #include "agent/slam/retrieval/vocabulary.h"
+#include "agent/slam/topology/sequences.h"
+#include "agent/slam/verify/pinhole.h"
 #include "sim/math/pose.h"
 
 namespace bulletnav::agent {
@@ -23,7 +26,10 @@ struct LoopFrame {
   /// Of the picture as a whole, see PictureDescriber; empty where the config names none.
   std::span<const std::int16_t> descriptor;
   std::span<const std::uint8_t> cells;  // of the same network; see PictureDescriber::Cells
-  sim::PlanarPose odometry;             // from the first frame's body
+  std::span<const float>
+      depth;  // [height, width] metres along the camera's axis, 0: none; or empty
+  Pinhole camera;
+  sim::PlanarPose odometry;  // from the first frame's body
   /// How many of the first frames are so far back, by travel as odometry has it, that they are
   /// asked about.
   int comparable = 0;
@@ -42,6 +48,14 @@ struct LoopContext {
   std::shared_ptr<const Vocabulary> vocabulary;    // of ORB
   int descriptor_size = 0;                         // of LoopFrame::descriptor; 0: there is none
   std::shared_ptr<const SequenceModel> sequences;  // of LoopFrame::cells
+};
+
+/// How a detector that works with sequences of frames saw the drive, for pictures.
+struct SequenceTrace {
+  std::vector<Sequence> sequences;          // together all frames
+  std::vector<int> tried;                   // numbers of clusters
+  std::vector<double> spreads;              // of each of them, see Clusters
+  std::vector<std::pair<int, int>> joined;  // sequences, later and earlier, that were compared
 };
 
 /// Finds pairs of frames of a drive that show the same place. Sees what LoopFrame has and nothing
@@ -65,6 +79,9 @@ class LoopDetector {
 
   /// After the last frame: candidates of detectors that need the whole drive, which are not causal.
   virtual std::vector<LoopCandidate> Finish() { return {}; }
+
+  /// After Finish: of detectors that have sequences; else nothing.
+  virtual SequenceTrace Trace() const { return {}; }
 };
 
 }  // namespace bulletnav::agent

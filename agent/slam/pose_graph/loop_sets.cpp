@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <string>
 
 #include <Eigen/Cholesky>
@@ -76,12 +77,17 @@ double ChiSquaredBelow(double x, int degrees) {
 }  // namespace
 
 template <class Pose>
-OdometryChain<Pose>::OdometryChain() : poses_(1), unsure_(1, PoseMatrix<Pose>::Zero()) {}
+OdometryChain<Pose>::OdometryChain(const Spread& shared)
+    : shared_(shared),
+      poses_(1),
+      unsure_(1, PoseMatrix<Pose>::Zero()),
+      drift_(1, PoseMatrix<Pose>::Zero()) {}
 
 template <class Pose>
 void OdometryChain<Pose>::Add(const Pose& step, const PoseMatrix<Pose>& covariance) {
   poses_.push_back(Compose(poses_.back(), step));
   unsure_.push_back(unsure_.back() + Carried(poses_.back(), covariance));
+  drift_.push_back(drift_.back() + Carrier(poses_.back()));
 }
 
 template <class Pose>
@@ -94,7 +100,9 @@ template <class Pose>
 PoseMatrix<Pose> OdometryChain<Pose>::Covariance(int from, int to) const {
   const auto low = static_cast<std::size_t>(std::min(from, to));
   const auto high = static_cast<std::size_t>(std::max(from, to));
-  return Carried<Pose>(Inverse(poses_[static_cast<std::size_t>(to)]), unsure_[high] - unsure_[low]);
+  const PoseMatrix<Pose> drift = (drift_[high] - drift_[low]) * shared_.asDiagonal();
+  return Carried<Pose>(Inverse(poses_[static_cast<std::size_t>(to)]),
+                       unsure_[high] - unsure_[low] + drift * drift.transpose());
 }
 
 template <class Pose>
@@ -112,6 +120,34 @@ double CircleError(const OdometryChain<Pose>& odometry, const PoseEdge<Pose>& a,
                                       Carried<Pose>(circle, odometry.Covariance(b_from, a_from));
   const auto error = NumbersOf(circle);
   return error.dot(covariance.llt().solve(error));
+}
+
+template <class Pose>
+double OdometryError(const OdometryChain<Pose>& odometry, const PoseEdge<Pose>& loop) {
+  const auto from = static_cast<int>(loop.from);
+  const auto to = static_cast<int>(loop.to);
+  BULLETNAV_CHECK(std::min(from, to) >= 0 && std::max(from, to) < odometry.size());
+  const Pose circle = Compose(loop.measured, odometry.Seen(to, from));
+  const PoseMatrix<Pose> covariance = Carried<Pose>(loop.measured, loop.information.inverse()) +
+                                      Carried<Pose>(circle, odometry.Covariance(to, from));
+  const auto error = NumbersOf(circle);
+  return error.dot(covariance.llt().solve(error));
+}
+
+int SeparateLoops(std::span<const std::pair<int, int>> ends, int gap) {
+  using Ends = std::pair<int, int>;
+  std::size_t most = 0;
+  for (const Ends& first : ends) {
+    std::vector<Ends> apart = {first};
+    for (const Ends& other : ends) {
+      const bool is_apart = std::all_of(apart.begin(), apart.end(), [&](const Ends& one) {
+        return std::abs(one.first - other.first) > gap && std::abs(one.second - other.second) > gap;
+      });
+      if (is_apart) apart.push_back(other);
+    }
+    most = std::max(most, apart.size());
+  }
+  return static_cast<int>(most);
 }
 
 template <class Pose>
@@ -146,12 +182,15 @@ double ChiSquaredQuantile(double p, int degrees) {
 }
 
 template class OdometryChain<sim::PlanarPose>;
+template double OdometryError(const OdometryChain<sim::PlanarPose>&,
+                              const PoseEdge<sim::PlanarPose>&);
 template double CircleError(const OdometryChain<sim::PlanarPose>&, const PoseEdge<sim::PlanarPose>&,
                             const PoseEdge<sim::PlanarPose>&);
 template ConsistentSet ConsistentLoops(const OdometryChain<sim::PlanarPose>&,
                                        std::span<const PoseEdge<sim::PlanarPose>>,
                                        const LoopSetOptions&);
 template class OdometryChain<SpatialPose>;
+template double OdometryError(const OdometryChain<SpatialPose>&, const PoseEdge<SpatialPose>&);
 template double CircleError(const OdometryChain<SpatialPose>&, const PoseEdge<SpatialPose>&,
                             const PoseEdge<SpatialPose>&);
 template ConsistentSet ConsistentLoops(const OdometryChain<SpatialPose>&,

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "agent/slam/pose_graph/pose_graph.h"
@@ -9,11 +10,15 @@
 namespace bulletnav::agent {
 
 /// Odometry from vertex 0 to the last: poses one after the other, and how unsure any is as seen
-/// from any other. Steps are taken to err independently of each other.
+/// from any other. Each step has an error of its own, and all share one, as of a wheel that is a
+/// little too small, which grows with the way instead of with its square root.
 template <class Pose>
 class OdometryChain {
  public:
-  OdometryChain();
+  using Spread = Eigen::Matrix<double, kFreedoms<Pose>, 1>;
+
+  /// Standard deviations of the shared error, a step; as PoseEdge's error.
+  explicit OdometryChain(const Spread& shared = Spread::Zero());
   /// The next vertex as measured from the last; covariance as of PoseEdge's error.
   void Add(const Pose& step, const PoseMatrix<Pose>& covariance);
 
@@ -24,8 +29,10 @@ class OdometryChain {
   PoseMatrix<Pose> Covariance(int from, int to) const;
 
  private:
+  Spread shared_;
   std::vector<Pose> poses_;               // seen from vertex 0
   std::vector<PoseMatrix<Pose>> unsure_;  // of the steps up to a vertex, all carried to vertex 0
+  std::vector<PoseMatrix<Pose>> drift_;   // likewise, what a unit of each shared error does
 };
 
 /// How far the circle "loop a, odometry, loop b backwards, odometry" is from closing: squared
@@ -35,6 +42,17 @@ class OdometryChain {
 template <class Pose>
 double CircleError(const OdometryChain<Pose>& odometry, const PoseEdge<Pose>& a,
                    const PoseEdge<Pose>& b);
+
+/// How far a loop is from where odometry alone has its ends: squared Mahalanobis distance, likewise
+/// chi-squared if the loop is right. The loop's vertices are in the chain (checked).
+template <class Pose>
+double OdometryError(const OdometryChain<Pose>& odometry, const PoseEdge<Pose>& loop);
+
+/// How many of some loops support each other: more than `gap` apart from each other at both their
+/// first and their second ends, which are places in the chain. Loops near each other at one end may
+/// all be wrong together, as where two rooms are furnished alike. By greedy growth from each loop;
+/// never too many, and 2 if any two are that far apart. Cost: pairs of loops times the result.
+int SeparateLoops(std::span<const std::pair<int, int>> ends, int gap);
 
 struct LoopSetOptions {
   /// Circles of right loops that are taken for right.

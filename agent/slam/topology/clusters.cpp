@@ -99,13 +99,18 @@ int Elbow(std::span<const double> values) {
 Clusters ClusterByElbow(const Eigen::MatrixXf& points, const ElbowSpec& spec, sim::Rng* rng) {
   const int most = std::min(spec.most, static_cast<int>(points.rows()) / kPointsACluster);
   if (most < spec.least) return ClusterPoints(points, 1, 1, rng);
-  std::vector<Clusters> tried;
+  std::vector<Clusters> all;
+  std::vector<int> tried;
   std::vector<double> spreads;
   for (int k = spec.least; k <= most; k += spec.step) {
-    tried.push_back(ClusterPoints(points, k, spec.starts, rng));
-    spreads.push_back(tried.back().spread);
+    all.push_back(ClusterPoints(points, k, spec.starts, rng));
+    tried.push_back(k);
+    spreads.push_back(all.back().spread);
   }
-  return tried[static_cast<std::size_t>(Elbow(spreads))];
+  Clusters best = std::move(all[static_cast<std::size_t>(Elbow(spreads))]);
+  best.tried = std::move(tried);
+  best.spreads = std::move(spreads);
+  return best;
 }
 
 }  // namespace bulletnav::agent

@@ -11,9 +11,11 @@ namespace bulletnav::agent {
 
 /// Points in groups about their means.
 struct Clusters {
-  Eigen::MatrixXf centres;  // a row each
-  std::vector<int> group;   // by point
-  double spread = 0.0;      // sum of squared distances to the centres
+  Eigen::MatrixXf centres;      // a row each
+  std::vector<int> group;       // by point
+  double spread = 0.0;          // sum of squared distances to the centres
+  std::vector<int> tried;       // by ClusterByElbow: numbers of groups
+  std::vector<double> spreads;  // and how far each of them spread
 };
 
 /// Of some starts, centres drawn far from each other, the one whose groups, once nothing changes or

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// With features/orb.cpp all that knows OpenCV.
+// With features/ all that knows OpenCV.
 #include "agent/slam/verify/verify_loop.h"
 
 #include <algorithm>
@@ -79,6 +79,20 @@ void VerifySpec::Validate() const {
   if (!(pixels > 0.0 && tilt_deg > 0.0 && rise_m > 0.0 && distance_m > 0.0)) {
     throw sim::Error("pixels, tilt_deg, rise_m and distance_m must be positive");
   }
+}
+
+std::vector<float> DepthsAt(std::span<const float> depth, int width_px, int height_px,
+                            const OrbFeatures& features) {
+  const auto width = static_cast<std::size_t>(width_px);
+  BULLETNAV_CHECK(depth.size() == width * static_cast<std::size_t>(height_px));
+  std::vector<float> depths;
+  depths.reserve(features.corners.size());
+  for (const Corner& corner : features.corners) {
+    const int col = std::clamp(static_cast<int>(std::lround(corner.x)), 0, width_px - 1);
+    const int row = std::clamp(static_cast<int>(std::lround(corner.y)), 0, height_px - 1);
+    depths.push_back(depth[static_cast<std::size_t>(row) * width + static_cast<std::size_t>(col)]);
+  }
+  return depths;
 }
 
 std::vector<std::pair<int, int>> MutualMatches(const OrbFeatures& a, const OrbFeatures& b,

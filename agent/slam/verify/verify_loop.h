@@ -19,6 +19,10 @@ struct DepthCorners {
   std::span<const float> depths_m;
 };
 
+/// The depths of a picture [height, width] at corners. Expects: a value a pixel (checked).
+std::vector<float> DepthsAt(std::span<const float> depth, int width_px, int height_px,
+                            const OrbFeatures& features);
+
 struct VerifySpec {
   double ratio = 0.8;        // of the distances to the best and the second best match, at most
   int match_bits = 64;       // in which the descriptors of a match may differ

@@ -74,21 +74,43 @@ std::string ToKittiTimes(const CameraTrajectory& trajectory) {
   return text;
 }
 
-Intrinsics ReadKittiCalibration(const std::filesystem::path& file, int camera) {
+namespace {
+
+/// The 12 numbers of a camera's projection.
+std::vector<double> ReadProjection(const std::filesystem::path& file, int camera) {
   const std::string name = fmt::format("P{}:", camera);
-  Intrinsics found;
+  std::vector<double> found;
   ForEachLine(file, [&](const TextLine& line) {
     if (line.words()[0] != name) return;
     line.ExpectWords(13, name + " and 12 numbers");
-    const std::vector<double> p = line.Numbers(1, 12);
-    found = {p[0], p[5], p[2], p[6]};
-    if (!(found.fx > 0.0 && found.fy > 0.0)) line.Fail("focal lengths must be positive");
+    found = line.Numbers(1, 12);
+    if (!(found[0] > 0.0 && found[5] > 0.0)) line.Fail("focal lengths must be positive");
   });
-  if (found.fx == 0.0) {
+  if (found.empty()) {
     throw sim::FileError(file, "",
                          "there is no line '" + name + "', so the intrinsics are unknown; add it");
   }
   return found;
+}
+
+}  // namespace
+
+Intrinsics ReadKittiCalibration(const std::filesystem::path& file, int camera) {
+  const std::vector<double> p = ReadProjection(file, camera);
+  return {p[0], p[5], p[2], p[6]};
+}
+
+double ReadKittiBaseline(const std::filesystem::path& file, int left, int right) {
+  const std::vector<double> p = ReadProjection(file, left);
+  const std::vector<double> q = ReadProjection(file, right);
+  const double baseline = p[3] / p[0] - q[3] / q[0];
+  if (!(baseline > 0.0)) {
+    throw sim::FileError(file, "",
+                         fmt::format("by P{} and P{} the cameras are not beside each other; mend "
+                                     "the fourth number of each, or add depth/",
+                                     left, right));
+  }
+  return baseline;
 }
 
 std::string ToKittiCalibration(const Intrinsics& k) {

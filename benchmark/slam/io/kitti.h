@@ -26,6 +26,9 @@ std::string ToKittiTimes(const CameraTrajectory& trajectory);
 /// sim::FileError if the camera is not there, so that its intrinsics are unknown, or focal lengths
 /// are not positive.
 Intrinsics ReadKittiCalibration(const std::filesystem::path& file, int camera);
+/// How far camera `right` is to the right of camera `left`, metres. Throws sim::FileError likewise,
+/// and if it is not to its right.
+double ReadKittiBaseline(const std::filesystem::path& file, int left, int right);
 /// All four cameras alike.
 std::string ToKittiCalibration(const Intrinsics& intrinsics);
 

@@ -3,15 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/core.h>
 
 #include "benchmark/slam/io/rigid_numbers.h"
 #include "benchmark/slam/io/text_lines.h"
 #include "sim/base/error.h"
-#include "sim/base/files.h"
-#include "sim/image/image.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -127,7 +124,8 @@ std::vector<std::pair<int, int>> NearestTimes(std::span<const double> first,
 
 TumFolder ReadTumFolder(const fs::path& folder, const TumOptions& options) {
   TumFolder read;
-  read.intrinsics = ReadCalibration(folder / "calibration.txt");
+  read.intrinsics =
+      options.intrinsics ? *options.intrinsics : ReadCalibration(folder / "calibration.txt");
   const std::vector<TimedFile> colors = ReadTumList(folder / "rgb.txt");
   const std::vector<TimedFile> depths = ReadTumList(folder / "depth.txt");
   for (const auto& [color, depth] :
@@ -149,30 +147,11 @@ TumFolder ReadTumFolder(const fs::path& folder, const TumOptions& options) {
 }
 
 DepthPicture ReadTumDepth(const fs::path& file) {
-  DepthPicture picture;
-  const std::vector<std::uint8_t> bytes = sim::ReadFile(file);
-  try {
-    const auto values = sim::DecodePng16(bytes, &picture.width, &picture.height);
-    picture.metres.reserve(values.size());
-    for (const std::uint16_t value : values) {
-      picture.metres.push_back(static_cast<float>(value / kUnitsPerMetre));
-    }
-  } catch (const sim::ImageError& e) {
-    throw sim::FileError(file, "",
-                         std::string(e.what()) + "; depth is a 16-bit grey PNG of 5000 a metre");
-  }
-  return picture;
+  return ReadDepth(file, kUnitsPerMetre);
 }
 
 void WriteTumDepth(const fs::path& file, const DepthPicture& picture) {
-  std::vector<std::uint16_t> values;
-  values.reserve(picture.metres.size());
-  for (const float metres : picture.metres) {
-    const double units = std::round(metres * kUnitsPerMetre);
-    const bool fits = units > 0.0 && units <= std::numeric_limits<std::uint16_t>::max();
-    values.push_back(fits ? static_cast<std::uint16_t>(units) : std::uint16_t{0});
-  }
-  sim::WriteFileAtomically(file, sim::EncodePng16(values, picture.width, picture.height));
+  WriteDepth(file, picture, kUnitsPerMetre);
 }
 
 }  // namespace bulletnav::bench

@@ -2,11 +2,13 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "benchmark/slam/io/pictures.h"
 #include "benchmark/slam/io/trajectory.h"
 
 namespace bulletnav::bench {
@@ -47,20 +49,14 @@ struct TumFolder {
 
 struct TumOptions {
   double most_apart = 0.02;  // seconds between a colour and a depth picture of one frame
+  std::optional<Intrinsics> intrinsics = {};
 };
 
-/// Reads rgb.txt, depth.txt, calibration.txt, which is ours: one line "fx fy cx cy", and
-/// groundtruth.txt if there is one; no picture.
+/// Reads rgb.txt, depth.txt, calibration.txt, which is ours: one line "fx fy cx cy", unless the
+/// intrinsics are given, and groundtruth.txt if there is one; no picture.
 /// Throws sim::FileError: as above, intrinsics that are unknown or not positive, and fewer than
 /// half of the colour pictures with one of depth.
 TumFolder ReadTumFolder(const std::filesystem::path& folder, const TumOptions& options);
-
-/// Depth along the camera's axis in metres, row by row, 0 where there is none.
-struct DepthPicture {
-  int width = 0;
-  int height = 0;
-  std::vector<float> metres;
-};
 
 /// 16-bit PNGs of 5000 a metre. What does not fit, 13.1 m and more, is written as none.
 /// Reading throws sim::FileError for other files, and writing if it fails.

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/slam/runs/back_end.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
-#include <numeric>
+#include <string>
+#include <utility>
 
 #include "agent/slam/pose_graph/loop_sets.h"
 #include "sim/base/error.h"
@@ -36,18 +39,86 @@ std::vector<sim::PlanarPose> StepsOf(std::span<const sim::PlanarPose> odometry) 
   return steps;
 }
 
-std::vector<int> Chosen(const std::vector<sim::PlanarPose>& steps,
-                        const std::vector<agent::PoseEdge<sim::PlanarPose>>& loops,
-                        const BackEndSpec& spec) {
-  std::vector<int> all(loops.size());
-  std::iota(all.begin(), all.end(), 0);
-  if (!spec.consistent || loops.empty()) return all;
-  agent::OdometryChain<sim::PlanarPose> chain;
+using Edges = std::vector<agent::PoseEdge<sim::PlanarPose>>;
+
+agent::OdometryChain<sim::PlanarPose> ChainOf(const std::vector<sim::PlanarPose>& steps,
+                                              const BackEndSpec& spec) {
+  agent::OdometryChain<sim::PlanarPose> chain(
+      Eigen::Vector3d(0.0, 0.0, sim::DegToRad(spec.drift_deg)));
   const Information covariance = Covariance(spec.step_m, spec.step_deg);
   for (const sim::PlanarPose& step : steps) chain.Add(step, covariance);
-  agent::LoopSetOptions options;
-  options.confidence = spec.confidence;
-  return agent::ConsistentLoops<sim::PlanarPose>(chain, loops, options).members;
+  return chain;
+}
+
+void CheckEnds(const Edges& loops, int frames) {
+  for (const auto& loop : loops) {
+    if (loop.from >= 0 && loop.to >= 0 && loop.from < frames && loop.to < frames) continue;
+    throw sim::Error("a loop joins frames " + std::to_string(loop.from) + " and " +
+                     std::to_string(loop.to) + ", of which there are " + std::to_string(frames));
+  }
+}
+
+/// Those that odometry does not rule out.
+std::vector<int> Possible(const agent::OdometryChain<sim::PlanarPose>& chain, const Edges& loops,
+                          const BackEndSpec& spec) {
+  std::vector<int> possible;
+  const bool is_checked = spec.odometry_confidence > 0.0;
+  const double limit = is_checked ? agent::ChiSquaredQuantile(spec.odometry_confidence,
+                                                              agent::kFreedoms<sim::PlanarPose>)
+                                  : 0.0;
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    if (is_checked && agent::OdometryError(chain, loops[i]) > limit) continue;
+    possible.push_back(static_cast<int>(i));
+  }
+  return possible;
+}
+
+Edges EdgesAt(const Edges& loops, const std::vector<int>& places) {
+  Edges edges;
+  edges.reserve(places.size());
+  for (const int place : places) edges.push_back(loops[static_cast<std::size_t>(place)]);
+  return edges;
+}
+
+/// None of them if too few support each other.
+std::vector<int> Supported(std::vector<int> chosen, const Edges& loops, const BackEndSpec& spec) {
+  std::vector<std::pair<int, int>> ends;
+  ends.reserve(chosen.size());
+  for (const int place : chosen) {
+    const auto& loop = loops[static_cast<std::size_t>(place)];
+    ends.emplace_back(static_cast<int>(loop.from), static_cast<int>(loop.to));
+  }
+  if (agent::SeparateLoops(ends, spec.run_gap) < spec.runs) chosen.clear();
+  return chosen;
+}
+
+std::vector<int> Chosen(const std::vector<sim::PlanarPose>& steps, const Edges& loops,
+                        const BackEndSpec& spec) {
+  CheckEnds(loops, static_cast<int>(steps.size()) + 1);
+  const agent::OdometryChain<sim::PlanarPose> chain = ChainOf(steps, spec);
+  std::vector<int> chosen = Possible(chain, loops, spec);
+  if (spec.consistent && !chosen.empty()) {
+    agent::LoopSetOptions options;
+    options.confidence = spec.confidence;
+    const Edges possible = EdgesAt(loops, chosen);
+    std::vector<int> kept;
+    for (const int member :
+         agent::ConsistentLoops<sim::PlanarPose>(chain, possible, options).members) {
+      kept.push_back(chosen[static_cast<std::size_t>(member)]);
+    }
+    chosen = std::move(kept);
+  }
+  return Supported(std::move(chosen), loops, spec);
+}
+
+/// How many standard deviations a loop is off, at most, along, across and in yaw.
+double StrainOf(const agent::PlanarPoseGraph& graph, const agent::PoseEdge<sim::PlanarPose>& loop) {
+  const sim::PlanarPose& from = graph.vertices[static_cast<std::size_t>(loop.from)].pose;
+  const sim::PlanarPose& to = graph.vertices[static_cast<std::size_t>(loop.to)].pose;
+  const sim::PlanarPose seen = sim::Compose(sim::Inverse(from), to);
+  const sim::PlanarPose off = sim::Compose(sim::Inverse(loop.measured), seen);
+  const Eigen::Vector3d error(off.x, off.y, sim::WrapAngle(off.yaw));
+  return (loop.information.diagonal().cwiseSqrt().array() * error.cwiseAbs().array()).maxCoeff();
 }
 
 agent::PlanarPoseGraph GraphOf(std::span<const sim::PlanarPose> odometry,
@@ -66,30 +137,44 @@ agent::PlanarPoseGraph GraphOf(std::span<const sim::PlanarPose> odometry,
   return graph;
 }
 
+agent::PlanarPoseGraph Optimized(agent::PlanarPoseGraph graph, const Edges& loops,
+                                 const BackEndSpec& spec) {
+  graph.edges.insert(graph.edges.end(), loops.begin(), loops.end());
+  agent::OptimizeOptions options;
+  options.kernel = spec.robust;
+  options.kernel_width = spec.width;
+  agent::Optimize(options, &graph);
+  return graph;
+}
+
 }  // namespace
 
 BackEndOutcome RunBackEnd(std::span<const sim::PlanarPose> odometry,
                           std::span<const MeasuredLoop> loops, const BackEndSpec& spec) {
+  constexpr int kMostRounds = 10;
   const std::vector<sim::PlanarPose> steps = StepsOf(odometry);
-  std::vector<agent::PoseEdge<sim::PlanarPose>> edges;
+  Edges edges;
   edges.reserve(loops.size());
   for (const MeasuredLoop& loop : loops) edges.push_back(EdgeOf(loop, spec));
   BackEndOutcome outcome;
   outcome.poses.assign(odometry.begin(), odometry.end());
   try {
-    outcome.accepted = Chosen(steps, edges, spec);
-    outcome.graph = GraphOf(odometry, steps, spec);
-    for (const int loop : outcome.accepted) {
-      outcome.graph.edges.push_back(edges[static_cast<std::size_t>(loop)]);
+    std::vector<int> chosen = Chosen(steps, edges, spec);
+    for (int round = 0;; ++round) {
+      outcome.accepted = chosen;
+      outcome.graph = Optimized(GraphOf(odometry, steps, spec), EdgesAt(edges, chosen), spec);
+      if (spec.most_error == 0.0 || round == kMostRounds) break;
+      std::erase_if(chosen, [&](int place) {
+        return StrainOf(outcome.graph, edges[static_cast<std::size_t>(place)]) > spec.most_error;
+      });
+      if (chosen.size() == outcome.accepted.size()) break;
+      chosen = Supported(std::move(chosen), edges, spec);
     }
-    agent::OptimizeOptions options;
-    options.kernel = spec.robust;
-    options.kernel_width = spec.width;
-    agent::Optimize(options, &outcome.graph);
     for (std::size_t i = 0; i < outcome.poses.size(); ++i) {
       outcome.poses[i] = outcome.graph.vertices[i].pose;
     }
   } catch (const sim::Error& e) {
+    outcome.accepted.clear();
     outcome.trouble = e.what();
   }
   return outcome;

@@ -15,6 +15,7 @@
 #include "benchmark/slam/io/file_frames.h"
 #include "benchmark/slam/io/g2o.h"
 #include "benchmark/slam/io/tum.h"
+#include "benchmark/slam/runs/drive_traces.h"
 #include "sim/base/error.h"
 #include "sim/base/files.h"
 #include "sim/config/yaml_writer.h"
@@ -84,9 +85,14 @@ void WriteDrive(const fs::path& folder, const PlayedDrive& drive) {
   for (const PlayedDetector& detector : drive.detectors) {
     sim::WriteFileAtomically(folder / (detector.name + ".tum"), TumOf(detector.back_end.poses));
     sim::WriteFileAtomically(folder / (detector.name + ".csv"), CsvOf(detector.loops));
+    sim::WritePng(folder / (detector.name + ".similarity.png"), detector.similarity);
+    WriteTrace(folder, detector.name, detector.trace);
     if (detector.back_end.trouble.empty()) {
       WriteG2o(folder / (detector.name + ".g2o"), detector.back_end.graph);
     }
+  }
+  if (drive.covisible.width > 0) {
+    sim::WritePng(folder / "covisible.png", drive.covisible);
   }
   sim::YamlWriter times;
   times.Write(drive.times);

@@ -10,8 +10,10 @@ namespace bulletnav::bench {
 
 /// Writes a drive into its folder, and the folder is whole once result.yaml is there, which comes
 /// last: groundtruth.tum (where it is known), odometry.tum; of each detector NAME.tum, the
-/// optimised trajectory, NAME.g2o, its pose graph, and NAME.csv, the pairs that it took for loops;
-/// times.yaml. A frame a tenth of a second; cameras at height 0. Throws sim::FileError.
+/// optimised trajectory, NAME.g2o, its pose graph, NAME.csv, the pairs that it took for loops,
+/// NAME.similarity.png and, where it has some, NAME.sequences.yaml, see drive_traces.h;
+/// covisible.png and times.yaml. A frame a tenth of a second; cameras at height 0. Throws
+/// sim::FileError.
 void WriteDrive(const std::filesystem::path& folder, const PlayedDrive& drive);
 
 bool HasDrive(const std::filesystem::path& folder);

@@ -10,7 +10,6 @@
 
 #include "benchmark/slam/io/file_frames.h"
 #include "sim/base/error.h"
-#include "sim/base/files.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -30,21 +29,6 @@ std::vector<std::optional<agent::SpatialPose>> PosesAt(std::span<const double> t
     poses[static_cast<std::size_t>(frame)] = trajectory[static_cast<std::size_t>(pose)].pose;
   }
   return poses;
-}
-
-/// RGB of a picture file.
-sim::Image ReadColor(const fs::path& file) {
-  sim::Image picture;
-  try {
-    picture = sim::DecodeImage(sim::ReadFile(file));
-  } catch (const sim::ImageError& e) {
-    throw sim::FileError(file, "", e.what());
-  }
-  sim::Image color(picture.width, picture.height, 3);
-  for (std::size_t i = 0; i < color.pixels.size(); ++i) {
-    color.pixels[i] = picture.pixels[i / 3 * 4 + i % 3];
-  }
-  return color;
 }
 
 }  // namespace
@@ -72,6 +56,12 @@ DriveSource::DriveSource(const SlamConfig& config, const Drive& drive) {
   } else {
     traversal_ = TraversalOf(config, drive.actions, drive.seed);
     world_ = sim::World::Load(drive.source, WorldOptionsOf(config));
+    if (config.changed) {
+      sim::WorldOptions options = WorldOptionsOf(config);
+      options.import.finish = config.changed->finish;
+      changed_.world = sim::World::Load(drive.source, options);
+      changed_.from_step = static_cast<int>(config.changed->from * drive.actions);
+    }
   }
 }
 
@@ -120,15 +110,17 @@ bool DriveSource::has_truth() const {
 
 void DriveSource::ForEach(const std::function<void(const DriveFrame&)>& take) const {
   if (!recording_) {
-    Traverse(world_, traversal_, [&](const TraversalFrame& frame) {
-      take({frame.color, frame.depth, frame.dead_reckoned, frame.true_pose});
+    Traverse(world_, changed_, traversal_, [&](const TraversalFrame& frame) {
+      take({frame.step / kFramesASecond, frame.color, frame.depth, frame.dead_reckoned,
+            frame.true_pose});
     });
     return;
   }
   for (std::size_t i = 0; i < recording_->folder.frames.size(); ++i) {
     const TumFrame& frame = recording_->folder.frames[i];
     DriveFrame read;
-    read.color = ReadColor(frame.color);
+    read.time = frame.time;
+    read.color = ReadRgb(frame.color);
     read.depth = ReadTumDepth(frame.depth);
     read.odometry = recording_->odometry[i];
     read.truth = recording_->truth[i];

@@ -13,6 +13,7 @@ namespace bulletnav::bench {
 
 /// A frame of a drive, from the simulator or from files.
 struct DriveFrame {
+  double time = 0.0;                   // seconds
   sim::Image color;                    // RGB
   DepthPicture depth;                  // along the camera's axis
   sim::PlanarPose odometry;            // added up, from the first frame's body
@@ -42,6 +43,7 @@ class DriveSource {
   static Recording Read(const std::filesystem::path& folder);
 
   std::shared_ptr<const sim::World> world_;
+  ChangedLook changed_;
   TraversalSpec traversal_;
   std::optional<Recording> recording_;
 };

@@ -13,6 +13,7 @@
 #include "benchmark/base/shipped_file.h"
 #include "benchmark/privileged/visibility.h"
 #include "benchmark/slam/runs/drive_frames.h"
+#include "benchmark/slam/runs/drive_traces.h"
 #include "benchmark/slam/runs/measure_drive.h"
 #include "sim/base/error.h"
 
@@ -30,19 +31,6 @@ struct KeptFrame {
   agent::OrbFeatures features;
   std::vector<float> corner_depths;
 };
-
-std::vector<float> DepthsAtCorners(const DepthPicture& depth, const agent::OrbFeatures& features) {
-  std::vector<float> depths;
-  depths.reserve(features.corners.size());
-  for (const agent::Corner& corner : features.corners) {
-    const int col = std::clamp(static_cast<int>(std::lround(corner.x)), 0, depth.width - 1);
-    const int row = std::clamp(static_cast<int>(std::lround(corner.y)), 0, depth.height - 1);
-    depths.push_back(
-        depth.metres[static_cast<std::size_t>(row) * static_cast<std::size_t>(depth.width) +
-                     static_cast<std::size_t>(col)]);
-  }
-  return depths;
-}
 
 /// How far the body has come, as odometry has it, and which frames are far back.
 class Travel {
@@ -135,7 +123,8 @@ class DrivePlay {
     kept.features =
         agent::FindOrb(frame.color.pixels, frame.color.width, frame.color.height, config_.orb);
     corners_ms_.push_back(MillisecondsSince(start));
-    kept.corner_depths = DepthsAtCorners(frame.depth, kept.features);
+    kept.corner_depths =
+        agent::DepthsAt(frame.depth.metres, frame.depth.width, frame.depth.height, kept.features);
     agent::LoopFrame seen;
     seen.number = static_cast<int>(kept_.size());
     seen.width_px = frame.color.width;
@@ -152,6 +141,8 @@ class DrivePlay {
         sequences_ ? describer_->Cells() : std::vector<std::uint8_t>();
     seen.descriptor = descriptor;
     seen.cells = cells;
+    seen.depth = frame.depth.metres;
+    seen.camera = source_.intrinsics();
     seen.odometry = frame.odometry;
     seen.comparable = travel_.Next(frame.odometry);
     for (RunningDetector& running : detectors_) running.Take(seen);
@@ -172,6 +163,7 @@ class DrivePlay {
       };
     }
     truth_.emplace(truth_frames_, is_node);
+    played_.covisible = CovisibleMatrix(*truth_);
     played_.result.odometry = MeasureBoth(played_.truth, played_.odometry);
   }
 
@@ -216,6 +208,8 @@ class DrivePlay {
     PlayedDetector& played = played_.detectors.emplace_back();
     played.name = running.name;
     played.loops = Verified(running);
+    played.trace = running.detector->Trace();
+    played.similarity = SimilarityMatrix(running.named, played_.result.frames);
     std::vector<MeasuredLoop> measured;
     std::vector<std::size_t> places;
     for (std::size_t i = 0; i < played.loops.size(); ++i) {

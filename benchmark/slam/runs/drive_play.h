@@ -5,9 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "agent/slam/loops/loop_detector.h"
 #include "benchmark/slam/runs/back_end.h"
 #include "benchmark/slam/runs/drive_result.h"
 #include "benchmark/slam/runs/slam_config.h"
+#include "sim/image/image.h"
 
 namespace bulletnav::bench {
 
@@ -28,6 +30,8 @@ struct PlayedDetector {
   std::string name;
   std::vector<LoopRecord> loops;
   BackEndOutcome back_end;
+  agent::SequenceTrace trace;  // empty of detectors without sequences
+  sim::Image similarity;       // see SimilarityMatrix
 };
 
 /// All that came of a drive.
@@ -36,6 +40,7 @@ struct PlayedDrive {
   std::vector<sim::PlanarPose> odometry;
   std::vector<sim::BodyPose> truth;  // empty where it is not known
   std::vector<PlayedDetector> detectors;
+  sim::Image covisible;  // by the truth, see CovisibleMatrix; empty where it is not known
   std::map<std::string, StageTimes> times;  // by stage, milliseconds a frame
 };
 

@@ -55,12 +55,23 @@ void VocabularySource::Validate() const {
   if (actions < 1 || every < 1) throw sim::Error("expected actions and every of at least 1");
 }
 
+void ChangeSpec::Validate() const {
+  if (!(from >= 0.0 && from <= 1.0)) throw sim::KeyError("from", "from must lie between 0 and 1");
+}
+
 void BackEndSpec::Validate() const {
   if (!(step_m > 0.0 && step_deg > 0.0 && loop_m > 0.0 && loop_deg > 0.0 && width > 0.0)) {
     throw sim::Error("step_m, step_deg, loop_m, loop_deg and width must be positive");
   }
   if (!(confidence > 0.0 && confidence < 1.0)) {
     throw sim::KeyError("confidence", "confidence must lie between 0 and 1");
+  }
+  if (!(odometry_confidence >= 0.0 && odometry_confidence < 1.0)) {
+    throw sim::KeyError("odometry_confidence",
+                        "odometry_confidence must be at least 0 and below 1");
+  }
+  if (runs < 1 || run_gap < 0 || !(most_error >= 0.0 && drift_deg >= 0.0)) {
+    throw sim::Error("expected runs of at least 1; run_gap, most_error, drift_deg of at least 0");
   }
 }
 

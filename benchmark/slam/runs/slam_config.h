@@ -38,15 +38,23 @@ struct VocabularySource {
   void Validate() const;
 };
 
-/// How sure the back end is of what it puts together; standard deviations, set by hand and not
-/// measured.
+/// How sure the back end is of what it puts together; standard deviations, set by hand after drives
+/// through houses for validation.
 struct BackEndSpec {
-  double step_m = 0.02;  // odometry, a step, along and across
-  double step_deg = 0.8;
-  double loop_m = 0.05;  // a verified loop
+  double step_m = 0.01;  // odometry, a step, along and across
+  double step_deg = 0.3;
+  double drift_deg = 0.1;  // odometry, a step, the same in all steps: in loops' checks alone
+  double loop_m = 0.05;    // a verified loop
   double loop_deg = 1.0;
+  /// Of right loops that odometry allows; others are left out first. 0: all stay.
+  double odometry_confidence = 0.999;
   bool consistent = true;    // keep the largest set of loops that agree two by two
   double confidence = 0.99;  // of right ones that agree
+  int runs = 2;      // loops that must support each other, or none is taken, see SeparateLoops
+  int run_gap = 20;  // frames that such loops are apart at both ends, at least
+  /// Standard deviations that a loop may be off in the optimised graph, along, across or in yaw;
+  /// those that are further off go, and it is optimised again. 0: all stay.
+  double most_error = 3.0;
   agent::RobustKernel robust = agent::RobustKernel::kHuber;
   double width = 3.0;  // of the kernel, standard deviations
 
@@ -54,12 +62,30 @@ struct BackEndSpec {
   void Visit(V& v) {
     v("step_m", step_m);
     v("step_deg", step_deg);
+    v("drift_deg", drift_deg);
     v("loop_m", loop_m);
     v("loop_deg", loop_deg);
+    v("odometry_confidence", odometry_confidence);
     v("consistent", consistent);
     v("confidence", confidence);
+    v("runs", runs);
+    v("run_gap", run_gap);
+    v("most_error", most_error);
     v("robust", robust);
     v("width", width);
+  }
+  void Validate() const;
+};
+
+/// The scene looks otherwise from some point of a drive on.
+struct ChangeSpec {
+  double from = 0.5;   // of the drive's actions
+  sim::Finish finish;  // instead of the import's
+
+  template <class V>
+  void Visit(V& v) {
+    v("from", from);
+    v.Required("finish", finish);
   }
   void Validate() const;
 };
@@ -106,6 +132,7 @@ struct SlamConfig {
   sim::BodySpec body;
   sim::PinholeSpec camera = {.rows = 240, .cols = 320};
   sim::NoiseMode noise = sim::NoiseMode::kAnsReleased;
+  std::optional<ChangeSpec> changed;  // of scenes, not of recordings
   std::vector<int> actions = {700};
   std::vector<std::uint64_t> seeds = {0};
   std::optional<VocabularySource> vocabulary;
@@ -130,6 +157,7 @@ struct SlamConfig {
     v("body", body);
     v("camera", camera);
     v("noise", noise);
+    v("changed", changed);
     v("actions", actions);
     v("seeds", seeds);
     v("vocabulary", vocabulary);

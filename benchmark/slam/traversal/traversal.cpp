@@ -91,6 +91,28 @@ const sim::Observation& Placed(sim::Simulator* simulator, const TraversalSpec& s
   throw sim::Error("the body found nowhere to stand; is it too large for this scene?");
 }
 
+/// The same body in another look of the scene.
+class OtherLook {
+ public:
+  OtherLook(const std::shared_ptr<const sim::World>& world, const TraversalSpec& spec,
+            const sim::BodyPose& start)
+      : simulator_(world, SimulatorSpecOf(spec)), seen_(&simulator_.Reset(start, {spec.seed, 0})) {}
+
+  void Follow(sim::Action action, const sim::BodyPose& there) {
+    seen_ = &simulator_.Step(action);
+    constexpr double kClose = 1e-3;
+    if ((simulator_.body().true_pose().position - there.position).norm() > kClose) {
+      throw sim::Error(
+          "the changed look of the scene has another geometry; change colours and light alone");
+    }
+  }
+  const sim::Observation& seen() const { return *seen_; }
+
+ private:
+  sim::Simulator simulator_;
+  const sim::Observation* seen_;
+};
+
 }  // namespace
 
 void TraversalSpec::Validate() const {
@@ -102,23 +124,33 @@ void TraversalSpec::Validate() const {
 
 void Traverse(const std::shared_ptr<const sim::World>& world, const TraversalSpec& spec,
               const std::function<void(const TraversalFrame&)>& take) {
+  Traverse(world, {}, spec, take);
+}
+
+void Traverse(const std::shared_ptr<const sim::World>& world, const ChangedLook& changed,
+              const TraversalSpec& spec, const std::function<void(const TraversalFrame&)>& take) {
   spec.Validate();
   world->RequireFloor();
   sim::Simulator simulator(world, SimulatorSpecOf(spec));
   const sim::NavmeshQuery query(world->navmesh());
   sim::Rng rng(sim::MixSeed(spec.seed, world->id()), "traversal");
   const sim::Observation* seen = &Placed(&simulator, spec, query, &rng);
+  std::optional<OtherLook> other;
+  if (changed.world) other.emplace(changed.world, spec, simulator.body().true_pose());
   Route route(query, simulator.body().true_pose().position.cast<float>(), rng);
   Driver driver(spec, world, &route);
   sim::PlanarPose dead_reckoned;
   for (int step = 0;; ++step) {
-    TraversalFrame frame = FrameOf(*seen, spec);
+    const bool is_changed = other && step >= changed.from_step;
+    TraversalFrame frame = FrameOf(is_changed ? other->seen() : *seen, spec);
     frame.step = step;
     frame.true_pose = simulator.body().true_pose();
     frame.dead_reckoned = dead_reckoned;
     take(frame);
     if (step == spec.actions) return;
-    seen = &simulator.Step(driver.Next(frame.true_pose));
+    const sim::Action action = driver.Next(frame.true_pose);
+    seen = &simulator.Step(action);
+    if (other) other->Follow(action, simulator.body().true_pose());
     driver.Moved();
     dead_reckoned = sim::Compose(dead_reckoned, seen->sensors.odometry);
   }

@@ -27,6 +27,13 @@ struct TraversalSpec {
   void Validate() const;
 };
 
+/// Another look of the scene that is driven through, from a frame on: the same geometry, so that
+/// the body moves as it would.
+struct ChangedLook {
+  std::shared_ptr<const sim::World> world;  // null: none
+  int from_step = 0;
+};
+
 struct TraversalFrame {
   int step = 0;  // actions taken before it
   sim::Image color;
@@ -44,6 +51,10 @@ struct TraversalFrame {
 /// is ours.
 void Traverse(const std::shared_ptr<const sim::World>& world, const TraversalSpec& spec,
               const std::function<void(const TraversalFrame&)>& take);
+/// Likewise; frames from `changed.from_step` on show its world. Costs two simulators.
+/// Throws sim::Error also if that world's geometry is another, so that the body moves otherwise.
+void Traverse(const std::shared_ptr<const sim::World>& world, const ChangedLook& changed,
+              const TraversalSpec& spec, const std::function<void(const TraversalFrame&)>& take);
 
 /// Of a camera's pictures.
 Intrinsics IntrinsicsOf(const sim::PinholeSpec& camera);

@@ -1,31 +1,29 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>
-#include <string>
 
+#include "benchmark/slam/io/tum_writer.h"
 #include "benchmark/slam/traversal/traversal.h"
 
 namespace bulletnav::bench {
 
-/// Writes a traversal as a TUM folder: rgb/, depth/, rgb.txt, depth.txt, calibration.txt,
-/// groundtruth.txt, and odometry.txt, in the same form: odometry added up, in a frame of its own
-/// whose x is ahead of where the body began. A frame a tenth of a second.
+/// A frame of a traversal as a recording has it: a frame a tenth of a second, odometry in a frame
+/// of its own whose x is ahead of where the body began.
+RecordedFrame RecordOf(const TraversalFrame& frame, const TraversalSpec& spec);
+
+/// Writes a traversal as a TUM folder, see TumWriter.
 class TumRecorder {
  public:
   /// Throws sim::FileError if the folder holds a recording already.
-  TumRecorder(std::filesystem::path folder, const TraversalSpec& spec);
+  TumRecorder(const std::filesystem::path& folder, const TraversalSpec& spec);
 
   void Add(const TraversalFrame& frame);
   /// Writes the lists, which make the folder a recording: one that was killed before has none.
   void Finish();
 
  private:
-  std::filesystem::path folder_;
   TraversalSpec spec_;
-  std::string colors_;
-  std::string depths_;
-  CameraTrajectory truth_;
-  CameraTrajectory odometry_;
+  TumWriter writer_;
 };
 
 }  // namespace bulletnav::bench

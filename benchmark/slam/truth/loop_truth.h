@@ -51,6 +51,11 @@ class LoopTruth {
   /// Whether a frame is a loop with any before it.
   bool HasLoop(LoopKind kind, int later) const;
   int frames() const { return static_cast<int>(rows_.size()) - 1; }
+  /// How many of the first frames a later one is compared with.
+  int compared(int later) const {
+    const auto row = static_cast<std::size_t>(later);
+    return static_cast<int>(rows_[row + 1] - rows_[row]);
+  }
   /// Pairs that are, of a kind.
   std::int64_t Count(LoopKind kind) const;
   std::int64_t Count(LoopKind kind, HeadingBin bin) const;

@@ -79,6 +79,7 @@ class WordsHierarchy final : public LoopDetector {
     const Clusters clusters =
         ClusterByElbow(points, {.most = config_.most_clusters, .starts = config_.starts}, &rng);
     const std::vector<Sequence> sequences = SequencesOf(clusters.group, config_.shortest);
+    trace_ = {sequences, clusters.tried, clusters.spreads, {}};
     const Eigen::MatrixXf wholes = WholesOf(points, sequences);
     for (std::size_t later = 0; later < sequences.size(); ++later) {
       const std::vector<Sequence> joined = JoinedWith(later, sequences, wholes);
@@ -88,6 +89,8 @@ class WordsHierarchy final : public LoopDetector {
     }
     return candidates;
   }
+
+  SequenceTrace Trace() const override { return trace_; }
 
  private:
   struct Frame {
@@ -131,12 +134,14 @@ class WordsHierarchy final : public LoopDetector {
 
   /// The sequences up to one that are like it, itself among them: a long one may come back.
   std::vector<Sequence> JoinedWith(std::size_t later, const std::vector<Sequence>& sequences,
-                                   const Eigen::MatrixXf& wholes) const {
+                                   const Eigen::MatrixXf& wholes) {
     std::vector<Sequence> joined;
     for (std::size_t i = 0; i <= later; ++i) {
       const double cosine = wholes.row(static_cast<Eigen::Index>(i))
                                 .dot(wholes.row(static_cast<Eigen::Index>(later)));
-      if (cosine >= config_.least_sequence) joined.push_back(sequences[i]);
+      if (cosine < config_.least_sequence) continue;
+      joined.push_back(sequences[i]);
+      if (i < later) trace_.joined.emplace_back(static_cast<int>(later), static_cast<int>(i));
     }
     return joined;
   }
@@ -169,6 +174,7 @@ class WordsHierarchy final : public LoopDetector {
   Config config_;
   std::shared_ptr<const Vocabulary> vocabulary_;
   std::vector<Frame> frames_;
+  SequenceTrace trace_;
 };
 
 const LoopDetectorRegistration<WordsHierarchy> registration;

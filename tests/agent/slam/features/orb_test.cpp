@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "agent/slam/features/gftt.h"
 #include "sim/base/error.h"
 #include "sim/math/rng.h"
 
@@ -103,6 +104,27 @@ TEST(FindOrb, TellsWhatIsWrong) {
         Find(picture, {.scale = 1.0});
       },
       ThrowsMessage<sim::Error>(HasSubstr("scale must be above 1")));
+}
+
+/// Corners apart from each other, with descriptors of those that have enough around them.
+TEST(FindGftt, FindsCornersApart) {
+  const Picture picture = Rectangles(0, 0);
+  const GfttSpec spec = {.features = 60};
+  const OrbFeatures found = FindGftt(picture.rgb, kWidth, kHeight, spec);
+  ASSERT_GT(found.corners.size(), 20u);
+  EXPECT_LE(found.corners.size(), 60u);
+  EXPECT_EQ(found.corners.size(), found.descriptors.size());
+  for (std::size_t i = 0; i < found.corners.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const Corner& a = found.corners[i];
+      const Corner& b = found.corners[j];
+      EXPECT_GE(std::hypot(a.x - b.x, a.y - b.y), spec.apart_px);
+    }
+  }
+  EXPECT_EQ(FindGftt(picture.rgb, kWidth, kHeight, spec).descriptors, found.descriptors);
+  GfttSpec bad;
+  bad.quality = 0.0;
+  EXPECT_THROW(FindGftt(picture.rgb, kWidth, kHeight, bad), sim::Error);
 }
 
 }  // namespace

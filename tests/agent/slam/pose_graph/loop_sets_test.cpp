@@ -240,5 +240,58 @@ TEST(ConsistentLoops, TellsWhatIsWrong) {
       ThrowsMessage<sim::Error>(HasSubstr("between 0 and 1")));
 }
 
+/// As another loop of no length at its first vertex, of which one is sure, has it.
+TEST(OdometryError, IsTheCircleWithALoopThatSaysNothing) {
+  OdometryChain<PlanarPose> chain;
+  sim::Rng rng(7, "odometry");
+  const PoseMatrix<PlanarPose> covariance = Eigen::Vector3d(1e-4, 2e-4, 1e-3).asDiagonal();
+  for (int i = 0; i < 30; ++i) {
+    chain.Add({rng.Uniform(0.0, 0.3), rng.Uniform(-0.1, 0.1), rng.Uniform(-0.3, 0.3)}, covariance);
+  }
+  PoseEdge<PlanarPose> loop;
+  loop.from = 3;
+  loop.to = 25;
+  loop.measured = {0.2, -0.3, 0.4};
+  loop.information = Eigen::Vector3d(400.0, 300.0, 900.0).asDiagonal();
+  PoseEdge<PlanarPose> none;
+  none.from = 3;
+  none.to = 3;
+  none.information = PoseMatrix<PlanarPose>::Identity() * 1e12;
+  EXPECT_NEAR(OdometryError(chain, loop), CircleError(chain, loop, none), 1e-3);
+  loop.measured = chain.Seen(3, 25);
+  EXPECT_NEAR(OdometryError(chain, loop), 0.0, 1e-12);
+}
+
+/// Straight on: a turn too much in every step, always the same, grows with the way in yaw and with
+/// its square to the side.
+TEST(OdometryChain, ASharedErrorAddsUp) {
+  constexpr double kTurn = 1e-3;
+  OdometryChain<PlanarPose> chain(Eigen::Vector3d(0.0, 0.0, kTurn));
+  for (int i = 0; i < 20; ++i) chain.Add({0.5, 0.0, 0.0}, PoseMatrix<PlanarPose>::Zero());
+  // Turned after each step: the last one moves nothing, that before it what comes after it.
+  double aside = 0.0;
+  for (int i = 0; i < 20; ++i) aside += 0.5 * i;
+  const PoseMatrix<PlanarPose> covariance = chain.Covariance(0, 20);
+  EXPECT_NEAR(covariance(2, 2), std::pow(20 * kTurn, 2), 1e-12);
+  EXPECT_NEAR(covariance(1, 1), std::pow(aside * kTurn, 2), 1e-12);
+  EXPECT_NEAR(covariance(0, 0), 0.0, 1e-12);
+  EXPECT_NEAR(chain.Covariance(5, 15)(2, 2), std::pow(10 * kTurn, 2), 1e-12);
+}
+
+TEST(SeparateLoops, CountsThoseApartAtBothEnds) {
+  EXPECT_EQ(SeparateLoops({}, 5), 0);
+  // One run; then the same place again later: near at one end.
+  std::vector<std::pair<int, int>> ends = {{10, 200}, {12, 203}, {14, 206}};
+  EXPECT_EQ(SeparateLoops(ends, 10), 1);
+  EXPECT_EQ(SeparateLoops(ends, 2), 2);
+  EXPECT_EQ(SeparateLoops(ends, 1), 3);
+  ends.emplace_back(11, 300);
+  EXPECT_EQ(SeparateLoops(ends, 10), 1);
+  ends.emplace_back(60, 250);
+  EXPECT_EQ(SeparateLoops(ends, 10), 2);
+  ends.emplace_back(100, 400);
+  EXPECT_EQ(SeparateLoops(ends, 10), 3);
+}
+
 }  // namespace
 }  // namespace bulletnav::agent

@@ -109,5 +109,18 @@ TEST(Kitti, TellsFileAndLine) {
       ThrowsMessage<sim::FileError>(HasSubstr("there are no poses")));
 }
 
+TEST(Kitti, TheBaselineIsThatBetweenTwoCameras) {
+  const tests::TemporaryFolder folder;
+  const auto file = folder.Write(
+      "calib.txt",
+      "P2: 700 0 600 45 0 700 180 0 0 0 1 0\nP3: 700 0 600 -333 0 700 180 0 0 0 1 0\n");
+  EXPECT_NEAR(ReadKittiBaseline(file, 2, 3), 0.54, 1e-12);
+  EXPECT_THAT(
+      [&] {
+        ReadKittiBaseline(file, 3, 2);
+      },
+      ThrowsMessage<sim::FileError>(HasSubstr("not beside each other")));
+}
+
 }  // namespace
 }  // namespace bulletnav::bench

@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace bulletnav::bench {
 namespace {
 
+using ::testing::ElementsAre;
 using Poses = std::vector<sim::PlanarPose>;
 
 /// Twice around a square of 4 m, a step of half a metre or a turn; with a small turn too much in
@@ -47,7 +49,7 @@ double LargestError(const Poses& poses) {
 }
 
 TEST(BackEnd, WithoutLoopsOdometryStays) {
-  const Poses odometry = Around(0.01);
+  const Poses odometry = Around(0.005);
   const BackEndOutcome outcome = RunBackEnd(odometry, {}, {});
   EXPECT_EQ(outcome.trouble, "");
   EXPECT_TRUE(outcome.accepted.empty());
@@ -58,7 +60,7 @@ TEST(BackEnd, WithoutLoopsOdometryStays) {
 }
 
 TEST(BackEnd, LoopsBendDriftBack) {
-  const Poses odometry = Around(0.01);
+  const Poses odometry = Around(0.005);
   const BackEndOutcome outcome = RunBackEnd(odometry, LoopsOfTheSecondLap(), {});
   EXPECT_EQ(outcome.accepted.size(), 12u);
   EXPECT_LT(LargestError(outcome.poses), 0.5 * LargestError(odometry));
@@ -69,10 +71,58 @@ TEST(BackEnd, LoopsThatContradictTheOthersAreLeftOut) {
   std::vector<MeasuredLoop> loops = LoopsOfTheSecondLap();
   loops.insert(loops.begin(), {50, 2, {0.3, 0.1, 1.0}});
   loops.push_back({70, 20, {0.0, 0.2, -2.0}});
-  const BackEndOutcome outcome = RunBackEnd(Around(0.01), loops, {});
+  const BackEndOutcome outcome = RunBackEnd(Around(0.005), loops, {});
   EXPECT_EQ(outcome.accepted.size(), 12u);
   EXPECT_FALSE(std::binary_search(outcome.accepted.begin(), outcome.accepted.end(), 0));
   EXPECT_FALSE(std::binary_search(outcome.accepted.begin(), outcome.accepted.end(), 13));
+}
+
+/// A loop that says the body stands 3 m from where it did after it has hardly moved.
+TEST(BackEnd, LoopsThatOdometryRulesOutAreLeftOut) {
+  const std::vector<MeasuredLoop> loops = {{10, 0, {-3.0, 3.0, 0.0}}, {40, 4, {}}, {64, 28, {}}};
+  const Poses odometry = Around(0.001);
+  EXPECT_THAT(RunBackEnd(odometry, loops, {}).accepted, ElementsAre(1, 2));
+  BackEndSpec any;
+  any.odometry_confidence = 0.0;
+  any.consistent = false;
+  any.most_error = 0.0;
+  EXPECT_THAT(RunBackEnd(odometry, loops, any).accepted, ElementsAre(0, 1, 2));
+}
+
+/// One wrong loop, or many of one place, stand alone: the trajectory stays that of odometry.
+TEST(BackEnd, ALoneRunDoesNotBendTheGraph) {
+  const Poses odometry = Around(0.002);
+  std::vector<MeasuredLoop> loops = {{40, 4, {0.1, 0.0, 0.0}}};
+  const auto expect_odometry = [&] {
+    const BackEndOutcome outcome = RunBackEnd(odometry, loops, {});
+    EXPECT_TRUE(outcome.accepted.empty());
+    for (std::size_t i = 0; i < odometry.size(); ++i) {
+      EXPECT_NEAR(outcome.poses[i].x, odometry[i].x, 1e-9);
+    }
+  };
+  expect_odometry();
+  for (int i = 41; i < 46; ++i) loops.push_back({i, i - kLap, {0.1, 0.0, 0.0}});
+  expect_odometry();
+  BackEndSpec lone;
+  lone.runs = 1;
+  EXPECT_EQ(RunBackEnd(odometry, loops, lone).accepted.size(), loops.size());
+  // Another run that agrees supports them.
+  loops.push_back({70, 70 - kLap, {0.1, 0.0, 0.0}});
+  EXPECT_EQ(RunBackEnd(odometry, loops, {}).accepted.size(), loops.size());
+}
+
+/// A loop that agrees with each of the others by itself, but not with what they all say together.
+TEST(BackEnd, LoopsThatTheGraphStrainsAreLeftOut) {
+  std::vector<MeasuredLoop> loops = LoopsOfTheSecondLap();
+  loops.push_back({64, 28, {0.45, 0.0, 0.0}});
+  BackEndSpec spec;
+  spec.consistent = false;
+  spec.odometry_confidence = 0.0;
+  const BackEndOutcome outcome = RunBackEnd(Around(0.005), loops, spec);
+  EXPECT_EQ(outcome.accepted.size(), 12u);
+  EXPECT_FALSE(std::binary_search(outcome.accepted.begin(), outcome.accepted.end(), 12));
+  spec.most_error = 0.0;
+  EXPECT_EQ(RunBackEnd(Around(0.005), loops, spec).accepted.size(), 13u);
 }
 
 TEST(BackEnd, TroubleIsToldAndOdometryKept) {

@@ -133,5 +133,31 @@ TEST(Traversal, RefusesBadSpecs) {
   EXPECT_THROW(Frames(none), sim::Error);
 }
 
+/// The same way, and other colours from a frame on.
+TEST(Traversal, ALookMayChangeOnTheWay) {
+  sim::SceneMesh painted = tests::BoxRoom(8, 2.6f, 6);
+  for (sim::Rgb8& color : painted.colors) color = {color[2], color[0], color[1]};
+  const auto later = sim::World::FromMesh(painted, "room");
+  const TraversalSpec spec = SmallSpec();
+  const auto plain = Frames(spec);
+  std::vector<TraversalFrame> frames;
+  Traverse(Room(), {later, 30}, spec, [&](const TraversalFrame& frame) {
+    frames.push_back(frame);
+  });
+  ASSERT_EQ(frames.size(), plain.size());
+  int differ = 0;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    EXPECT_EQ(frames[i].true_pose.position, plain[i].true_pose.position) << i;
+    EXPECT_EQ(frames[i].dead_reckoned.x, plain[i].dead_reckoned.x) << i;
+    if (i < 30) {
+      EXPECT_EQ(frames[i].color.pixels, plain[i].color.pixels) << i;
+    }
+    if (frames[i].color.pixels != plain[i].color.pixels) ++differ;
+  }
+  EXPECT_EQ(differ, 31);
+  const auto other = sim::World::FromMesh(tests::BoxRoom(4, 2.6f, 3), "room");
+  EXPECT_ANY_THROW(Traverse(Room(), {other, 30}, spec, [](const TraversalFrame&) {}));
+}
+
 }  // namespace
 }  // namespace bulletnav::bench

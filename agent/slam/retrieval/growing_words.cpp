@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "agent/slam/retrieval/growing_words.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+
+#include "sim/base/error.h"
+#include "sim/math/rng.h"
+
+namespace bulletnav::agent {
+namespace {
+
+constexpr int kKeyBits = 16;
+constexpr std::size_t kKeys = std::size_t{1} << kKeyBits;
+
+/// The nearest word, and how near it and the next are.
+struct NearestWord {
+  int word = -1;
+  int bits = kDescriptorBits;
+  int second_bits = kDescriptorBits;
+
+  void Take(int other, int other_bits) {
+    if (other_bits < bits) {
+      second_bits = bits;
+      word = other;
+      bits = other_bits;
+    } else {
+      second_bits = std::min(second_bits, other_bits);
+    }
+  }
+};
+
+}  // namespace
+
+void GrowingWordsSpec::Validate() const {
+  if (!(ratio > 0.0 && ratio <= 1.0) || most_bits < 0 || tables < 1) {
+    throw sim::Error(
+        "expected a ratio above 0 and at most 1, most_bits of at least 0 and a table at least");
+  }
+}
+
+GrowingWords::GrowingWords(const GrowingWordsSpec& spec) : spec_(spec) {
+  spec_.Validate();
+  sim::Rng rng(spec_.seed, "growing words");
+  std::vector<int> all(kDescriptorBits);
+  std::iota(all.begin(), all.end(), 0);
+  for (int table = 0; table < spec_.tables; ++table) {
+    rng.Shuffle(all);
+    bits_.emplace_back(all.begin(), all.begin() + kKeyBits);
+  }
+  buckets_.resize(bits_.size() * kKeys);
+}
+
+int GrowingWords::KeyOf(const BinaryDescriptor& descriptor, std::size_t table) const {
+  unsigned key = 0;
+  for (const int bit : bits_[table]) {
+    const auto place = static_cast<std::size_t>(bit);
+    key = key << 1U | static_cast<unsigned>((descriptor[place / 64] >> (place % 64)) & 1U);
+  }
+  return static_cast<int>(key);
+}
+
+int GrowingWords::FindOrAdd(const BinaryDescriptor& descriptor) {
+  ++searches_;
+  NearestWord nearest;
+  std::vector<int> keys(bits_.size());
+  const auto look_into = [&](std::size_t table, int key) {
+    for (const int word : buckets_[table * kKeys + static_cast<std::size_t>(key)]) {
+      const auto place = static_cast<std::size_t>(word);
+      if (looked_at_[place] == searches_) continue;
+      looked_at_[place] = searches_;
+      nearest.Take(word, Distance(descriptor, words_[place]));
+    }
+  };
+  for (std::size_t table = 0; table < bits_.size(); ++table) {
+    keys[table] = KeyOf(descriptor, table);
+    look_into(table, keys[table]);
+    for (int bit = 0; bit < kKeyBits; ++bit) look_into(table, keys[table] ^ (1 << bit));
+  }
+  const bool is_clear = nearest.bits <= spec_.ratio * nearest.second_bits;
+  if (nearest.word >= 0 && nearest.bits <= spec_.most_bits && is_clear) return nearest.word;
+  const int added = size();
+  words_.push_back(descriptor);
+  looked_at_.push_back(0);
+  for (std::size_t table = 0; table < keys.size(); ++table) {
+    buckets_[table * kKeys + static_cast<std::size_t>(keys[table])].push_back(added);
+  }
+  return added;
+}
+
+std::vector<int> GrowingWords::Take(std::span<const BinaryDescriptor> descriptors) {
+  std::vector<int> found;
+  found.reserve(descriptors.size());
+  for (const BinaryDescriptor& descriptor : descriptors) found.push_back(FindOrAdd(descriptor));
+  return found;
+}
+
+}  // namespace bulletnav::agent

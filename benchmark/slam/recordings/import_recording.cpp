@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/slam/recordings/import_recording.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "agent/slam/features/stereo.h"
+#include "benchmark/slam/io/kitti_folder.h"
+#include "benchmark/slam/io/tum.h"
+#include "benchmark/slam/io/tum_writer.h"
+#include "benchmark/slam/recordings/visual_odometry.h"
+#include "sim/base/check.h"
+#include "sim/base/error.h"
+
+namespace bulletnav::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A frame of either kind of source.
+struct SourceFrame {
+  double time = 0.0;
+  fs::path color;
+  fs::path depth;  // or else
+  fs::path right;
+};
+
+struct Source {
+  std::string format;
+  double depth_units = 0.0;
+  Intrinsics intrinsics;
+  double baseline_m = 0.0;
+  std::vector<SourceFrame> frames;
+  CameraTrajectory truth;
+  CameraTrajectory odometry;
+};
+
+Source OpenTum(const ImportRecordingSpec& spec) {
+  constexpr double kTumDepthUnits = 5000.0;
+  TumFolder folder = ReadTumFolder(spec.source, {spec.most_apart, spec.intrinsics});
+  Source source{"TUM", kTumDepthUnits, folder.intrinsics, 0.0, {}, std::move(folder.truth), {}};
+  for (const TumFrame& frame : folder.frames) {
+    source.frames.push_back({frame.time, frame.color, frame.depth, {}});
+  }
+  const fs::path odometry = spec.source / "odometry.txt";
+  if (fs::exists(odometry)) source.odometry = ReadTumTrajectory(odometry);
+  return source;
+}
+
+Source OpenKitti(const ImportRecordingSpec& spec) {
+  KittiFolder folder = ReadKittiFolder(spec.source);
+  Source source{"KITTI",
+                kKittiDepthUnits,
+                spec.intrinsics.value_or(folder.intrinsics),
+                folder.baseline_m,
+                {},
+                std::move(folder.truth),
+                std::move(folder.odometry)};
+  for (const KittiFrame& frame : folder.frames) {
+    source.frames.push_back({frame.time, frame.color, frame.depth, frame.right});
+  }
+  return source;
+}
+
+Source Open(const ImportRecordingSpec& spec) {
+  if (!fs::exists(spec.source)) throw sim::FileError(spec.source, "", "is not there");
+  const bool is_tum = fs::exists(spec.source / "rgb.txt");
+  if (!is_tum && !fs::exists(spec.source / "times.txt")) {
+    throw sim::FileError(spec.source, "",
+                         "is no recording: a TUM folder has rgb.txt and depth.txt, a sequence of "
+                         "KITTI's has times.txt, calib.txt and image_2/");
+  }
+  Source source = is_tum ? OpenTum(spec) : OpenKitti(spec);
+  if (!spec.odometry.empty()) source.odometry = ReadTumTrajectory(spec.odometry);
+  if (!spec.truth.empty()) source.truth = ReadTumTrajectory(spec.truth);
+  return source;
+}
+
+/// The pose of each frame, where there is one near in time.
+std::vector<std::optional<agent::SpatialPose>> PosesOf(const Source& source,
+                                                       const CameraTrajectory& trajectory) {
+  constexpr double kMostApart = 0.05;
+  std::vector<double> times;
+  for (const SourceFrame& frame : source.frames) times.push_back(frame.time);
+  std::vector<double> known;
+  known.reserve(trajectory.size());
+  for (const TimedPose& pose : trajectory) known.push_back(pose.time);
+  std::vector<std::optional<agent::SpatialPose>> poses(times.size());
+  for (const auto& [frame, pose] : NearestTimes(times, known, kMostApart)) {
+    poses[static_cast<std::size_t>(frame)] = trajectory[static_cast<std::size_t>(pose)].pose;
+  }
+  return poses;
+}
+
+std::string SizeOf(int width, int height) {
+  return fmt::format("{} x {}", width, height);
+}
+
+DepthPicture DepthOf(const Source& source, const SourceFrame& frame, const sim::Image& color) {
+  if (!frame.depth.empty()) {
+    DepthPicture depth = ReadDepth(frame.depth, source.depth_units);
+    if (depth.width != color.width || depth.height != color.height) {
+      throw sim::FileError(frame.depth, "",
+                           fmt::format("is of {} pixels, but {} of {}; bring depth to the "
+                                       "colour camera's pixels",
+                                       SizeOf(depth.width, depth.height), frame.color.string(),
+                                       SizeOf(color.width, color.height)));
+    }
+    return depth;
+  }
+  const sim::Image right = ReadRgb(frame.right);
+  if (right.width != color.width || right.height != color.height) {
+    throw sim::FileError(frame.right, "", "is not as large as " + frame.color.string());
+  }
+  agent::StereoSpec stereo;
+  // What is nearer than a quarter of the picture is wide is left out, as are as many columns.
+  stereo.disparities = std::clamp(color.width / 64 * 16, 16, stereo.disparities);
+  stereo.fx = source.intrinsics.fx;
+  stereo.baseline_m = source.baseline_m;
+  return {color.width, color.height,
+          agent::StereoDepth(color.pixels, right.pixels, color.width, color.height, stereo)};
+}
+
+void CheckCamera(const Source& source, const fs::path& folder, const sim::Image& color) {
+  const Intrinsics& k = source.intrinsics;
+  const bool is_inside = k.cx > 0.0 && k.cx < color.width && k.cy > 0.0 && k.cy < color.height;
+  if (is_inside) return;
+  throw sim::FileError(
+      folder, "",
+      fmt::format("the principal point {}, {} lies outside of pictures of {} pixels; give the "
+                  "intrinsics of these pictures with --intrinsics fx,fy,cx,cy",
+                  k.cx, k.cy, SizeOf(color.width, color.height)));
+}
+
+/// A recording while it is read frame by frame.
+class Importer {
+ public:
+  explicit Importer(const ImportRecordingSpec& spec)
+      : spec_(spec),
+        source_(Open(spec)),
+        truth_(PosesOf(source_, source_.truth)),
+        odometry_(PosesOf(source_, source_.odometry)),
+        writer_(MakeRecordingWriter(spec.format, spec.out, source_.intrinsics)),
+        visual_(source_.intrinsics) {
+    outcome_.format = source_.format;
+    outcome_.is_visual = source_.odometry.empty();
+  }
+
+  ImportOutcome Run(const std::function<void(int)>& advance) {
+    for (std::size_t i = 0; i < source_.frames.size(); ++i) {
+      Take(i);
+      if (advance) advance(static_cast<int>(i) + 1);
+    }
+    if (!has_depth_) {
+      throw sim::FileError(spec_.source, "", "no picture of depth has any; is it of 16 bits?");
+    }
+    outcome_.guessed = visual_.guessed();
+    if (2 * visual_.guessed() > visual_.steps()) {
+      throw sim::FileError(
+          spec_.source, "",
+          fmt::format("has no odometry, and too few corners were found again in {} of {} steps to "
+                      "make it from pictures; give it with --odometry FILE",
+                      visual_.guessed(), visual_.steps()));
+    }
+    writer_->Finish();
+    outcome_.frames = writer_->frames();
+    return outcome_;
+  }
+
+ private:
+  void Take(std::size_t i) {
+    const SourceFrame& from = source_.frames[i];
+    RecordedFrame frame;
+    frame.time = from.time;
+    frame.color = ReadRgb(from.color);
+    if (i == 0) {
+      CheckCamera(source_, spec_.source, frame.color);
+      first_ = {frame.color.width, frame.color.height};
+    }
+    if (std::pair(frame.color.width, frame.color.height) != first_) {
+      throw sim::FileError(from.color, "",
+                           fmt::format("is of {} pixels, the first picture of {}; all frames must "
+                                       "come from one camera",
+                                       SizeOf(frame.color.width, frame.color.height),
+                                       SizeOf(first_.first, first_.second)));
+    }
+    frame.depth = DepthOf(source_, from, frame.color);
+    has_depth_ = has_depth_ || std::any_of(frame.depth.metres.begin(), frame.depth.metres.end(),
+                                           [](float metres) {
+                                             return metres > 0.0F;
+                                           });
+    frame.truth = truth_[i];
+    if (frame.truth) ++outcome_.with_truth;
+    frame.odometry = OdometryOf(i, frame);
+    writer_->Add(frame);
+  }
+
+  agent::SpatialPose OdometryOf(std::size_t i, const RecordedFrame& frame) {
+    if (outcome_.is_visual) return visual_.Next(frame.color, frame.depth);
+    if (odometry_[i]) return *odometry_[i];
+    const fs::path file = spec_.odometry.empty() ? spec_.source / "odometry.txt" : spec_.odometry;
+    throw sim::FileError(file, "",
+                         fmt::format("has no pose within 0.05 s of the frame at {}; add it, or "
+                                     "leave the frame out",
+                                     frame.time));
+  }
+
+  const ImportRecordingSpec& spec_;
+  Source source_;
+  std::vector<std::optional<agent::SpatialPose>> truth_;
+  std::vector<std::optional<agent::SpatialPose>> odometry_;
+  std::unique_ptr<RecordingWriter> writer_;
+  VisualOdometry visual_;
+  ImportOutcome outcome_;
+  std::pair<int, int> first_;
+  bool has_depth_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<RecordingWriter> MakeRecordingWriter(RecordingFormat format, const fs::path& folder,
+                                                     const Intrinsics& intrinsics) {
+  BULLETNAV_CHECK(format != RecordingFormat::kG2o);
+  if (format == RecordingFormat::kKitti) return std::make_unique<KittiWriter>(folder, intrinsics);
+  return std::make_unique<TumWriter>(folder, intrinsics);
+}
+
+ImportOutcome ImportRecording(const ImportRecordingSpec& spec,
+                              const std::function<void(int)>& advance) {
+  return Importer(spec).Run(advance);
+}
+
+}  // namespace bulletnav::bench

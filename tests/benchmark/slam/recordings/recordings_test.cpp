@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: MIT
+// Recordings that come in and go out.
+#include <algorithm>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "benchmark/slam/io/file_frames.h"
+#include "benchmark/slam/io/g2o.h"
+#include "benchmark/slam/io/kitti_folder.h"
+#include "benchmark/slam/io/tum.h"
+#include "benchmark/slam/io/tum_writer.h"
+#include "benchmark/slam/recordings/export_recording.h"
+#include "benchmark/slam/recordings/import_recording.h"
+#include "benchmark/slam/runs/slam_runner.h"
+#include "sim/base/error.h"
+#include "sim/base/files.h"
+#include "sim/math/rng.h"
+#include "tests/support/temporary_folder.h"
+
+namespace bulletnav::bench {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+constexpr int kWidth = 160;
+constexpr int kHeight = 120;
+constexpr Intrinsics kCamera = {100.0, 100.0, 79.5, 59.5};
+
+/// Random rectangles.
+sim::Image Wall() {
+  sim::Image wall(2 * kWidth, kHeight, 3);
+  sim::Rng rng(1, "wall");
+  for (int i = 0; i < 400; ++i) {
+    const int x0 = rng.Below(wall.width - 12);
+    const int y0 = rng.Below(kHeight - 12);
+    const int x1 = x0 + rng.Between(4, 11);
+    const int y1 = y0 + rng.Between(4, 11);
+    const auto grey = static_cast<std::uint8_t>(rng.Below(256));
+    for (int y = y0; y < y1; ++y) {
+      for (int x = x0; x < x1; ++x) std::fill_n(wall.at(x, y), 3, grey);
+    }
+  }
+  return wall;
+}
+
+/// What a camera sees of a wall 2 m before it once it has moved to the right by so many pixels.
+RecordedFrame Frame(int number, int pixels) {
+  static const sim::Image wall = Wall();
+  RecordedFrame frame;
+  frame.time = 0.1 * number;
+  frame.color = sim::Image(kWidth, kHeight, 3);
+  for (int y = 0; y < kHeight; ++y) {
+    std::copy_n(wall.at(pixels, y), 3 * kWidth, frame.color.at(0, y));
+  }
+  frame.depth = {kWidth, kHeight, std::vector<float>(kWidth * kHeight, 2.0F)};
+  return frame;
+}
+
+/// Metres to the right.
+double Moved(int pixels) {
+  return pixels * 2.0 / kCamera.fx;
+}
+
+class Recordings : public ::testing::Test {
+ protected:
+  /// Four frames, a step of 5 pixels to the right each.
+  template <class Writer>
+  fs::path Record(const char* name, bool has_poses) {
+    const fs::path folder = folder_.path() / name;
+    Writer writer(folder, kCamera);
+    for (int i = 0; i < 4; ++i) {
+      RecordedFrame frame = Frame(i, 5 * i);
+      if (has_poses) {
+        frame.truth = CameraInFile(sim::PlanarPose{0.0, -Moved(5 * i), 0.0}, 1.0);
+        frame.odometry = CameraInFile(sim::PlanarPose{0.0, -Moved(6 * i), 0.0}, 1.0);
+      }
+      writer.Add(frame);
+    }
+    writer.Finish();
+    return folder;
+  }
+
+  ImportOutcome Import(const fs::path& source, const char* out) const {
+    return ImportRecording({.source = source, .out = folder_.path() / out});
+  }
+
+  tests::TemporaryFolder folder_;
+};
+
+TEST_F(Recordings, ImportTakesWhatExportWrote) {
+  const fs::path tum = Record<TumWriter>("tum", true);
+  EXPECT_EQ(ExportRecording({.source = tum, .out = folder_.path() / "again"}), 4);
+  const ImportOutcome outcome = Import(folder_.path() / "again", "in");
+  EXPECT_EQ(outcome.format, "TUM");
+  EXPECT_EQ(outcome.frames, 4);
+  EXPECT_EQ(outcome.with_truth, 4);
+  EXPECT_FALSE(outcome.is_visual);
+  for (const char* file : {"rgb.txt", "depth.txt", "groundtruth.txt", "odometry.txt",
+                           "calibration.txt", "rgb/000003.png", "depth/000003.png"}) {
+    EXPECT_EQ(sim::ReadFile(folder_.path() / "in" / file), sim::ReadFile(tum / file)) << file;
+  }
+}
+
+TEST_F(Recordings, KittiGoesOutAndComesIn) {
+  const fs::path tum = Record<TumWriter>("tum", true);
+  const fs::path kitti = folder_.path() / "kitti";
+  ExportRecording({.source = tum, .out = kitti, .format = RecordingFormat::kKitti});
+  const ImportOutcome outcome = Import(kitti, "in");
+  EXPECT_EQ(outcome.format, "KITTI");
+  EXPECT_EQ(outcome.with_truth, 4);
+  const auto odometry = ReadTumTrajectory(folder_.path() / "in/odometry.txt");
+  ASSERT_EQ(odometry.size(), 4u);
+  EXPECT_NEAR(PlanarFromFile(odometry[3].pose).y, -Moved(18), 1e-9);
+  EXPECT_NEAR(odometry[3].time, 0.3, 1e-12);
+  const DepthPicture depth = ReadTumDepth(folder_.path() / "in/depth/000000.png");
+  EXPECT_NEAR(depth.metres[100], 2.0, 1e-6);
+}
+
+/// By hand: a sequence of stereo pictures without odometry. The right camera is .2 m to the right,
+/// where the wall is seen 10 pixels further left.
+TEST_F(Recordings, AHandMadeStereoSequenceGetsDepthAndOdometry) {
+  folder_.Write("s/calib.txt",
+                "P2: 100 0 79.5 0 0 100 59.5 0 0 0 1 0\nP3: 100 0 79.5 -20 0 100 59.5 0 0 0 1 0\n");
+  std::string times;
+  for (int i = 0; i < 3; ++i) {
+    times += std::to_string(0.1 * i) + "\n";
+    const std::string name = "00000" + std::to_string(i) + ".png";
+    sim::WritePng(folder_.path() / "s/image_2" / name, Frame(i, 4 * i).color);
+    sim::WritePng(folder_.path() / "s/image_3" / name, Frame(i, 4 * i + 10).color);
+  }
+  folder_.Write("s/times.txt", times);
+  const ImportOutcome outcome = Import(folder_.path() / "s", "in");
+  EXPECT_TRUE(outcome.is_visual);
+  EXPECT_EQ(outcome.guessed, 0);
+  EXPECT_EQ(outcome.with_truth, 0);
+  const auto odometry = ReadTumTrajectory(folder_.path() / "in/odometry.txt");
+  const sim::PlanarPose last = PlanarFromFile(odometry[2].pose);
+  EXPECT_NEAR(last.y, -Moved(8), 0.02);
+  EXPECT_NEAR(last.x, 0.0, 0.02);
+}
+
+TEST_F(Recordings, BadRecordingsAreToldInALine) {
+  const auto complaint = [this](const fs::path& source) -> std::string {
+    try {
+      fs::remove_all(folder_.path() / "in");
+      Import(source, "in");
+    } catch (const sim::FileError& e) {
+      return e.what();
+    }
+    return "";
+  };
+  EXPECT_THAT(complaint(folder_.path()), HasSubstr("is no recording"));
+  EXPECT_THAT(complaint(folder_.path() / "none"), HasSubstr("is not there"));
+
+  fs::path bad = Record<TumWriter>("frame", true);
+  fs::remove(bad / "rgb/000002.png");
+  EXPECT_THAT(complaint(bad), AllOf(HasSubstr("rgb.txt:4"), HasSubstr("000002.png is not there")));
+  bad = Record<TumWriter>("clock", true);
+  sim::WriteFileAtomically(bad / "rgb.txt", "1 rgb/000000.png\n0.5 rgb/000001.png\n");
+  EXPECT_THAT(complaint(bad), AllOf(HasSubstr("rgb.txt:2"), HasSubstr("is not after")));
+  bad = Record<TumWriter>("late", true);
+  sim::WriteFileAtomically(bad / "depth.txt", "9 depth/000000.png\n");
+  EXPECT_THAT(complaint(bad), HasSubstr("not synchronised"));
+  bad = Record<TumWriter>("broken", true);
+  sim::WriteFileAtomically(bad / "depth/000001.png", "no PNG");
+  EXPECT_THAT(complaint(bad), AllOf(HasSubstr("depth/000001.png"), HasSubstr("16-bit grey PNG")));
+  bad = Record<TumWriter>("small", true);
+  WriteTumDepth(bad / "depth/000001.png", {2, 2, {1.0F, 1.0F, 1.0F, 1.0F}});
+  EXPECT_THAT(complaint(bad), AllOf(HasSubstr("depth/000001.png"), HasSubstr("2 x 2")));
+  bad = Record<TumWriter>("lens", true);
+  fs::remove(bad / "calibration.txt");
+  EXPECT_THAT(complaint(bad), HasSubstr("intrinsics are unknown"));
+  bad = Record<TumWriter>("point", true);
+  sim::WriteFileAtomically(bad / "calibration.txt", "525 525 319.5 239.5\n");
+  EXPECT_THAT(complaint(bad), AllOf(HasSubstr("principal point"), HasSubstr("--intrinsics")));
+  bad = Record<TumWriter>("gap", true);
+  sim::WriteFileAtomically(bad / "odometry.txt", "0 0 0 0 0 0 0 1\n0.1 0 0 0 0 0 0 1\n");
+  EXPECT_THAT(complaint(bad), AllOf(HasSubstr("odometry.txt"), HasSubstr("the frame at 0.2")));
+
+  bad = Record<KittiWriter>("kitti", true);
+  fs::remove(bad / "depth/000001.png");
+  EXPECT_THAT(complaint(bad), AllOf(HasSubstr("depth/000001.png"), HasSubstr("line 2")));
+  fs::remove_all(bad / "depth");
+  EXPECT_THAT(complaint(bad), HasSubstr("neither depth/ nor image_3/"));
+}
+
+TEST_F(Recordings, WhatLosesItsWayIsNoOdometry) {
+  const fs::path folder = folder_.path() / "blank";
+  TumWriter writer(folder, kCamera);
+  for (int i = 0; i < 4; ++i) {
+    RecordedFrame frame = Frame(i, 0);
+    std::fill(frame.color.pixels.begin(), frame.color.pixels.end(), std::uint8_t{128});
+    writer.Add(frame);
+  }
+  writer.Finish();
+  EXPECT_THAT(
+      [&] {
+        Import(folder, "in");
+      },
+      ThrowsMessage<sim::FileError>(AllOf(HasSubstr("3 of 3"), HasSubstr("--odometry"))));
+  EXPECT_FALSE(fs::exists(folder_.path() / "in/rgb.txt"));
+}
+
+TEST_F(Recordings, ResultsAndGraphsGoOut) {
+  const fs::path tum = Record<TumWriter>("tum", true);
+  const SlamConfig config = LoadSlamConfig(folder_.Write(
+      "r.yaml", "recordings: [" + tum.string() +
+                    "]\napart_m: 1\ndetectors: [{detector: seqslam, parameters: {length: 1}}]\n"));
+  const fs::path run = folder_.path() / "run";
+  RunSlam(config, run, {});
+  EXPECT_EQ(ExportRecording({.source = run, .out = folder_.path() / "out"}), 4);
+  EXPECT_EQ(ReadTumTrajectory(folder_.path() / "out/seqslam.txt").size(), 4u);
+  ExportSpec graph = {.source = run,
+                      .out = folder_.path() / "graph.g2o",
+                      .format = RecordingFormat::kG2o,
+                      .detector = "seqslam"};
+  EXPECT_EQ(ExportRecording(graph), 4);
+  EXPECT_EQ(std::get<agent::PlanarPoseGraph>(ReadG2o(graph.out)).vertices.size(), 4u);
+  graph.detector = "";
+  EXPECT_EQ(ExportRecording(graph), 4);
+  graph.detector = "bwo";
+  EXPECT_THAT(
+      [&] {
+        ExportRecording(graph);
+      },
+      ThrowsMessage<sim::Error>(AllOf(HasSubstr("'bwo'"), HasSubstr("seqslam"))));
+  graph.drive = "elsewhere";
+  EXPECT_THAT(
+      [&] {
+        ExportRecording(graph);
+      },
+      ThrowsMessage<sim::Error>(HasSubstr("there are: tum")));
+}
+
+}  // namespace
+}  // namespace bulletnav::bench
