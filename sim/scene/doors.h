@@ -56,10 +56,10 @@ struct DoorSpec {
 /// For YamlReader. Throws FileError.
 void ReadYaml(const YamlNode& node, DoorSpec& value);
 
-/// Turns leaves about their hinges, in the mesh and in `doors`, as the spec says, and measures their
-/// widths; those that lead outside stay. Of a share, round(share * n) of the n others are open: a draw from the seed and
-/// `scene`, a name. Light that is baked into colours stays as it was. The same bits on every
-/// processor. Expects: doors of this mesh (checked).
+/// Turns leaves about their hinges, in the mesh and in `doors`, as the spec says, and measures
+/// their widths; those that lead outside stay. Of a share, round(share * n) of the n others are
+/// open: a draw from the seed and `scene`, a name. Light that is baked into colours stays as it
+/// was. The same bits on every processor. Expects: doors of this mesh (checked).
 void SetDoors(const DoorSpec& spec, const std::string& scene, std::vector<DoorLeaf>* doors,
               SceneMesh* mesh);
 
