@@ -131,7 +131,7 @@ tests::TemporaryFolder* RunnerTest::houses_ = nullptr;
 constexpr const char* kAgents =
     "{agent: shortest_path}, {agent: random}, {agent: metric_map_fbe, models: {semantic_model: "
     "oracle}}, "
-    "{agent: nts, models: {semantic_model: oracle}}, {agent: active_neural_slam}";
+    "{agent: nts, models: {semantic_model: oracle}}, {agent: of_tomorrow}";
 
 TEST_F(RunnerTest, AnyNumberOfWorkersGivesTheSameBytes) {
   const RunConfig config = Config(kAgents, "conditions: [noise, no_noise]\nseeds: [3, 4]");
