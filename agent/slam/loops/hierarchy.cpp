@@ -27,7 +27,14 @@ Eigen::MatrixXf Points(const DescriptorFrames& frames) {
 
 }  // namespace
 
+void SequenceMatchSpec::Validate() const {
+  if (!(sequence_weight >= 0.0 && sequence_weight <= 1.0)) {
+    throw sim::Error("sequence_weight must lie between 0 and 1");
+  }
+}
+
 void HierarchyConfig::Validate() const {
+  match.Validate();
   if (starts < 1 || shortest < 1 || most_clusters < 2 || length < 0) {
     throw sim::Error(
         "starts and shortest must be at least 1, most_clusters at least 2, length at least 0");
@@ -43,10 +50,12 @@ void CompareInSequences(int frame, std::size_t own, const DescriptorFrames& fram
     const int end = std::min(sequences[i].last + 1, frames.comparable(frame));
     if (end <= sequences[i].first) continue;
     if (spec.within_clusters && sequences[i].cluster != sequences[own].cluster) continue;
-    if (Cosine(wholes[i], wholes[own]) < spec.least_sequence) continue;
+    const double alike = Cosine(wholes[i], wholes[own]);
+    if (alike < spec.least_sequence) continue;
     for (int earlier = sequences[i].first; earlier < end; ++earlier) {
       const double cosine = Cosine(frames.descriptor(frame), frames.descriptor(earlier));
-      candidates->push_back({frame, earlier, cosine, false});
+      const double score = (1.0 - spec.sequence_weight) * cosine + spec.sequence_weight * alike;
+      candidates->push_back({frame, earlier, score, false});
     }
   }
   ProposeBest(first, spec.least_frame, candidates);

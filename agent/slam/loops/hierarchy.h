@@ -12,16 +12,21 @@ namespace bulletnav::agent {
 
 /// Which sequences are joined and which of their frames are loops.
 struct SequenceMatchSpec {
-  double least_sequence = 0.8;   // t_s, cosine of two sequences that are joined
-  double least_frame = 0.8;      // t_g, cosine of two frames
+  double least_sequence = 0.0;  // t_s, cosine of two sequences that are joined
+  double least_frame = 0.5;     // t_g, cosine of two frames
+  /// Of the sequences' cosine in a pair's score, the rest is the frames'. 0 is as the paper has it.
+  double sequence_weight = 0.5;
   bool within_clusters = false;  // sequences of other clusters are never joined
 
   template <class V>
   void Visit(V& v) {
     v("least_sequence", least_sequence);
     v("least_frame", least_frame);
+    v("sequence_weight", sequence_weight);
     v("within_clusters", within_clusters);
   }
+  /// Throws sim::Error.
+  void Validate() const;
 };
 
 /// Compares a frame with those frames before its `comparable` whose sequence is joined with its

@@ -19,7 +19,7 @@ class GemMean final : public LoopDetector {
 
   struct Config {
     int length = 5;            // frames
-    double least_frame = 0.8;  // cosine of two sequences
+    double least_frame = 0.5;  // cosine of two sequences
 
     template <class V>
     void Visit(V& v) {

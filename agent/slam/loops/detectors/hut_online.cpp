@@ -22,7 +22,10 @@ class HutOnline final : public LoopDetector {
       clusters.Visit(v);
       match.Visit(v);
     }
-    void Validate() const { clusters.Validate(); }
+    void Validate() const {
+      clusters.Validate();
+      match.Validate();
+    }
   };
 
   HutOnline(const Config& config, const LoopContext& context)

@@ -93,7 +93,7 @@ std::shared_ptr<const Vocabulary> SomeVocabulary() {
 
 /// Settings under which places of one room are not taken for one another.
 std::string NeedsLikeness(const std::string& name) {
-  return name.starts_with("hut") ? "{least_frame: 0.95, least_sequence: 0.7}"
+  return name.starts_with("hut") ? "{least_frame: 0.95, least_sequence: 0.7, sequence_weight: 0}"
                                  : "{least_frame: 0.95}";
 }
 
