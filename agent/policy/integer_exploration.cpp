@@ -42,7 +42,7 @@ DotLayer Layer(const QuantisedNet& net, const std::string& name, double in, doub
   return {net.Layer(name), LayerWidth::k16, {in, 0, kExplorationLargest, out}};
 }
 
-/// The largest of each 2 x 2 pixels; of an odd row or column more, nothing.
+/// The largest of each 2 x 2 pixels.
 void Pool(const Pictures& in, Pictures* out) {
   const int channels = in.shape.channels;
   for (int row = 0; row < out->shape.rows; ++row) {

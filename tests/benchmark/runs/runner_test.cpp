@@ -131,7 +131,8 @@ tests::TemporaryFolder* RunnerTest::houses_ = nullptr;
 constexpr const char* kAgents =
     "{agent: shortest_path}, {agent: random}, {agent: metric_map_fbe, models: {semantic_model: "
     "oracle}}, "
-    "{agent: nts, models: {semantic_model: oracle}}, {agent: of_tomorrow}";
+    "{agent: nts, models: {semantic_model: oracle}}, {agent: active_neural_slam, models: "
+    "{semantic_model: oracle, exploration: gone.safetensors}}";
 
 TEST_F(RunnerTest, AnyNumberOfWorkersGivesTheSameBytes) {
   const RunConfig config = Config(kAgents, "conditions: [noise, no_noise]\nseeds: [3, 4]");
@@ -144,8 +145,8 @@ TEST_F(RunnerTest, AnyNumberOfWorkersGivesTheSameBytes) {
     EXPECT_EQ(sim::ReadTextFile(folder("one") / file), sim::ReadTextFile(folder("many") / file));
   }
   const std::string table = sim::ReadTextFile(folder("one") / "table.md");
-  EXPECT_THAT(table, AllOf(HasSubstr("oracle"), HasSubstr("privileged"),
-                           HasSubstr("this version has no such agent yet")));
+  EXPECT_THAT(table,
+              AllOf(HasSubstr("oracle"), HasSubstr("privileged"), HasSubstr("gone.safetensors")));
   fs::remove(folder("one") / "table.md");
   EXPECT_EQ(RebuildTables(folder("one")),
             table + "\n" + sim::ReadTextFile(folder("one") / "scenes.md"));
