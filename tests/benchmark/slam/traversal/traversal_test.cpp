@@ -136,7 +136,7 @@ TEST(Traversal, RefusesBadSpecs) {
 /// The same way, and other colours from a frame on.
 TEST(Traversal, ALookMayChangeOnTheWay) {
   sim::SceneMesh painted = tests::BoxRoom(8, 2.6f, 6);
-  for (sim::Rgb8& color : painted.colors) color = {color[2], color[0], color[1]};
+  for (sim::Material& material : painted.materials) material.base_color = {90, 40, 40};
   const auto later = sim::World::FromMesh(painted, "room");
   const TraversalSpec spec = SmallSpec();
   const auto plain = Frames(spec);
