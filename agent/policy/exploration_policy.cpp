@@ -25,7 +25,7 @@ GoalSteps DrawGoal(const GoalDistribution& goal, sim::Rng* rng) {
 }
 
 std::array<double, 2> SharesOf(const GoalSteps& steps) {
-  std::array<double, 2> shares;
+  std::array<double, 2> shares = {};
   for (std::size_t i = 0; i < steps.size(); ++i) {
     shares[i] = 1.0 / (1.0 + sim::Exp(-kGoalStep * steps[i]));
   }

@@ -32,7 +32,8 @@ class Painter {
 
  private:
   void Add(int x, int y, int what) {
-    std::uint8_t& pixel = view_[static_cast<std::size_t>(y * kExplorationSide + x)];
+    std::uint8_t& pixel =
+        view_[static_cast<std::size_t>(y) * kExplorationSide + static_cast<std::size_t>(x)];
     pixel = static_cast<std::uint8_t>(pixel | what);
   }
 

@@ -42,18 +42,23 @@ DotLayer Layer(const QuantisedNet& net, const std::string& name, double in, doub
   return {net.Layer(name), LayerWidth::k16, {in, 0, kExplorationLargest, out}};
 }
 
+/// The largest values of two pixels beside each other in each of two rows.
+void PoolPixel(const std::uint8_t* above, const std::uint8_t* below, int channels,
+               std::uint8_t* to) {
+  for (int i = 0; i < channels; ++i) {
+    to[i] =
+        std::max(std::max(above[i], above[i + channels]), std::max(below[i], below[i + channels]));
+  }
+}
+
 /// The largest of each 2 x 2 pixels.
 void Pool(const Pictures& in, Pictures* out) {
   const int channels = in.shape.channels;
   for (int row = 0; row < out->shape.rows; ++row) {
     for (int col = 0; col < out->shape.cols; ++col) {
       const std::uint8_t* above = in.bytes.data() + in.shape.Offset(2 * row, 2 * col);
-      const std::uint8_t* below = above + in.shape.row_stride();
-      std::uint8_t* to = out->bytes.data() + out->shape.Offset(row, col);
-      for (int i = 0; i < channels; ++i) {
-        to[i] = std::max(std::max(above[i], above[i + channels]),
-                         std::max(below[i], below[i + channels]));
-      }
+      PoolPixel(above, above + in.shape.row_stride(), channels,
+                out->bytes.data() + out->shape.Offset(row, col));
     }
   }
 }
@@ -130,7 +135,7 @@ GoalDistribution IntegerExploration::Ask(std::span<const std::uint8_t> view, int
   for (int row = 0; row < kExplorationSide; ++row) {
     std::uint8_t* to = input_.bytes.data() + input_.shape.Offset(row, 0);
     for (const std::uint8_t pixel :
-         view.subspan(static_cast<std::size_t>(row * kExplorationSide), kExplorationSide)) {
+         view.subspan(static_cast<std::size_t>(row) * kExplorationSide, kExplorationSide)) {
       for (int i = 0; i < kExplorationChannels; ++i) *to++ = (pixel >> i) & 1;
     }
   }
@@ -152,7 +157,7 @@ GoalDistribution IntegerExploration::Ask(std::span<const std::uint8_t> view, int
   output.high = kExplorationLargest;
   last.layer.Run({in->bytes.data(), last.in_offsets, in->shape.row_stride()}, {}, output);
   std::fill(codes_.begin() + kExplorationCodes, codes_.end(), std::int16_t{0});
-  codes_[static_cast<std::size_t>(kExplorationCodes + heading)] = kExplorationLargest;
+  codes_[kExplorationCodes + static_cast<std::size_t>(heading)] = kExplorationLargest;
   Values features;
   Run(&first_, codes_, 0, kExplorationLargest, &inside_);
   Run(&second_, inside_, 0, kExplorationLargest, &features);

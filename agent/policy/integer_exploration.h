@@ -58,7 +58,7 @@ class IntegerExploration final : public ExplorationPolicy {
   DotLayer mean_;
   Values codes_;
   Values inside_;
-  std::array<double, 2> deviation_;
+  std::array<double, 2> deviation_ = {};
 };
 
 }  // namespace bulletnav::agent

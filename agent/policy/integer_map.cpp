@@ -72,15 +72,16 @@ void IntegerMap::SetPlanes(std::span<const std::uint8_t> bytes) {
   constexpr std::size_t kBits = 8;
   Stage& in = stages_.front();
   std::size_t bit = 0;
+  const auto set_row = [&](int start) {
+    std::int16_t* to = in.values.data() + start;
+    for (int col = 0; col < kMapSide; ++col, ++bit, to += kChannelsIn) {
+      *to = static_cast<std::int16_t>(bytes[bit / kBits] >> bit % kBits & 1);
+    }
+  };
   for (int crop = 0; crop < kMapCrops; ++crop) {
     for (int plane = 0; plane < kMapPlanes; ++plane) {
-      for (int row = 0; row < kMapSide; ++row) {
-        const int start = crop * in.shape.size() + in.shape.Offset(row, 0) + plane;
-        for (int col = 0; col < kMapSide; ++col, ++bit) {
-          in.values[static_cast<std::size_t>(start + col * kChannelsIn)] =
-              static_cast<std::int16_t>(bytes[bit / kBits] >> bit % kBits & 1);
-        }
-      }
+      const int first = crop * in.shape.size() + plane;
+      for (int row = 0; row < kMapSide; ++row) set_row(first + in.shape.Offset(row, 0));
     }
   }
 }

@@ -54,6 +54,13 @@ void PolicyMap::See(const Observation& observation) {
   Cut();
 }
 
+unsigned PolicyMap::BitsOf(const sim::Cell& at) const {
+  const int size = map_.states().size();
+  if (at.x < 0 || at.y < 0 || at.x >= size || at.y >= size) return 0;
+  return (map_.IsObstacle(at) ? kObstacle : 0) | (map_.IsExplored(at) ? kExplored : 0) |
+         (map_.IsTrack(at) ? kBeen : 0);
+}
+
 /// What lies in cells of 5 cm around the body, in its own frame. In whole numbers, which a step
 /// along a row or a column adds to.
 void PolicyMap::Turn() {
@@ -70,18 +77,11 @@ void PolicyMap::Turn() {
   std::int32_t row_x = Fixed(x);
   std::int32_t row_y = Fixed(y);
   std::uint8_t* out = turned_.data();
-  const int size = map_.states().size();
   for (int row = 0; row < kTurnedSide; ++row, row_x -= along, row_y -= across) {
     std::int32_t at_x = row_x;
     std::int32_t at_y = row_y;
     for (int col = 0; col < kTurnedSide; ++col, at_x += across, at_y -= along) {
-      const sim::Cell at{at_x >> kFractionBits, at_y >> kFractionBits};
-      unsigned bits = 0;
-      if (at.x >= 0 && at.y >= 0 && at.x < size && at.y < size) {
-        bits = (map_.IsObstacle(at) ? kObstacle : 0) | (map_.IsExplored(at) ? kExplored : 0) |
-               (map_.IsTrack(at) ? kBeen : 0);
-      }
-      *out++ = static_cast<std::uint8_t>(bits);
+      *out++ = static_cast<std::uint8_t>(BitsOf({at_x >> kFractionBits, at_y >> kFractionBits}));
     }
   }
 }
@@ -101,15 +101,18 @@ void PolicyMap::Cut() {
   const auto at = [&](int row, int col) {
     return turned_.data() + std::ptrdiff_t{row} * kTurnedSide + col;
   };
+  const auto any_at = [&](int row, int col) {
+    unsigned any = 0;
+    for (int i = 0; i < kMapCoarse; ++i) {
+      const std::uint8_t* line = at(kMapCoarse * row + i, kMapCoarse * col);
+      any |= unsigned{line[0]} | line[1] | line[2] | line[3];
+    }
+    return any;
+  };
   for (int row = 0; row < kMapSide; ++row) {
     for (int col = 0; col < kMapSide; ++col) {
       SetBits(0, row, col, *at(kFirstFine + row, kFirstFine + col));
-      unsigned any = 0;
-      for (int i = 0; i < kMapCoarse; ++i) {
-        const std::uint8_t* line = at(kMapCoarse * row + i, kMapCoarse * col);
-        any |= unsigned{line[0]} | line[1] | line[2] | line[3];
-      }
-      SetBits(1, row, col, any);
+      SetBits(1, row, col, any_at(row, col));
     }
   }
 }

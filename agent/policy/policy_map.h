@@ -44,6 +44,8 @@ class PolicyMap {
 
  private:
   void Cut();
+  /// What is known of a cell; nothing beyond the map.
+  unsigned BitsOf(const sim::Cell& at) const;
   void Turn();
   void SetBits(int crop, int row, int col, unsigned bits);
 

@@ -178,18 +178,24 @@ void GeneratorSpec::Validate() const {
   if (out.empty()) throw Error("'out' is empty; name the file to write");
 }
 
+namespace {
+
+/// The meshes of a folder, or a file itself.
+std::vector<std::string> ScenesAt(const std::string& place) {
+  if (fs::is_directory(place)) return MeshesBelow(place);
+  if (!fs::exists(place) && !fs::path(place).has_extension()) {
+    throw sim::FileError(place, "", std::string("there is no such folder") + kPutSome);
+  }
+  return {place};
+}
+
+}  // namespace
+
 std::vector<std::string> ScenesOf(const GeneratorSpec& spec) {
   std::vector<std::string> scenes;
-  for (const std::string& scene : spec.scenes) {
-    if (!fs::is_directory(scene)) {
-      if (!fs::exists(scene) && !fs::path(scene).has_extension()) {
-        throw sim::FileError(scene, "", std::string("there is no such folder") + kPutSome);
-      }
-      scenes.push_back(scene);
-      continue;
-    }
-    const std::vector<std::string> meshes = MeshesBelow(scene);
-    scenes.insert(scenes.end(), meshes.begin(), meshes.end());
+  for (const std::string& place : spec.scenes) {
+    const std::vector<std::string> those = ScenesAt(place);
+    scenes.insert(scenes.end(), those.begin(), those.end());
   }
   if (!spec.houses) return scenes;
   const fs::path file = spec.houses->index;

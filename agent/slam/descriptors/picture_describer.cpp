@@ -77,7 +77,7 @@ std::vector<std::uint8_t> PictureDescriber::Cells() const {
   std::vector<std::uint8_t> cells;
   for (int row = 0; row < map.shape.rows; ++row) {
     const auto first = map.bytes.begin() + map.shape.Offset(row, 0);
-    cells.insert(cells.end(), first, first + map.shape.cols * map.shape.channels);
+    cells.insert(cells.end(), first, first + std::ptrdiff_t{map.shape.cols} * map.shape.channels);
   }
   return cells;
 }

@@ -61,22 +61,28 @@ void SeqVlad::Add(std::span<const std::uint8_t> cells, Sum* sum) const {
     const auto bytes = cells.subspan(first, channels);
     const PictureDescriptor cell =
         DirectionOf(std::vector<std::int64_t>(bytes.begin(), bytes.end()));
-    for (std::size_t k = 0; k < clusters; ++k) {
-      std::int64_t dot = 0;
-      for (std::size_t i = 0; i < channels; ++i) {
-        dot += std::int64_t{assign_[k * channels + i]} * cell[i];
-      }
-      // Steps of 2^-26 to those of 2^-kLogitBits.
-      logits[k] = static_cast<std::int32_t>(dot / (1 << (26 - kLogitBits)));
-    }
+    for (std::size_t k = 0; k < clusters; ++k) logits[k] = LogitOf(cell, k);
     SoftmaxOf(logits, shares);
     for (std::size_t k = 0; k < clusters; ++k) {
       const auto share = static_cast<std::int64_t>(std::nearbyint(double{shares[k]} * kShareSteps));
-      if (share == 0) continue;
-      for (std::size_t i = 0; i < channels; ++i) {
-        (*sum)[k * channels + i] += share * (cell[i] - centres_[k * channels + i]);
-      }
+      if (share != 0) AddShare(cell, k, share, sum);
     }
+  }
+}
+
+std::int32_t SeqVlad::LogitOf(const PictureDescriptor& cell, std::size_t cluster) const {
+  std::int64_t dot = 0;
+  const std::size_t first = cluster * cell.size();
+  for (std::size_t i = 0; i < cell.size(); ++i) dot += std::int64_t{assign_[first + i]} * cell[i];
+  // Steps of 2^-26 to those of 2^-kLogitBits.
+  return static_cast<std::int32_t>(dot / (1 << (26 - kLogitBits)));
+}
+
+void SeqVlad::AddShare(const PictureDescriptor& cell, std::size_t cluster, std::int64_t share,
+                       Sum* sum) const {
+  const std::size_t first = cluster * cell.size();
+  for (std::size_t i = 0; i < cell.size(); ++i) {
+    (*sum)[first + i] += share * (cell[i] - centres_[first + i]);
   }
 }
 

@@ -32,6 +32,12 @@ class SeqVlad final : public SequenceModel {
   std::vector<std::int16_t> Whole(const Sum& sum) const;
 
  private:
+  /// How much a cell's direction is like a cluster, in 2^-kLogitBits.
+  std::int32_t LogitOf(const PictureDescriptor& cell, std::size_t cluster) const;
+  /// Adds a share of how a cell's direction differs from a cluster's centre.
+  void AddShare(const PictureDescriptor& cell, std::size_t cluster, std::int64_t share,
+                Sum* sum) const;
+
   SequenceConfig config_;
   std::vector<std::int32_t> assign_;   // [clusters, channels] logits in 2^-kLogitBits
   std::vector<std::int32_t> centres_;  // [clusters, channels] in steps of kDescriptorUnit

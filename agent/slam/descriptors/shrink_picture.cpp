@@ -33,6 +33,15 @@ std::vector<std::vector<Share>> SharesOf(int cells, int pixels) {
   return shares;
 }
 
+std::int64_t SumOf(const std::vector<Share>& cols, const std::vector<std::int64_t>& columns,
+                   std::size_t channel) {
+  std::int64_t sum = 0;
+  for (const Share& col : cols) {
+    sum += col.share * columns[static_cast<std::size_t>(col.pixel) * 3 + channel];
+  }
+  return sum;
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> ShrinkPicture(std::span<const std::uint8_t> rgb, int width_px,
@@ -60,10 +69,7 @@ std::vector<std::uint8_t> ShrinkPicture(std::span<const std::uint8_t> rgb, int w
     }
     for (const auto& cols_of : across) {
       for (std::size_t channel = 0; channel < 3; ++channel) {
-        std::int64_t sum = 0;
-        for (const Share& col : cols_of) {
-          sum += col.share * columns[static_cast<std::size_t>(col.pixel) * 3 + channel];
-        }
+        const std::int64_t sum = SumOf(cols_of, columns, channel);
         out.push_back(static_cast<std::uint8_t>((2 * kLargest * sum + whole) / (2 * whole)));
       }
     }

@@ -42,15 +42,15 @@ void HierarchyConfig::Validate() const {
 }
 
 void CompareInSequences(int frame, std::size_t own, const DescriptorFrames& frames,
-                        const std::vector<Sequence>& sequences,
-                        const std::vector<PictureDescriptor>& wholes, const SequenceMatchSpec& spec,
+                        const DescribedSequences& described, const SequenceMatchSpec& spec,
                         std::vector<LoopCandidate>* candidates) {
+  const std::vector<Sequence>& sequences = described.sequences;
   const std::size_t first = candidates->size();
   for (std::size_t i = 0; i <= own; ++i) {
     const int end = std::min(sequences[i].last + 1, frames.comparable(frame));
     if (end <= sequences[i].first) continue;
     if (spec.within_clusters && sequences[i].cluster != sequences[own].cluster) continue;
-    const double alike = Cosine(wholes[i], wholes[own]);
+    const double alike = Cosine(described.wholes[i], described.wholes[own]);
     if (alike < spec.least_sequence) continue;
     for (int earlier = sequences[i].first; earlier < end; ++earlier) {
       const double cosine = Cosine(frames.descriptor(frame), frames.descriptor(earlier));
@@ -114,7 +114,7 @@ std::vector<LoopCandidate> HierarchyDetector::Finish() {
   const std::vector<PictureDescriptor> wholes = WholesOf(sequences);
   for (std::size_t own = 0; own < sequences.size(); ++own) {
     for (int frame = sequences[own].first; frame <= sequences[own].last; ++frame) {
-      CompareInSequences(frame, own, frames_, sequences, wholes, config_.match, &candidates);
+      CompareInSequences(frame, own, frames_, {sequences, wholes}, config_.match, &candidates);
     }
   }
   return candidates;

@@ -29,13 +29,17 @@ struct SequenceMatchSpec {
   void Validate() const;
 };
 
+/// Sequences and their descriptions, one for one.
+struct DescribedSequences {
+  const std::vector<Sequence>& sequences;
+  const std::vector<PictureDescriptor>& wholes;
+};
+
 /// Compares a frame with those frames before its `comparable` whose sequence is joined with its
 /// own, which is number `own`; appends a candidate for each, and takes the best for a loop if it is
-/// good enough. A sequence is joined with itself: a long one may come back. `wholes` describe
-/// sequences, one for one.
+/// good enough. A sequence is joined with itself: a long one may come back.
 void CompareInSequences(int frame, std::size_t own, const DescriptorFrames& frames,
-                        const std::vector<Sequence>& sequences,
-                        const std::vector<PictureDescriptor>& wholes, const SequenceMatchSpec& spec,
+                        const DescribedSequences& described, const SequenceMatchSpec& spec,
                         std::vector<LoopCandidate>* candidates);
 
 /// Cuts each sequence into pieces of `length` frames; what is left over is a shorter one.

@@ -136,14 +136,16 @@ double OdometryError(const OdometryChain<Pose>& odometry, const PoseEdge<Pose>& 
 
 int SeparateLoops(std::span<const std::pair<int, int>> ends, int gap) {
   using Ends = std::pair<int, int>;
+  const auto is_apart_of_all = [gap](const Ends& other, const std::vector<Ends>& those) {
+    return std::all_of(those.begin(), those.end(), [&](const Ends& one) {
+      return std::abs(one.first - other.first) > gap && std::abs(one.second - other.second) > gap;
+    });
+  };
   std::size_t most = 0;
   for (const Ends& first : ends) {
     std::vector<Ends> apart = {first};
     for (const Ends& other : ends) {
-      const bool is_apart = std::all_of(apart.begin(), apart.end(), [&](const Ends& one) {
-        return std::abs(one.first - other.first) > gap && std::abs(one.second - other.second) > gap;
-      });
-      if (is_apart) apart.push_back(other);
+      if (is_apart_of_all(other, apart)) apart.push_back(other);
     }
     most = std::max(most, apart.size());
   }

@@ -26,19 +26,12 @@ class CornerGrid {
   bool Take(const Eigen::Vector2d& at, const BinaryDescriptor& descriptor, int match_bits) {
     std::optional<std::size_t> best;
     int best_bits = match_bits + 1;
-    const auto [col, row] = CellOf(at.x(), at.y());
-    for (int dy = -1; dy <= 1; ++dy) {
-      for (int dx = -1; dx <= 1; ++dx) {
-        const auto cell = cells_.find({col + dx, row + dy});
-        if (cell == cells_.end()) continue;
-        for (const std::size_t i : cell->second) {
-          if (!IsNear(i, at)) continue;
-          const int bits = Distance(features_.descriptors[i], descriptor);
-          if (bits >= best_bits) continue;
-          best = i;
-          best_bits = bits;
-        }
-      }
+    for (const std::size_t i : Around(at)) {
+      if (!IsNear(i, at)) continue;
+      const int bits = Distance(features_.descriptors[i], descriptor);
+      if (bits >= best_bits) continue;
+      best = i;
+      best_bits = bits;
     }
     return best && taken_.emplace(*best, true).second;
   }
@@ -46,6 +39,18 @@ class CornerGrid {
  private:
   std::pair<int, int> CellOf(double x, double y) const {
     return {static_cast<int>(std::floor(x / pixels_)), static_cast<int>(std::floor(y / pixels_))};
+  }
+  /// Corners in the square of a place and in those around it.
+  std::vector<std::size_t> Around(const Eigen::Vector2d& at) const {
+    std::vector<std::size_t> corners;
+    const auto [col, row] = CellOf(at.x(), at.y());
+    for (int square = 0; square < 9; ++square) {
+      const auto cell = cells_.find({col + square % 3 - 1, row + square / 3 - 1});
+      if (cell != cells_.end()) {
+        corners.insert(corners.end(), cell->second.begin(), cell->second.end());
+      }
+    }
+    return corners;
   }
   bool IsNear(std::size_t i, const Eigen::Vector2d& at) const {
     const Corner& corner = features_.corners[i];
@@ -72,7 +77,7 @@ Eigen::Vector3d PointOf(const Corner& corner, double depth, const Pinhole& camer
 int CountProjected(std::span<const GroupFrame> group, const OrbFeatures& b, const SpatialPose& X_AB,
                    const Pinhole& camera, const ProjectionSpec& spec) {
   BULLETNAV_CHECK(spec.pixels > 0.0);
-  const SpatialPose X_BA = Inverse(X_AB);
+  const SpatialPose from_a = Inverse(X_AB);
   CornerGrid grid(b, spec.pixels);
   int count = 0;
   for (const GroupFrame& frame : group) {
@@ -82,7 +87,7 @@ int CountProjected(std::span<const GroupFrame> group, const OrbFeatures& b, cons
       const double depth = frame.seen.depths_m[i];
       if (!(depth > 0.0)) continue;
       const Eigen::Vector3d in_a = PointOf(features.corners[i], depth, camera, frame.X_AG);
-      const Eigen::Vector3d in_b = X_BA.rotation * in_a + X_BA.position;
+      const Eigen::Vector3d in_b = from_a.rotation * in_a + from_a.position;
       if (!(in_b.z() > 0.0)) continue;
       const Eigen::Vector2d at(camera.fx * in_b.x() / in_b.z() + camera.cx,
                                camera.fy * in_b.y() / in_b.z() + camera.cy);

@@ -36,8 +36,8 @@ class HutOnline final : public LoopDetector {
     sequences_.Add(frames_.descriptors().back());
     std::vector<LoopCandidate> candidates;
     const auto& sequences = sequences_.sequences();
-    CompareInSequences(frame.number, sequences.size() - 1, frames_, sequences, sequences_.wholes(),
-                       config_.match, &candidates);
+    CompareInSequences(frame.number, sequences.size() - 1, frames_,
+                       {sequences, sequences_.wholes()}, config_.match, &candidates);
     return candidates;
   }
 

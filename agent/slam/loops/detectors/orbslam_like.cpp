@@ -210,6 +210,18 @@ class OrbslamLike final : public LoopDetector {
     return best;
   }
 
+  /// How many frames in a row before this one had a group that shares one of the members.
+  int LongestBefore(const std::vector<int>& members) const {
+    int longest = 0;
+    for (const Group& before : last_groups_) {
+      const bool overlaps = std::any_of(members.begin(), members.end(), [&](int member) {
+        return before.frames.contains(member);
+      });
+      if (overlaps) longest = std::max(longest, before.in_a_row + 1);
+    }
+    return longest;
+  }
+
   /// Those of the candidates whose groups have been there for long enough.
   std::set<int> Agreeing(const std::vector<int>& candidates) {
     std::vector<Group> groups;
@@ -217,12 +229,7 @@ class OrbslamLike final : public LoopDetector {
     for (const int candidate : candidates) {
       const std::vector<int> members = GroupOf(candidate);
       Group& group = groups.emplace_back(Group{{members.begin(), members.end()}, 0});
-      for (const Group& before : last_groups_) {
-        const bool overlaps = std::any_of(members.begin(), members.end(), [&](int member) {
-          return before.frames.contains(member);
-        });
-        if (overlaps) group.in_a_row = std::max(group.in_a_row, before.in_a_row + 1);
-      }
+      group.in_a_row = LongestBefore(members);
       if (group.in_a_row >= config_.agreeing) agreed.insert(candidate);
     }
     last_groups_ = std::move(groups);
@@ -274,10 +281,10 @@ class OrbslamLike final : public LoopDetector {
     int agreeing = 0;
     for (int other = last - 1; other >= 0 && other >= last - kNeighbours; --other) {
       const Keyframe& before = frames_[static_cast<std::size_t>(other)];
-      const sim::PlanarPose X_BO = sim::Compose(to_last, before.odometry);
+      const sim::PlanarPose from_last = sim::Compose(to_last, before.odometry);
       // The same of cameras: turned about y, which is down.
-      const SpatialPose camera_pose = {Eigen::Vector3d(-X_BO.y, 0.0, X_BO.x),
-                                       RotationBy(Eigen::Vector3d(0.0, -X_BO.yaw, 0.0))};
+      const SpatialPose camera_pose = {Eigen::Vector3d(-from_last.y, 0.0, from_last.x),
+                                       RotationBy(Eigen::Vector3d(0.0, -from_last.yaw, 0.0))};
       const int found =
           CountProjected(group, before.features, Compose(X_AB, camera_pose), camera, {});
       if (found >= config_.neighbour_projected) ++agreeing;
