@@ -147,29 +147,35 @@ agent::PlanarPoseGraph Optimized(agent::PlanarPoseGraph graph, const Edges& loop
   return graph;
 }
 
+/// Optimises with the chosen loops, again and again without those that the graph strains.
+void Settle(std::span<const sim::PlanarPose> odometry, const Edges& edges, const BackEndSpec& spec,
+            BackEndOutcome* outcome) {
+  constexpr int kMostRounds = 10;
+  const std::vector<sim::PlanarPose> steps = StepsOf(odometry);
+  std::vector<int> chosen = Chosen(steps, edges, spec);
+  for (int round = 0;; ++round) {
+    outcome->accepted = chosen;
+    outcome->graph = Optimized(GraphOf(odometry, steps, spec), EdgesAt(edges, chosen), spec);
+    if (spec.most_error == 0.0 || round == kMostRounds) break;
+    std::erase_if(chosen, [&](int place) {
+      return StrainOf(outcome->graph, edges[static_cast<std::size_t>(place)]) > spec.most_error;
+    });
+    if (chosen.size() == outcome->accepted.size()) break;
+    chosen = Supported(std::move(chosen), edges, spec);
+  }
+}
+
 }  // namespace
 
 BackEndOutcome RunBackEnd(std::span<const sim::PlanarPose> odometry,
                           std::span<const MeasuredLoop> loops, const BackEndSpec& spec) {
-  constexpr int kMostRounds = 10;
-  const std::vector<sim::PlanarPose> steps = StepsOf(odometry);
   Edges edges;
   edges.reserve(loops.size());
   for (const MeasuredLoop& loop : loops) edges.push_back(EdgeOf(loop, spec));
   BackEndOutcome outcome;
   outcome.poses.assign(odometry.begin(), odometry.end());
   try {
-    std::vector<int> chosen = Chosen(steps, edges, spec);
-    for (int round = 0;; ++round) {
-      outcome.accepted = chosen;
-      outcome.graph = Optimized(GraphOf(odometry, steps, spec), EdgesAt(edges, chosen), spec);
-      if (spec.most_error == 0.0 || round == kMostRounds) break;
-      std::erase_if(chosen, [&](int place) {
-        return StrainOf(outcome.graph, edges[static_cast<std::size_t>(place)]) > spec.most_error;
-      });
-      if (chosen.size() == outcome.accepted.size()) break;
-      chosen = Supported(std::move(chosen), edges, spec);
-    }
+    Settle(odometry, edges, spec, &outcome);
     for (std::size_t i = 0; i < outcome.poses.size(); ++i) {
       outcome.poses[i] = outcome.graph.vertices[i].pose;
     }

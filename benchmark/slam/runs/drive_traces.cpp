@@ -88,9 +88,8 @@ sim::Image CovisibleMatrix(const LoopTruth& truth) {
   for (int later = 0; later < truth.frames(); ++later) {
     if (!truth.HasLoop(LoopKind::kCovisible, later)) continue;
     for (int earlier = 0; earlier < truth.compared(later); ++earlier) {
-      if (truth.Is(LoopKind::kCovisible, later, earlier)) {
-        pairs.push_back({later, earlier, 1.0, false});
-      }
+      if (!truth.Is(LoopKind::kCovisible, later, earlier)) continue;
+      pairs.push_back({later, earlier, 1.0, false});
     }
   }
   return SimilarityMatrix(pairs, truth.frames());

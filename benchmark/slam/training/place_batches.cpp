@@ -20,6 +20,28 @@ std::vector<int> Draw(int count, int below, sim::Rng* rng) {
   return numbers;
 }
 
+/// The views of a batch that are of one scene.
+struct Part {
+  const PlaceViews* scene = nullptr;
+  std::vector<int> views;
+};
+
+/// All views of `places` places.
+Part DrawViews(const PlaceViews& scene, int places, sim::Rng* rng) {
+  Part part{&scene, {}};
+  for (const int place : Draw(places, scene.places, rng)) {
+    for (int view = 0; view < scene.views; ++view) part.views.push_back(place * scene.views + view);
+  }
+  return part;
+}
+
+/// What a part's view shares with each of the part.
+void WriteRow(const Part& part, std::size_t a, float* row) {
+  for (std::size_t b = 0; b < part.views.size(); ++b) {
+    row[b] = static_cast<float>(part.scene->covisibility(part.views[a], part.views[b]));
+  }
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> PictureOf(const PlaceViews& views, int number, int rows) {
@@ -30,12 +52,10 @@ std::vector<std::uint8_t> PictureOf(const PlaceViews& views, int number, int row
   std::vector<std::uint8_t> half;
   half.reserve(whole.size() / 4);
   for (std::size_t row = 0; row < static_cast<std::size_t>(rows); ++row) {
-    for (std::size_t i = 0; i < stride; i += 6) {
-      for (std::size_t channel = 0; channel < 3; ++channel) {
-        const std::uint8_t* at = whole.data() + 2 * row * stride + i + channel;
-        half.push_back(
-            static_cast<std::uint8_t>((at[0] + at[3] + at[stride] + at[stride + 3] + 2) / 4));
-      }
+    for (std::size_t i = 0; i < stride / 2; ++i) {
+      const std::uint8_t* at = whole.data() + 2 * row * stride + i / 3 * 6 + i % 3;
+      half.push_back(
+          static_cast<std::uint8_t>((at[0] + at[3] + at[stride] + at[stride + 3] + 2) / 4));
     }
   }
   return half;
@@ -56,19 +76,10 @@ PlaceBatches::PlaceBatches(std::vector<PlaceViews> scenes, const PlaceBatchSpec&
 
 PlaceBatch PlaceBatches::Batch(std::uint64_t number) const {
   sim::Rng rng = sim::Rng(spec_.seed, "place batch").Fork("number", number);
-  struct Part {
-    const PlaceViews* scene;
-    std::vector<int> views;
-  };
   std::vector<Part> parts;
   for (const int scene : Draw(spec_.scenes, static_cast<int>(scenes_.size()), &rng)) {
-    Part& part = parts.emplace_back();
-    part.scene = &scenes_[static_cast<std::size_t>(scene)];
-    for (const int place : Draw(spec_.places / spec_.scenes, part.scene->places, &rng)) {
-      for (int view = 0; view < part.scene->views; ++view) {
-        part.views.push_back(place * part.scene->views + view);
-      }
-    }
+    parts.push_back(
+        DrawViews(scenes_[static_cast<std::size_t>(scene)], spec_.places / spec_.scenes, &rng));
   }
   PlaceBatch batch;
   for (const Part& part : parts) batch.count += static_cast<int>(part.views.size());
@@ -76,13 +87,12 @@ PlaceBatch PlaceBatches::Batch(std::uint64_t number) const {
   batch.covisibility.assign(count * count, 0.0f);
   std::size_t first = 0;
   for (const Part& part : parts) {
-    for (std::size_t a = 0; a < part.views.size(); ++a) {
-      const auto picture = PictureOf(*part.scene, part.views[a], spec_.rows);
+    for (const int view : part.views) {
+      const auto picture = PictureOf(*part.scene, view, spec_.rows);
       batch.pictures.insert(batch.pictures.end(), picture.begin(), picture.end());
-      for (std::size_t b = 0; b < part.views.size(); ++b) {
-        batch.covisibility[(first + a) * count + first + b] =
-            static_cast<float>(part.scene->covisibility(part.views[a], part.views[b]));
-      }
+    }
+    for (std::size_t a = 0; a < part.views.size(); ++a) {
+      WriteRow(part, a, batch.covisibility.data() + (first + a) * count + first);
     }
     first += part.views.size();
   }

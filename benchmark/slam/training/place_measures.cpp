@@ -16,26 +16,34 @@ double AveragePrecisionOf(std::vector<Answer> answers) {
   return AveragePrecision(PrecisionRecallCurve(std::move(answers)));
 }
 
+bool HasLike(const PlaceViews& views, int a) {
+  for (int b = 0; b < views.count(); ++b) {
+    if (b != a && views.covisibility(a, b) >= kSamePlace) return true;
+  }
+  return false;
+}
+
+/// The first of the most similar of `count` views to view `a`, itself aside.
+int MostSimilar(std::span<const float> cosines, int a, int count) {
+  int best = -1;
+  for (int b = 0; b < count; ++b) {
+    if (a == b) continue;
+    const float cosine = cosines[static_cast<std::size_t>(b)];
+    if (best < 0 || cosine > cosines[static_cast<std::size_t>(best)]) best = b;
+  }
+  return best;
+}
+
 /// Of views that have one like them, the share whose most similar view is one.
 double RecallAtOne(const PlaceViews& views, std::span<const float> cosines) {
   const int count = views.count();
   int queries = 0;
   int right = 0;
   for (int a = 0; a < count; ++a) {
-    int best = -1;
-    bool has_like = false;
-    for (int b = 0; b < count; ++b) {
-      if (a == b) continue;
-      has_like = has_like || views.covisibility(a, b) >= kSamePlace;
-      const auto row = static_cast<std::size_t>(a) * static_cast<std::size_t>(count);
-      if (best < 0 || cosines[row + static_cast<std::size_t>(b)] >
-                          cosines[row + static_cast<std::size_t>(best)]) {
-        best = b;
-      }
-    }
-    if (!has_like) continue;
+    if (!HasLike(views, a)) continue;
+    const auto row = static_cast<std::size_t>(a) * static_cast<std::size_t>(count);
     ++queries;
-    if (views.covisibility(a, best) >= kSamePlace) ++right;
+    if (views.covisibility(a, MostSimilar(cosines.subspan(row), a, count)) >= kSamePlace) ++right;
   }
   return queries == 0 ? 0.0 : static_cast<double>(right) / queries;
 }
@@ -54,10 +62,9 @@ PlaceMeasures MeasurePlaces(const PlaceViews& views, std::span<const float> cosi
           views.covisibility(static_cast<int>(a), static_cast<int>(b)) >= kSamePlace;
       const Answer answer = {cosines[a * count + b], is_same};
       all.push_back(answer);
-      if (is_same) ++same;
-      if (std::abs(sim::WrapAngle(views.poses[a].yaw - views.poses[b].yaw)) > M_PI / 2) {
-        turned.push_back(answer);
-      }
+      same += is_same ? 1 : 0;
+      const double turn = sim::WrapAngle(views.poses[a].yaw - views.poses[b].yaw);
+      if (std::abs(turn) > M_PI / 2) turned.push_back(answer);
     }
   }
   PlaceMeasures measures;

@@ -57,7 +57,8 @@ class ViewMaker {
     PlaceViews made;
     for (int place = 0; place < config_.places; ++place) {
       for (int i = 0; i < kTriesAPlace; ++i) {
-        sim::Rng rng = rng_.Fork("place", static_cast<std::uint64_t>(place * kTriesAPlace + i));
+        sim::Rng rng = rng_.Fork("place", static_cast<std::uint64_t>(place) * kTriesAPlace +
+                                              static_cast<std::uint64_t>(i));
         const std::vector<View> found = Place(&rng);
         if (found.empty()) continue;
         views.insert(views.end(), found.begin(), found.end());
@@ -113,8 +114,8 @@ class ViewMaker {
       const double turn = std::abs(sim::WrapAngle(pose->yaw - first.pose.yaw));
       if (is_turned && turn < kTurned) continue;
       View view = See(*pose);
-      const sim::PlanarPose X = sim::RelativePose(first.pose, view.pose);
-      if (Covisibility(first.seen, view.seen, X) < kSamePlace) continue;
+      const sim::PlanarPose motion = sim::RelativePose(first.pose, view.pose);
+      if (Covisibility(first.seen, view.seen, motion) < kSamePlace) continue;
       if (IsInOneRoom(first, view)) return view;
     }
     return {};
@@ -148,10 +149,10 @@ class ViewMaker {
     for (std::size_t a = 0; a < count; ++a) {
       made->poses.push_back(views[a].pose);
       for (std::size_t b = 0; b < a; ++b) {
-        const sim::PlanarPose X = sim::RelativePose(views[a].pose, views[b].pose);
+        const sim::PlanarPose motion = sim::RelativePose(views[a].pose, views[b].pose);
         const bool is_level =
             std::abs(views[a].pose.position.y() - views[b].pose.position.y()) <= kStorey;
-        const double share = is_level ? Covisibility(views[a].seen, views[b].seen, X) : 0.0;
+        const double share = is_level ? Covisibility(views[a].seen, views[b].seen, motion) : 0.0;
         auto byte = static_cast<std::uint8_t>(std::lround(255.0 * share));
         if (share > kOtherPlace && !IsInOneRoom(views[a], views[b])) byte = kUnsure;
         made->shared[a * count + b] = byte;

@@ -74,9 +74,9 @@ void FindCovisible(const std::vector<sim::BodyPose>& poses, DepthEye* eye, Seque
   walk->is_covisible.assign(poses.size() * poses.size(), 1);
   for (std::size_t a = 0; a < poses.size(); ++a) {
     for (std::size_t b = 0; b < a; ++b) {
-      const sim::PlanarPose X = sim::RelativePose(poses[a], poses[b]);
-      const bool is_near = std::hypot(X.x, X.y) <= kFarthest;
-      const bool is = is_near && Covisibility(seen[a], seen[b], X) >= kSamePlace;
+      const sim::PlanarPose motion = sim::RelativePose(poses[a], poses[b]);
+      const bool is_near = std::hypot(motion.x, motion.y) <= kFarthest;
+      const bool is = is_near && Covisibility(seen[a], seen[b], motion) >= kSamePlace;
       walk->is_covisible[a * poses.size() + b] = is ? 1 : 0;
       walk->is_covisible[b * poses.size() + a] = is ? 1 : 0;
     }
@@ -153,8 +153,8 @@ std::vector<SequenceWalk> MakeSequenceWalks(const PlaceDataConfig& data, int sce
                          {data.import.options(), data.navmesh, sim::Backend::kEmbree});
     for (int run = 0; run < runs; ++run) {
       const WalkSpec spec = {frames, sim::MixSeed(data.seed, static_cast<std::uint64_t>(run))};
-      walks[static_cast<std::size_t>(task * runs + run)] =
-          MakeSequenceWalk(*world, data, spec, describer.get());
+      walks[static_cast<std::size_t>(task) * static_cast<std::size_t>(runs) +
+            static_cast<std::size_t>(run)] = MakeSequenceWalk(*world, data, spec, describer.get());
     }
     if (on_scene) on_scene();
   });
