@@ -30,18 +30,21 @@ HeightColumns::HeightColumns(const sim::SceneMesh& mesh, double floor) {
   values_.assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(depth_), 0);
   for (const auto& triangle : mesh.triangles) {
     const Eigen::Vector3f& a = mesh.positions[triangle[0]];
-    const Eigen::Vector3f u = mesh.positions[triangle[1]] - a;
-    const Eigen::Vector3f v = mesh.positions[triangle[2]] - a;
-    const float low = a.y() + std::min({0.0f, u.y(), v.y()});
-    const float high = a.y() + std::max({0.0f, u.y(), v.y()});
-    if (low > floor + kBits * kCell || high < floor - kFloorBelow) continue;
-    const int n = std::max(PartsOf(u), PartsOf(v));
-    const float part = 1.0f / static_cast<float>(n);
-    // The third edge may be longer than both; points lie between those of parallel lines.
-    for (int i = 0; i <= n; ++i) {
-      for (int j = 0; i + j <= n; ++j) {
-        Mark(a + u * (static_cast<float>(i) * part) + v * (static_cast<float>(j) * part), floor);
-      }
+    MarkTriangle(a, mesh.positions[triangle[1]] - a, mesh.positions[triangle[2]] - a, floor);
+  }
+}
+
+void HeightColumns::MarkTriangle(const Eigen::Vector3f& a, const Eigen::Vector3f& u,
+                                 const Eigen::Vector3f& v, double floor) {
+  const float low = a.y() + std::min({0.0f, u.y(), v.y()});
+  const float high = a.y() + std::max({0.0f, u.y(), v.y()});
+  if (low > floor + kBits * kCell || high < floor - kFloorBelow) return;
+  const int n = std::max(PartsOf(u), PartsOf(v));
+  const float part = 1.0f / static_cast<float>(n);
+  // The third edge may be longer than both; points lie between those of parallel lines.
+  for (int i = 0; i <= n; ++i) {
+    for (int j = 0; i + j <= n; ++j) {
+      Mark(a + u * (static_cast<float>(i) * part) + v * (static_cast<float>(j) * part), floor);
     }
   }
 }

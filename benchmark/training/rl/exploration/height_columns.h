@@ -30,6 +30,9 @@ class HeightColumns {
   bool IsInside(double along_x, double along_z) const;
 
  private:
+  /// Of corner `a` and the edges from it.
+  void MarkTriangle(const Eigen::Vector3f& a, const Eigen::Vector3f& u, const Eigen::Vector3f& v,
+                    double floor);
   void Mark(const Eigen::Vector3f& point, double floor);
 
   double low_x_ = 0.0;

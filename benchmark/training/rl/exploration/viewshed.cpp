@@ -12,11 +12,12 @@
 namespace bulletnav::bench {
 namespace {
 
-constexpr float kStep = 0.7f;  // cells; no ray jumps over one
+constexpr float kStep = 0.7f;   // cells; no ray jumps over one
+constexpr int kRowsBelow = 64;  // the horizon, a bit each
 constexpr std::uint64_t kAll = ~std::uint64_t{0};
 
 std::uint64_t FirstRows(int count) {
-  return count >= 64 ? kAll : (std::uint64_t{1} << count) - 1;
+  return count >= kRowsBelow ? kAll : (std::uint64_t{1} << count) - 1;
 }
 
 int Reach(const agent::MapSpec& spec) {
@@ -25,6 +26,13 @@ int Reach(const agent::MapSpec& spec) {
   }
   if (spec.vision > 3.9) throw sim::Error("a simulated view sees no farther than 3.9 m");
   return static_cast<int>(std::ceil(spec.vision / spec.cell)) + 1;
+}
+
+/// How many of the rows below the horizon are no more than `drop` metres below the camera.
+int RowsAbove(double drop, double fall) {
+  int count = 0;
+  while (count < kRowsBelow && fall * (count + 0.5) <= drop) ++count;
+  return count;
 }
 
 }  // namespace
@@ -36,14 +44,9 @@ Viewshed::Viewshed(const agent::MapSpec& spec, double camera_height)
   for (float range = 0.0f; range <= static_cast<float>(spec.vision / spec.cell); range += kStep) {
     range_.push_back(range);
     Rows& rows = above_.emplace_back();
+    const double fall = slope * double{range} * spec.cell;  // from row to row
     for (std::size_t bit = 0; bit < rows.size(); ++bit) {
-      int count = 0;
-      while (count < kRows) {
-        const double fall = slope * (count + 0.5) * double{range} * spec.cell;
-        if (camera_height - fall < static_cast<double>(bit) * spec.cell) break;
-        ++count;
-      }
-      rows[bit] = FirstRows(count);
+      rows[bit] = FirstRows(RowsAbove(camera_height - static_cast<double>(bit) * spec.cell, fall));
     }
   }
   for (int i = 0; i < kColumns; ++i) {

@@ -34,7 +34,6 @@ class Viewshed final : public agent::ViewWindow {
   void Project(const agent::Panorama& panorama, double x, double y, double yaw) override;
 
  private:
-  static constexpr int kRows = 64;  // below the horizon
   static constexpr int kColumns = 512;
   struct Ray {
     float x, z;  // in the world, of a cell's length
