@@ -156,16 +156,18 @@ class WorldReader {
       before = doors->size();
       for (std::uint64_t j = 0; j < model.JointCount(); ++j) {
         const sdf::Joint& joint = *model.JointByIndex(j);
-        if (joint.Type() != sdf::JointType::FIXED) continue;
-        std::string parent;
-        std::string child;
-        Check(joint.ResolveParentLink(parent));
-        Check(joint.ResolveChildLink(child));
-        if (const auto door = doors->find(parent); door != doors->end()) {
-          doors->emplace(child, door->second);
-        }
+        if (joint.Type() == sdf::JointType::FIXED) AddChild(joint, doors);
       }
     }
+  }
+
+  void AddChild(const sdf::Joint& joint, std::map<std::string, int>* doors) {
+    std::string parent;
+    std::string child;
+    Check(joint.ResolveParentLink(parent));
+    Check(joint.ResolveChildLink(child));
+    const auto door = doors->find(parent);
+    if (door != doors->end()) doors->emplace(child, door->second);
   }
 
   /// Absent where the axis is not upright. Poses in the world are those of joints at 0, where a
@@ -195,23 +197,30 @@ class WorldReader {
     const std::map<std::string, int> doors = AddDoors(model, X_WM);
     for (std::uint64_t l = 0; l < model.LinkCount(); ++l) {
       const sdf::Link& link = *model.LinkByIndex(l);
-      const Eigen::Affine3f link_pose = X_WM * PoseOf(link);
-      for (std::uint64_t v = 0; v < link.VisualCount(); ++v) {
-        const sdf::Visual& visual = *link.VisualByIndex(v);
-        ScenePart part;
-        part.place = " visual '" + name + "::" + link.Name() + "::" + visual.Name() + "'";
-        part.object = {model.Name(), name, ""};
-        if (const auto door = doors.find(link.Name()); door != doors.end()) {
-          part.door = door->second;
-          part.object = {"door", name + "::" + link.Name(), ""};
-        }
-        part.X_WA = link_pose * PoseOf(visual);
-        if (AddShape(visual, &part)) scene_.parts.push_back(std::move(part));
+      ScenePart part;
+      part.place = " visual '" + name + "::" + link.Name() + "::";
+      part.object = {model.Name(), name, ""};
+      part.X_WA = X_WM * PoseOf(link);
+      if (const auto door = doors.find(link.Name()); door != doors.end()) {
+        part.door = door->second;
+        part.object = {"door", name + "::" + link.Name(), ""};
       }
+      AddVisuals(link, part);
     }
     for (std::uint64_t m = 0; m < model.ModelCount(); ++m) {
       const sdf::Model& nested = *model.ModelByIndex(m);
       AddModel(nested, X_WM * PoseOf(nested), name + "::");
+    }
+  }
+
+  /// `like`: with the link's pose and the beginning of its visuals' names.
+  void AddVisuals(const sdf::Link& link, const ScenePart& like) {
+    for (std::uint64_t v = 0; v < link.VisualCount(); ++v) {
+      const sdf::Visual& visual = *link.VisualByIndex(v);
+      ScenePart part = like;
+      part.place += visual.Name() + "'";
+      part.X_WA = like.X_WA * PoseOf(visual);
+      if (AddShape(visual, &part)) scene_.parts.push_back(std::move(part));
     }
   }
 

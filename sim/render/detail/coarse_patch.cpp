@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include <meshoptimizer.h>
 
@@ -19,12 +20,8 @@ using Corners = std::array<std::uint32_t, 3>;
 constexpr double kLeastChange = 6.0;  // of 255, of a vertex's colour: what can be seen
 constexpr double kHill = 0.02;        // metres that stand for it
 
-/// What makes a vertex the same as another.
-struct VertexKey {
-  std::array<float, 5> place;  // position and texture coordinates
-  Rgb8 color;
-  auto operator<=>(const VertexKey&) const = default;
-};
+/// What makes a vertex the same as another: position and texture coordinates, and the colour.
+using VertexKey = std::pair<std::array<float, 5>, Rgb8>;
 
 /// A part of a patch with one material and one object; vertices that are the same are one.
 struct Part {

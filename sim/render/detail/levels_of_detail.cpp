@@ -36,8 +36,7 @@ class DetailMaker {
     const std::int32_t count = bvh_.nodes[static_cast<std::size_t>(node)].count;
     for (std::int32_t i = 0; i < count; ++i) {
       const std::int32_t child = bvh_.nodes[static_cast<std::size_t>(node)].child[i];
-      const Triangles below = child < 0 ? OfLeaf(bvh_.leaves[static_cast<std::size_t>(~child)])
-                                        : VisitChild(node, i, level);
+      const Triangles below = child < 0 ? OfLeaf(LeafAt(child)) : VisitChild(node, i, level);
       all.insert(all.end(), below.begin(), below.end());
     }
     return all;
@@ -59,12 +58,17 @@ class DetailMaker {
 
   std::size_t Count(std::int32_t reference) const {
     if (reference < 0) {
-      return static_cast<std::size_t>(bvh_.leaves[static_cast<std::size_t>(~reference)].count);
+      return static_cast<std::size_t>(LeafAt(reference).count);
     }
     const BvhNode& node = bvh_.nodes[static_cast<std::size_t>(reference)];
     std::size_t count = 0;
     for (std::int32_t i = 0; i < node.count; ++i) count += Count(node.child[i]);
     return count;
+  }
+
+  const BvhLeaf& LeafAt(std::int32_t reference) const {
+    const std::int32_t number = ~reference;
+    return bvh_.leaves[static_cast<std::size_t>(number)];
   }
 
   static Triangles OfLeaf(const BvhLeaf& leaf) { return {leaf.id, leaf.id + leaf.count}; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sim/render/egl/id_pass.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <optional>
@@ -13,6 +14,10 @@ namespace {
 constexpr float kNear = 0.02f;  // metres; nothing comes nearer to a body's axis
 // Chunks are drawn in rounds by distance; before each round but the first, the hidden go.
 constexpr std::array kRounds = {1.5f, 4.0f, std::numeric_limits<float>::infinity()};
+
+bool IsNearer(float distance, const ChunkInView& item) {
+  return distance < item.distance;
+}
 
 }  // namespace
 
@@ -76,29 +81,35 @@ void IdPass::Draw(std::span<const CameraPose> cameras, bool leave_out_hidden) {
 }
 
 void IdPass::DrawNearToFar(const CameraPose& camera) {
+  std::vector<std::span<const ChunkInView>> left;
   std::vector<std::vector<ChunkInView>> in_view;
   for (const FlatView& view : layout_.views) {
     in_view.push_back(ChunksInView(scene_.chunks, camera, view));
   }
-  std::vector<std::size_t> done(in_view.size(), 0);
-  std::vector<int> chosen;
+  left.assign(in_view.begin(), in_view.end());
   for (std::size_t round = 0; round < kRounds.size(); ++round) {
     std::optional<DepthTiles> tiles;
     if (round > 0) tiles = ReadDepth();
-    for (std::size_t v = 0; v < in_view.size(); ++v) {
-      const FlatView& view = layout_.views[v];
-      const ViewAxes axes(view, camera);
-      const std::vector<ChunkInView>& items = in_view[v];
-      chosen.clear();
-      for (; done[v] < items.size() && items[done[v]].distance <= kRounds[round]; ++done[v]) {
-        const int index = items[done[v]].chunk;
-        const Chunk& chunk = scene_.chunks[static_cast<std::size_t>(index)];
-        if (!tiles || tiles->MayShow(chunk, camera, view, axes, kNear)) chosen.push_back(index);
-      }
-      SetView(camera, view);
-      DrawChunks(chosen);
+    for (std::size_t v = 0; v < left.size(); ++v) {
+      const auto end = std::upper_bound(left[v].begin(), left[v].end(), kRounds[round], IsNearer);
+      const auto count = static_cast<std::size_t>(end - left[v].begin());
+      DrawThoseSeen(camera, layout_.views[v], left[v].first(count), tiles);
+      left[v] = left[v].subspan(count);
     }
   }
+}
+
+void IdPass::DrawThoseSeen(const CameraPose& camera, const FlatView& view,
+                           std::span<const ChunkInView> items,
+                           const std::optional<DepthTiles>& tiles) {
+  const ViewAxes axes(view, camera);
+  std::vector<int> chosen;
+  for (const ChunkInView& item : items) {
+    const Chunk& chunk = scene_.chunks[static_cast<std::size_t>(item.chunk)];
+    if (!tiles || tiles->MayShow(chunk, camera, view, axes, kNear)) chosen.push_back(item.chunk);
+  }
+  SetView(camera, view);
+  DrawChunks(chosen);
 }
 
 void IdPass::SetView(const CameraPose& camera, const FlatView& view) {
@@ -123,14 +134,15 @@ void IdPass::DrawChunks(const std::vector<int>& chunks) {
 }
 
 DepthTiles IdPass::ReadDepth() {
-  depth_picture_.resize(static_cast<std::size_t>(layout_.width * layout_.height));
+  depth_picture_.resize(static_cast<std::size_t>(layout_.width) *
+                        static_cast<std::size_t>(layout_.height));
   glReadPixels(0, 0, layout_.width, layout_.height, GL_DEPTH_COMPONENT, GL_FLOAT,
                depth_picture_.data());
   return {depth_picture_, layout_.width, layout_.height};
 }
 
 void IdPass::ReadIds(std::vector<std::uint32_t>* ids) const {
-  ids->resize(static_cast<std::size_t>(layout_.width * layout_.height));
+  ids->resize(static_cast<std::size_t>(layout_.width) * static_cast<std::size_t>(layout_.height));
   glReadPixels(0, 0, layout_.width, layout_.height, GL_RED_INTEGER, GL_UNSIGNED_INT, ids->data());
 }
 

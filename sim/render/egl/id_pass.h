@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -30,6 +31,9 @@ class IdPass {
   void SetView(const CameraPose& camera, const FlatView& view);
   void DrawChunks(const std::vector<int>& chunks);
   void DrawNearToFar(const CameraPose& camera);
+  /// Draws chunks but those that lie behind what the tiles say is drawn.
+  void DrawThoseSeen(const CameraPose& camera, const FlatView& view,
+                     std::span<const ChunkInView> items, const std::optional<DepthTiles>& tiles);
   DepthTiles ReadDepth();
 
   const SceneBuffers& scene_;
