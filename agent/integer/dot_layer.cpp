@@ -2,6 +2,7 @@
 #include "agent/integer/dot_layer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 
@@ -152,6 +153,18 @@ void DotLayer::Run(const Input& input, const KeptValues& kept, const LayerOutput
     scale.out16_offsets = from(output.fine_offsets, first);
     kernels_->scale(scale);
   }
+}
+
+void DotLayer::RunOne(const std::int16_t* in, std::int32_t low, std::int32_t high,
+                      std::vector<std::int16_t>* out) {
+  constexpr std::array<std::int32_t, 1> kStart = {0};
+  out->resize(static_cast<std::size_t>(padded_outputs()));
+  LayerOutput output;
+  output.fine = out->data();
+  output.fine_offsets = kStart.data();
+  output.low = low;
+  output.high = high;
+  Run({in, kStart, 0}, {}, output);
 }
 
 }  // namespace bulletnav::agent

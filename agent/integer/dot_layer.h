@@ -49,6 +49,9 @@ class DotLayer {
     std::int32_t segment_stride = 0;
   };
   void Run(const Input& input, const KeptValues& kept, const LayerOutput& output);
+  /// Of one input, to fine values in [low, high]; `out` gets padded_outputs() of them.
+  void RunOne(const std::int16_t* in, std::int32_t low, std::int32_t high,
+              std::vector<std::int16_t>* out);
 
   /// Instead of the fastest ones, for tests and measurements.
   void Use(const IntegerKernels& kernels) { kernels_ = &kernels; }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>
+#include <string>
 
 #include "agent/integer/quantised_layer.h"
 #include "agent/models/model_registry.h"
 #include "agent/models/safetensors.h"
+#include "sim/base/error.h"
 
 namespace bulletnav::agent {
 
@@ -20,5 +22,17 @@ void AddQuantised(const QuantisedNet& net, const std::filesystem::path& file,
 /// Throws FileError naming `file` if there is none, or it is not whole: integers that are not of 8
 /// or 16 bits, shapes that do not agree, numbers that are not finite.
 QuantisedNet ReadQuantised(const TensorFile& content, const std::filesystem::path& file);
+
+/// What `make` makes of a file's integers; the Error that it throws becomes a FileError with what
+/// there is to be done, as "quantise it again".
+template <class Make>
+auto MadeOfIntegers(const std::filesystem::path& file, const char* remedy, const Make& make) {
+  try {
+    return make();
+  } catch (const sim::Error& error) {
+    throw sim::FileError(file, kIntegerPrefix,
+                         std::string("cannot be used: ") + error.what() + "; " + remedy);
+  }
+}
 
 }  // namespace bulletnav::agent

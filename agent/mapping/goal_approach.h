@@ -33,8 +33,8 @@ ApproachSpec ApproachOf(const Config& config) {
 
 /// Walks to where the goal was seen and stops there, or finds out that it is not there, or that it
 /// cannot be got to from here, as behind a counter: then it is set aside until more of the place is
-/// known. The same
-/// for all agents that look for the goal with F_L and F_R; what they differ in is how they explore.
+/// known. The same for all agents that look for the goal with F_L and F_R; what they differ in is
+/// how they explore.
 /// Source: the stop and the local policy of Neural Topological SLAM, section 4.1; what happens when
 /// a sighting was wrong is ours.
 ///   each step: approach.See(...); action = approach.Act(&navigator); absent: explore.

@@ -1,31 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "agent/perception/integer_models.h"
 
-#include <string>
-
 #include "agent/integer/integer_mapper.h"
 #include "agent/integer/integer_model.h"
 #include "agent/integer/quantised_file.h"
 #include "agent/models/model_registry.h"
 #include "agent/perception/model_file.h"
-#include "sim/base/error.h"
 
 namespace bulletnav::agent {
-
-namespace {
-
-/// What f makes, or a complaint about the file.
-template <class F>
-auto Made(const std::filesystem::path& weights, const F& f) {
-  try {
-    return f();
-  } catch (const sim::Error& error) {
-    throw sim::FileError(weights, kIntegerPrefix,
-                         std::string("cannot be used: ") + error.what() + "; quantise it again");
-  }
-}
-
-}  // namespace
 
 std::shared_ptr<SemanticModel> LoadIntegerModel(const std::filesystem::path& weights,
                                                 const Rig& rig) {
@@ -33,7 +15,7 @@ std::shared_ptr<SemanticModel> LoadIntegerModel(const std::filesystem::path& wei
   const ModelConfig config = ModelConfigOf(content, weights);
   RequireRig(rig, config, weights);
   const QuantisedNet net = ReadQuantised(content, weights);
-  return Made(weights, [&] {
+  return MadeOfIntegers(weights, "quantise it again", [&] {
     return std::make_shared<IntegerModel>(net, config.rows, config.uses_depth());
   });
 }
@@ -44,7 +26,7 @@ std::shared_ptr<FreeSpaceModel> LoadIntegerMapper(const std::filesystem::path& w
   const ModelConfig config = MapperConfigOf(content, weights).seeing();
   RequireRig(rig, config, weights);
   const QuantisedNet net = ReadQuantised(content, weights);
-  return Made(weights, [&] {
+  return MadeOfIntegers(weights, "quantise it again", [&] {
     return std::make_shared<IntegerMapper>(net, config.rows);
   });
 }

@@ -113,17 +113,6 @@ void IntegerExploration::Convolve(const Pictures& in, Convolution* convolution) 
                          output);
 }
 
-void IntegerExploration::Run(DotLayer* layer, const Values& in, int low, int largest, Values* out) {
-  constexpr std::array<std::int32_t, 1> kStart = {0};
-  out->resize(static_cast<std::size_t>(layer->padded_outputs()));
-  LayerOutput output;
-  output.fine = out->data();
-  output.fine_offsets = kStart.data();
-  output.low = low;
-  output.high = largest;
-  layer->Run({in.data(), kStart, 0}, {}, output);
-}
-
 void IntegerExploration::Use(const IntegerKernels& kernels) {
   for (Convolution& convolution : convolutions_) convolution.layer.Use(kernels);
   for (DotLayer* layer : {&first_, &second_, &mean_}) layer->Use(kernels);
@@ -159,9 +148,9 @@ GoalDistribution IntegerExploration::Ask(std::span<const std::uint8_t> view, int
   std::fill(codes_.begin() + kExplorationCodes, codes_.end(), std::int16_t{0});
   codes_[kExplorationCodes + static_cast<std::size_t>(heading)] = kExplorationLargest;
   Values features;
-  Run(&first_, codes_, 0, kExplorationLargest, &inside_);
-  Run(&second_, inside_, 0, kExplorationLargest, &features);
-  Run(&mean_, features, -kLargestFine, kLargestFine, &inside_);
+  first_.RunOne(codes_.data(), 0, kExplorationLargest, &inside_);
+  second_.RunOne(inside_.data(), 0, kExplorationLargest, &features);
+  mean_.RunOne(features.data(), -kLargestFine, kLargestFine, &inside_);
   return {{kMeanStep * inside_[0], kMeanStep * inside_[1]}, deviation_};
 }
 

@@ -48,7 +48,6 @@ class IntegerExploration final : public ExplorationPolicy {
   static Convolution MakeConvolution(const QuantisedLayer& layer, const Pictures& in,
                                      double in_step, double out_step);
   void Convolve(const Pictures& in, Convolution* convolution);
-  static void Run(DotLayer* layer, const Values& in, int low, int largest, Values* out);
 
   Pictures input_;
   std::vector<Convolution> convolutions_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <string>
+#include <memory>
 
 #include "agent/integer/quantised_file.h"
 #include "agent/models/model_registry.h"
@@ -20,13 +20,9 @@ const ModelRegistration registration(
       if (deviation == content.tensors.end()) {
         throw sim::FileError(weights, kLogDeviation, "is missing; train the policy again");
       }
-      try {
+      return MadeOfIntegers(weights, "train the policy again", [&] {
         return std::make_shared<IntegerExploration>(config, net, deviation->second.values);
-      } catch (const sim::Error& error) {
-        throw sim::FileError(
-            weights, kIntegerPrefix,
-            std::string("cannot be used: ") + error.what() + "; train the policy again");
-      }
+      });
     },
     NumberForm::kIntegers);
 

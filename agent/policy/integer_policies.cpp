@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <string>
+#include <memory>
 
 #include "agent/integer/quantised_file.h"
 #include "agent/models/model_registry.h"
 #include "agent/policy/integer_policy.h"
 #include "agent/policy/policy_file.h"
-#include "sim/base/error.h"
 
 namespace bulletnav::agent {
 namespace {
@@ -17,13 +16,9 @@ const ModelRegistration registration(
       const PolicyConfig config = PolicyConfigOf(content, weights);
       RequirePolicyRig(rig, config, weights);
       const QuantisedNet net = ReadQuantised(content, weights);
-      try {
+      return MadeOfIntegers(weights, "train the policy again", [&] {
         return std::make_shared<IntegerPolicy>(config, net);
-      } catch (const sim::Error& error) {
-        throw sim::FileError(
-            weights, kIntegerPrefix,
-            std::string("cannot be used: ") + error.what() + "; train the policy again");
-      }
+      });
     },
     NumberForm::kIntegers);
 

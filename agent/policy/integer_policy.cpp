@@ -100,18 +100,6 @@ std::vector<float> IntegerPolicy::NoMemory() const {
   return std::vector<float>(static_cast<std::size_t>(config_.memory));
 }
 
-void IntegerPolicy::Run(DotLayer* layer, const std::int16_t* in, int low, int largest,
-                        Values* out) {
-  constexpr std::array<std::int32_t, 1> kStart = {0};
-  out->resize(static_cast<std::size_t>(layer->padded_outputs()));
-  LayerOutput output;
-  output.fine = out->data();
-  output.fine_offsets = kStart.data();
-  output.low = low;
-  output.high = largest;
-  layer->Run({in, kStart, 0}, {}, output);
-}
-
 IntegerEncoder::Codes IntegerPolicy::See(const Panorama& panorama) {
   pictures_.Write(panorama, bytes_);
   return sight_.Codes(bytes_);
@@ -124,7 +112,7 @@ IntegerPolicy::Values IntegerPolicy::Matches(DotLayer* layer,
   Values one;
   const std::size_t size = codes.size() / kDirections;
   for (std::size_t i = 0; i < kDirections; ++i) {
-    Run(layer, codes.data() + i * size, -kPolicyLargest, kPolicyLargest, &one);
+    layer->RunOne(codes.data() + i * size, -kPolicyLargest, kPolicyLargest, &one);
     all.insert(all.end(), one.begin(), one.end());
   }
   return all;
@@ -134,7 +122,7 @@ IntegerPolicy::Values IntegerPolicy::Matches(DotLayer* layer,
 std::vector<float> IntegerPolicy::CodeOf(const Panorama& goal) {
   const IntegerEncoder::Codes codes = See(goal);
   Values there;
-  Run(&whole_, codes.data(), 0, kPolicyLargest, &there);
+  whole_.RunOne(codes.data(), 0, kPolicyLargest, &there);
   std::vector<float> code(there.begin(), there.end());
   if (!goal_match_) return code;
   const Values matches = Matches(&*goal_match_, codes);
@@ -162,7 +150,7 @@ void IntegerPolicy::Correlate(const Values& source, std::span<const float> goal,
 void IntegerPolicy::Join(const IntegerEncoder::Codes& codes, const PolicyQuestion& question) {
   const auto features = static_cast<std::size_t>(config_.features);
   Values part;
-  Run(&whole_, codes.data(), 0, kPolicyLargest, &part);
+  whole_.RunOne(codes.data(), 0, kPolicyLargest, &part);
   const auto there = question.goal.first(features);
   auto out = std::copy(part.begin(), part.end(), parts_.begin());
   out = std::transform(there.begin(), there.end(), out, [](float value) {
@@ -179,7 +167,7 @@ void IntegerPolicy::Join(const IntegerEncoder::Codes& codes, const PolicyQuestio
   if (matches_) {
     Values turns(kTurns);
     Correlate(Matches(&*source_match_, codes), question.goal.subspan(features), turns.data());
-    Run(&*matches_, turns.data(), 0, kPolicyLargest, &part);
+    matches_->RunOne(turns.data(), 0, kPolicyLargest, &part);
     out = std::copy(part.begin(), part.end(), out);
   }
   if (!map_) return;
@@ -197,8 +185,8 @@ void IntegerPolicy::Remember(std::vector<float>* memory) {
     return Cut(Rounded(steps * kPolicyLargest, kMemoryBits));
   };
   for (std::size_t i = 0; i < size; ++i) state_[i] = to_state(steps_of((*memory)[i]));
-  Run(&gru_in_, inside_.data(), -kLargestFine, kLargestFine, &in_);
-  Run(&gru_memory_, state_.data(), -kLargestFine, kLargestFine, &kept_);
+  gru_in_.RunOne(inside_.data(), -kLargestFine, kLargestFine, &in_);
+  gru_memory_.RunOne(state_.data(), -kLargestFine, kLargestFine, &kept_);
   const auto logit = [](std::int64_t steps) {
     return steps << kGateShift;
   };
@@ -222,10 +210,10 @@ std::array<float, 4> IntegerPolicy::Act(const PolicyQuestion& question,
   BULLETNAV_CHECK_EQ(memory->size(), static_cast<std::size_t>(config_.memory));
   BULLETNAV_CHECK_EQ(question.numbers.size(), std::size_t{kPolicyNumbers});
   Join(See(question.panorama), question);
-  Run(&joined_, parts_.data(), 0, kPolicyLargest, &inside_);
+  joined_.RunOne(parts_.data(), 0, kPolicyLargest, &inside_);
   Remember(memory);
   Values answer;
-  Run(&head_, state_.data(), -kLargestFine, kLargestFine, &answer);
+  head_.RunOne(state_.data(), -kLargestFine, kLargestFine, &answer);
   std::array<std::int32_t, 4> logits{};
   for (std::size_t i = 0; i < logits.size(); ++i) logits[i] = answer[i] * (1 << kGateShift);
   std::array<float, 4> probabilities{};

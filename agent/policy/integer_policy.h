@@ -49,8 +49,6 @@ class IntegerPolicy final : public PolicyModel {
  private:
   using Values = std::vector<std::int16_t>;
 
-  /// One layer on one input; outputs within [low, largest].
-  static void Run(DotLayer* layer, const std::int16_t* in, int low, int largest, Values* out);
   IntegerEncoder::Codes See(const Panorama& panorama);
   Values Matches(DotLayer* layer, const IntegerEncoder::Codes& codes) const;
   void Correlate(const Values& source, std::span<const float> goal, std::int16_t* out) const;

@@ -2,6 +2,7 @@
 #include "agent/slam/descriptors/shrink_picture.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <string>
 
@@ -33,13 +34,24 @@ std::vector<std::vector<Share>> SharesOf(int cells, int pixels) {
   return shares;
 }
 
-std::int64_t SumOf(const std::vector<Share>& cols, const std::vector<std::int64_t>& columns,
-                   std::size_t channel) {
-  std::int64_t sum = 0;
+/// Red, green and blue.
+std::array<std::int64_t, 3> SumsOf(const std::vector<Share>& cols,
+                                   const std::vector<std::int64_t>& columns) {
+  std::array<std::int64_t, 3> sums{};
   for (const Share& col : cols) {
-    sum += col.share * columns[static_cast<std::size_t>(col.pixel) * 3 + channel];
+    const std::int64_t* from = columns.data() + static_cast<std::size_t>(col.pixel) * 3;
+    for (std::size_t i = 0; i < 3; ++i) sums[i] += col.share * from[i];
   }
-  return sum;
+  return sums;
+}
+
+/// Sums in shares of `whole`, which is kLargest, rounded.
+std::array<std::uint8_t, 3> ShareOf(const std::array<std::int64_t, 3>& sums, std::int64_t whole) {
+  std::array<std::uint8_t, 3> shares{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    shares[i] = static_cast<std::uint8_t>((2 * kLargest * sums[i] + whole) / (2 * whole));
+  }
+  return shares;
 }
 
 }  // namespace
@@ -68,10 +80,8 @@ std::vector<std::uint8_t> ShrinkPicture(std::span<const std::uint8_t> rgb, int w
       for (std::size_t i = 0; i < columns.size(); ++i) columns[i] += row.share * from[i];
     }
     for (const auto& cols_of : across) {
-      for (std::size_t channel = 0; channel < 3; ++channel) {
-        const std::int64_t sum = SumOf(cols_of, columns, channel);
-        out.push_back(static_cast<std::uint8_t>((2 * kLargest * sum + whole) / (2 * whole)));
-      }
+      const auto color = ShareOf(SumsOf(cols_of, columns), whole);
+      out.insert(out.end(), color.begin(), color.end());
     }
   }
   return out;

@@ -122,6 +122,19 @@ std::vector<std::pair<int, int>> NearestTimes(std::span<const double> first,
   return pairs;
 }
 
+std::vector<std::optional<agent::SpatialPose>> PosesAt(std::span<const double> times,
+                                                       const CameraTrajectory& trajectory,
+                                                       double most) {
+  std::vector<double> known;
+  known.reserve(trajectory.size());
+  for (const TimedPose& pose : trajectory) known.push_back(pose.time);
+  std::vector<std::optional<agent::SpatialPose>> poses(times.size());
+  for (const auto& [frame, pose] : NearestTimes(times, known, most)) {
+    poses[static_cast<std::size_t>(frame)] = trajectory[static_cast<std::size_t>(pose)].pose;
+  }
+  return poses;
+}
+
 TumFolder ReadTumFolder(const fs::path& folder, const TumOptions& options) {
   TumFolder read;
   read.intrinsics =

@@ -35,6 +35,11 @@ std::vector<TimedFile> ReadTumList(const std::filesystem::path& list);
 std::vector<std::pair<int, int>> NearestTimes(std::span<const double> first,
                                               std::span<const double> second, double most);
 
+/// The pose that is nearest in time to each of `times`, where there is one within `most` seconds.
+std::vector<std::optional<agent::SpatialPose>> PosesAt(std::span<const double> times,
+                                                       const CameraTrajectory& trajectory,
+                                                       double most);
+
 struct TumFrame {
   double time = 0.0;  // of the colour picture
   std::filesystem::path color;

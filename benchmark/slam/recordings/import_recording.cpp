@@ -80,22 +80,6 @@ Source Open(const ImportRecordingSpec& spec) {
   return source;
 }
 
-/// The pose of each frame, where there is one near in time.
-std::vector<std::optional<agent::SpatialPose>> PosesOf(const Source& source,
-                                                       const CameraTrajectory& trajectory) {
-  constexpr double kMostApart = 0.05;
-  std::vector<double> times;
-  for (const SourceFrame& frame : source.frames) times.push_back(frame.time);
-  std::vector<double> known;
-  known.reserve(trajectory.size());
-  for (const TimedPose& pose : trajectory) known.push_back(pose.time);
-  std::vector<std::optional<agent::SpatialPose>> poses(times.size());
-  for (const auto& [frame, pose] : NearestTimes(times, known, kMostApart)) {
-    poses[static_cast<std::size_t>(frame)] = trajectory[static_cast<std::size_t>(pose)].pose;
-  }
-  return poses;
-}
-
 std::string SizeOf(int width, int height) {
   return fmt::format("{} x {}", width, height);
 }
@@ -134,6 +118,16 @@ void CheckCamera(const Source& source, const fs::path& folder, const sim::Image&
       fmt::format("the principal point {}, {} lies outside of pictures of {} pixels; give the "
                   "intrinsics of these pictures with --intrinsics fx,fy,cx,cy",
                   k.cx, k.cy, SizeOf(color.width, color.height)));
+}
+
+/// The pose of each frame, where there is one near in time.
+std::vector<std::optional<agent::SpatialPose>> PosesOf(const Source& source,
+                                                       const CameraTrajectory& trajectory) {
+  constexpr double kMostApart = 0.05;
+  std::vector<double> times;
+  times.reserve(source.frames.size());
+  for (const SourceFrame& frame : source.frames) times.push_back(frame.time);
+  return PosesAt(times, trajectory, kMostApart);
 }
 
 /// A recording while it is read frame by frame.

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <span>
 #include <vector>
 
 #include <fmt/core.h>
@@ -17,19 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kMostApart = 0.05;  // seconds between a frame and its pose
-
-/// The pose of each time, if there is one near it.
-std::vector<std::optional<agent::SpatialPose>> PosesAt(std::span<const double> times,
-                                                       const CameraTrajectory& trajectory) {
-  std::vector<double> known;
-  known.reserve(trajectory.size());
-  for (const TimedPose& pose : trajectory) known.push_back(pose.time);
-  std::vector<std::optional<agent::SpatialPose>> poses(times.size());
-  for (const auto& [frame, pose] : NearestTimes(times, known, kMostApart)) {
-    poses[static_cast<std::size_t>(frame)] = trajectory[static_cast<std::size_t>(pose)].pose;
-  }
-  return poses;
-}
 
 }  // namespace
 
@@ -76,7 +62,7 @@ DriveSource::Recording DriveSource::Read(const fs::path& folder) {
                          "is not there; write the odometry added up as 't x y z qx qy qz qw' of "
                          "the camera, a line a frame");
   }
-  const auto measured = PosesAt(times, ReadTumTrajectory(odometry));
+  const auto measured = PosesAt(times, ReadTumTrajectory(odometry), kMostApart);
   recording.odometry.reserve(times.size());
   for (std::size_t i = 0; i < times.size(); ++i) {
     if (!measured[i]) {
@@ -89,7 +75,7 @@ DriveSource::Recording DriveSource::Read(const fs::path& folder) {
   }
   const sim::PlanarPose back = sim::Inverse(recording.odometry.front());
   for (sim::PlanarPose& pose : recording.odometry) pose = sim::Compose(back, pose);
-  const auto truth = PosesAt(times, recording.folder.truth);
+  const auto truth = PosesAt(times, recording.folder.truth, kMostApart);
   recording.truth.resize(times.size());
   for (std::size_t i = 0; i < times.size(); ++i) {
     if (truth[i]) recording.truth[i] = BodyFromFile(*truth[i], 0.0);

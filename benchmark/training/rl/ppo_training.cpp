@@ -6,6 +6,7 @@
 #include <charconv>
 #include <utility>
 
+#include "agent/perception/weights.h"
 #include "benchmark/training/rl/lanes_state.h"
 #include "sim/base/error.h"
 #include "sim/math/rng.h"
@@ -61,6 +62,11 @@ void PpoTraining::AppendReport(Measures* measures) {
 
 std::int64_t PpoTraining::FramesAfter(int steps) const {
   return std::int64_t{steps} * plan_.ppo.lanes * plan_.ppo.rollout;
+}
+
+void PpoTraining::Save(std::map<std::string, std::string> notes,
+                       const std::filesystem::path& file) const {
+  agent::SaveWeights(*net_, std::move(notes), agent::StoredType::kFloat32, file);
 }
 
 void PpoTraining::AppendState(agent::TensorFile* content) const {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 
@@ -41,6 +43,9 @@ class PpoTraining : public Training {
   std::int64_t FramesAfter(int steps) const override;
   std::string frames_are() const override { return "steps of the task"; }
   bool shares_work() const override { return peers_ != nullptr; }
+  /// The net's weights as floats, unless overridden.
+  void Save(std::map<std::string, std::string> notes,
+            const std::filesystem::path& file) const override;
   void AppendState(agent::TensorFile* content) const override;
   void SetState(const agent::TensorFile& content, const std::filesystem::path& file) override;
 

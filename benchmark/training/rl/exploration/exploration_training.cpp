@@ -70,19 +70,6 @@ struct ExplorationPlan : PpoPlan {
   }
 };
 
-NavigationData ValidationOf(const ExplorationPlan& plan) {
-  if (plan.validation) return *plan.validation;
-  NavigationData data;
-  data.houses = plan.data.houses;
-  if (!data.houses) {
-    throw sim::KeyError("validation",
-                        "validation is missing; without houses there is no split to take it from");
-  }
-  data.houses->split = "val";
-  data.seed = plan.data.seed + 1;
-  return data;
-}
-
 ExplorationScenes LoadScenes(const NavigationData& data, const TrainContext& context,
                              const char* what) {
   const DataConfig config = data.as_data();
@@ -98,7 +85,8 @@ ExplorationScenes LoadScenes(const NavigationData& data, const TrainContext& con
 struct ExplorationWorld {
   ExplorationWorld(const ExplorationPlan& plan, const TrainContext& context)
       : scenes(LoadScenes(plan.data, context, "loading scenes")),
-        validation_scenes(LoadScenes(ValidationOf(plan), context, "loading validation scenes")),
+        validation_scenes(LoadScenes(ValidationOf(plan.validation, plan.data), context,
+                                     "loading validation scenes")),
         validation(&validation_scenes, plan.simulator, plan.validation_episodes) {}
 
   ExplorationScenes scenes;

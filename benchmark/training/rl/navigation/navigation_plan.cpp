@@ -25,19 +25,6 @@ std::vector<std::pair<std::string, std::string>> SettingsOf(LaneSetting setting)
   return {{"rgb", "rgb_"}, {"rgbd", "rgbd_"}};
 }
 
-NavigationData ValidationOf(const NavigationPlan& plan) {
-  if (plan.validation) return *plan.validation;
-  NavigationData data;
-  data.houses = plan.data.houses;
-  if (!data.houses) {
-    throw sim::KeyError("validation",
-                        "validation is missing; without houses there is no split to take it from");
-  }
-  data.houses->split = "val";
-  data.seed = plan.data.seed + 1;
-  return data;
-}
-
 NavigationScenes LoadScenes(const NavigationData& data, const TrainContext& context,
                             const char* what) {
   MakeHousesOf(data.as_data(), CommittedVersion(), 0, context.start);
@@ -103,7 +90,8 @@ NavigationWorld::NavigationWorld(const NavigationPlan& plan, const TrainContext&
       validation_episodes_(plan.validation_episodes),
       peers_(context.peers),
       scenes_(LoadScenes(plan.data, context, "loading scenes")),
-      validation_scenes_(LoadScenes(ValidationOf(plan), context, "loading validation scenes")),
+      validation_scenes_(LoadScenes(ValidationOf(plan.validation, plan.data), context,
+                                    "loading validation scenes")),
       validation_(&validation_scenes_, plan.task(), plan.validation_episodes) {}
 
 Measures NavigationWorld::Validate(const std::shared_ptr<agent::PolicyNet>& net,

@@ -35,6 +35,20 @@ DataConfig NavigationData::as_data() const {
   return data;
 }
 
+NavigationData ValidationOf(const std::optional<NavigationData>& validation,
+                            const NavigationData& data) {
+  if (validation) return *validation;
+  NavigationData val;
+  val.houses = data.houses;
+  if (!val.houses) {
+    throw sim::KeyError("validation",
+                        "validation is missing; without houses there is no split to take it from");
+  }
+  val.houses->split = "val";
+  val.seed = data.seed + 1;
+  return val;
+}
+
 NavigationScenes::NavigationScenes(const NavigationData& data, const sim::BodySpec& body,
                                    int threads, const std::function<void()>& loaded,
                                    const Warn& warn)

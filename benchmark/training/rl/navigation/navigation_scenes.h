@@ -41,13 +41,18 @@ struct NavigationData {
   DataConfig as_data() const;
 };
 
+/// `validation` if it is given, else the houses' split "val" of the training's `data`. Throws
+/// KeyError if there is neither.
+NavigationData ValidationOf(const std::optional<NavigationData>& validation,
+                            const NavigationData& data);
+
 /// Scenes in memory with all episodes that can be drawn in them: easy, medium and hard ones in
 /// equal shares, as far as a scene has them.
 class NavigationScenes {
  public:
   /// Loads all of them. `loaded` is called after each, `warn` once for each that is drawn grey (see
-  /// SceneCache), from any thread. Throws sim::Error for a
-  /// scene that cannot be loaded, or that has no episodes.
+  /// SceneCache), from any thread. Throws sim::Error for a scene that cannot be loaded, or that
+  /// has no episodes.
   NavigationScenes(const NavigationData& data, const sim::BodySpec& body, int threads,
                    const std::function<void()>& loaded = {}, const Warn& warn = {});
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <array>
 #include <cstdlib>
-#include <map>
 #include <memory>
 #include <queue>
 #include <string_view>
@@ -9,11 +8,10 @@
 
 #include <fmt/core.h>
 
-#include "agent/perception/weights.h"
 #include "benchmark/training/core/registry.h"
 #include "benchmark/training/rl/number_net.h"
 #include "benchmark/training/rl/ppo_training.h"
-#include "sim/math/rng.h"
+#include "benchmark/training/rl/sanity/number_task.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -63,60 +61,45 @@ std::array<int, kCells> Distances() {
   return distances;
 }
 
+struct FourRoomsLane {
+  int start = 0;
+  int cell = 0;
+  int steps = 0;
+
+  std::array<int*, 3> Numbers() { return {&start, &cell, &steps}; }
+};
+
 /// Four rooms, seen from above: from anywhere to the one goal. Source of the rooms: Sutton, Precup
 /// and Singh, "Between MDPs and semi-MDPs", 1999. An episode's score: its return, by the best one.
-class FourRooms final : public PolicyTask {
+class FourRooms final : public NumberTask<FourRoomsLane> {
  public:
-  FourRooms(const LaneShare& share, std::uint64_t seed)
-      : seed_(seed), first_(share.first), lanes_(static_cast<std::size_t>(share.lanes)) {}
+  FourRooms(const LaneShare& share, std::uint64_t seed) : NumberTask("four_rooms", share, seed) {}
 
-  int lanes() const override { return static_cast<int>(lanes_.size()); }
-  int first_lane() const override { return first_; }
   int actions() const override { return 4; }
   int observation_size() const override { return kCells; }
 
   void Begin(int lane, std::uint64_t episode) override {
-    sim::Rng rng = sim::Rng(seed_, "four_rooms")
-                       .Fork("lane", static_cast<std::uint64_t>(first_ + lane))
-                       .Fork("episode", episode);
+    sim::Rng rng = RngOf(lane, episode);
     int cell = kGoal;
     while (cell == kGoal || !IsFree(cell)) cell = rng.Below(kCells);
-    lanes_[static_cast<std::size_t>(lane)] = {cell, cell, 0};
+    this->lane(lane) = {cell, cell, 0};
   }
   void Observe(std::span<float> out, std::span<std::uint8_t> /*pictures*/) override {
     std::fill(out.begin(), out.end(), 0.0F);
-    for (std::size_t i = 0; i < lanes_.size(); ++i) {
-      out[i * kCells + static_cast<std::size_t>(lanes_[i].cell)] = 1.0F;
+    std::size_t first = 0;
+    for (const FourRoomsLane& lane : all_lanes()) {
+      out[first + static_cast<std::size_t>(lane.cell)] = 1.0F;
+      first += kCells;
     }
   }
   void Step(std::span<const int> actions, std::span<LaneOutcome> outcomes) override {
-    for (std::size_t i = 0; i < lanes_.size(); ++i) outcomes[i] = Move(&lanes_[i], actions[i]);
-  }
-  std::vector<float> State() const override {
-    std::vector<float> state;
-    state.reserve(3 * lanes_.size());
-    for (const Lane& lane : lanes_) {
-      for (const int number : {lane.start, lane.cell, lane.steps}) {
-        state.push_back(static_cast<float>(number));
-      }
-    }
-    return state;
-  }
-  void SetState(std::span<const float> state) override {
-    for (std::size_t i = 0; i < lanes_.size(); ++i) {
-      lanes_[i] = {static_cast<int>(state[3 * i]), static_cast<int>(state[3 * i + 1]),
-                   static_cast<int>(state[3 * i + 2])};
+    for (std::size_t i = 0; i < actions.size(); ++i) {
+      outcomes[i] = Move(&all_lanes()[i], actions[i]);
     }
   }
 
  private:
-  struct Lane {
-    int start = 0;
-    int cell = 0;
-    int steps = 0;
-  };
-
-  LaneOutcome Move(Lane* lane, int action) const {
+  LaneOutcome Move(FourRoomsLane* lane, int action) const {
     lane->cell = Next(lane->cell, action);
     ++lane->steps;
     LaneOutcome outcome;
@@ -130,9 +113,6 @@ class FourRooms final : public PolicyTask {
     return outcome;
   }
 
-  std::uint64_t seed_;
-  int first_;
-  std::vector<Lane> lanes_;
   std::array<int, kCells> distances_ = Distances();
 };
 
@@ -192,10 +172,6 @@ class FourRoomsTraining final : public PpoTraining {
     measures("episodes", episodes);
     AppendReport(&measures);
     return measures;
-  }
-  void Save(std::map<std::string, std::string> notes,
-            const std::filesystem::path& file) const override {
-    agent::SaveWeights(policy(), std::move(notes), agent::StoredType::kFloat32, file);
   }
   std::string Describe(const Measures& measures) const override {
     return fmt::format("score {:.3f} of {:.0f} episodes, entropy {:.2f}, KL {:.4f}",

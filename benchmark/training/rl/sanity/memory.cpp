@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
-#include <map>
 #include <memory>
 #include <utility>
 
 #include <fmt/core.h>
 
-#include "agent/perception/weights.h"
 #include "benchmark/training/core/registry.h"
 #include "benchmark/training/rl/number_net.h"
 #include "benchmark/training/rl/ppo_training.h"
-#include "sim/math/rng.h"
+#include "benchmark/training/rl/sanity/number_task.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -34,44 +32,45 @@ struct CorridorSpec {
   }
 };
 
+struct CorridorLane {
+  int cue = 0;
+  int length = 0;
+  int steps = 0;
+
+  std::array<int*, 3> Numbers() { return {&cue, &length, &steps}; }
+};
+
 /// A corridor that ends in a fork: a cue in its first step says which way is right, and nothing in
 /// the others. Rollouts are shorter than the corridor, so that memory must live through updates;
 /// short corridors teach what long ones need. Source of the task: Hochreiter and Schmidhuber,
 /// "Long short-term memory", 1997, as a corridor in Bakker, "Reinforcement learning with long
 /// short-term memory", 2002.
-class Corridor final : public PolicyTask {
+class Corridor final : public NumberTask<CorridorLane> {
  public:
   Corridor(const CorridorSpec& spec, const LaneShare& share, std::uint64_t seed)
-      : spec_(spec),
-        seed_(seed),
-        first_(share.first),
-        lanes_(static_cast<std::size_t>(share.lanes)) {}
+      : NumberTask("corridor", share, seed), spec_(spec) {}
 
-  int lanes() const override { return static_cast<int>(lanes_.size()); }
-  int first_lane() const override { return first_; }
   int actions() const override { return 2; }
   int observation_size() const override { return kNumbers; }
 
   void Begin(int lane, std::uint64_t episode) override {
-    sim::Rng rng = sim::Rng(seed_, "corridor")
-                       .Fork("lane", static_cast<std::uint64_t>(first_ + lane))
-                       .Fork("episode", episode);
-    Lane& own = lanes_[static_cast<std::size_t>(lane)];
-    own = {rng.Below(2), spec_.shortest + rng.Below(spec_.length - spec_.shortest + 1), 0};
+    sim::Rng rng = RngOf(lane, episode);
+    this->lane(lane) = {rng.Below(2), spec_.shortest + rng.Below(spec_.length - spec_.shortest + 1),
+                        0};
   }
   void Observe(std::span<float> out, std::span<std::uint8_t> /*pictures*/) override {
     std::fill(out.begin(), out.end(), 0.0F);
-    for (std::size_t i = 0; i < lanes_.size(); ++i) {
-      const Lane& lane = lanes_[i];
-      float* numbers = out.data() + i * kNumbers;
+    float* numbers = out.data();
+    for (const CorridorLane& lane : all_lanes()) {
       if (lane.steps == 0) numbers[lane.cue] = 1.0F;
       numbers[2] = lane.steps == lane.length ? 1.0F : 0.0F;
       numbers[3] = 1.0F;
+      numbers += kNumbers;
     }
   }
   void Step(std::span<const int> actions, std::span<LaneOutcome> outcomes) override {
-    for (std::size_t i = 0; i < lanes_.size(); ++i) {
-      Lane& lane = lanes_[i];
+    for (std::size_t i = 0; i < actions.size(); ++i) {
+      CorridorLane& lane = all_lanes()[i];
       LaneOutcome outcome;
       outcome.terminated = lane.steps == lane.length;
       outcome.success = outcome.terminated && actions[i] == lane.cue;
@@ -81,34 +80,9 @@ class Corridor final : public PolicyTask {
       if (!outcome.terminated) ++lane.steps;
     }
   }
-  std::vector<float> State() const override {
-    std::vector<float> state;
-    state.reserve(3 * lanes_.size());
-    for (const Lane& lane : lanes_) {
-      for (const int number : {lane.cue, lane.length, lane.steps}) {
-        state.push_back(static_cast<float>(number));
-      }
-    }
-    return state;
-  }
-  void SetState(std::span<const float> state) override {
-    for (std::size_t i = 0; i < lanes_.size(); ++i) {
-      lanes_[i] = {static_cast<int>(state[3 * i]), static_cast<int>(state[3 * i + 1]),
-                   static_cast<int>(state[3 * i + 2])};
-    }
-  }
 
  private:
-  struct Lane {
-    int cue = 0;
-    int length = 0;
-    int steps = 0;
-  };
-
   CorridorSpec spec_;
-  std::uint64_t seed_;
-  int first_;
-  std::vector<Lane> lanes_;
 };
 
 struct MemoryConfig : PpoPlan {
@@ -159,10 +133,6 @@ class MemoryTraining final : public PpoTraining {
     measures("success", success);
     AppendReport(&measures);
     return measures;
-  }
-  void Save(std::map<std::string, std::string> notes,
-            const std::filesystem::path& file) const override {
-    agent::SaveWeights(policy(), std::move(notes), agent::StoredType::kFloat32, file);
   }
   std::string Describe(const Measures& measures) const override {
     return fmt::format("success {:.3f}, entropy {:.2f}, KL {:.4f}", measures.at("success"),
