@@ -15,7 +15,7 @@ constexpr float kUpright = 0.98f;  // least part of a door's axis along the upri
 }  // namespace
 
 std::optional<DoorLeaf> LeafOn(const TurningJoint& joint, const Eigen::Vector3f& up) {
-  if (!(std::abs(joint.axis.dot(up)) > kUpright)) return std::nullopt;
+  if (!(std::abs(joint.axis.dot(up)) > kUpright) || joint.lower == joint.upper) return std::nullopt;
   DoorLeaf door;
   door.hinge = joint.hinge;
   door.axis = joint.axis;

@@ -21,7 +21,8 @@ struct TurningJoint {
   std::optional<double> angle_at_zero;  // see kAngleAtZero
 };
 
-/// The door on a joint, without its object, absent where the joint is not upright. Shut is the
+/// The door on a joint, without its object, absent where the joint is not upright or
+/// cannot turn. Shut is the
 /// position nearest to 0, open the farther limit, a quarter turn at most; where `angle_at_zero` is
 /// known, the lower limit and the upper one.
 std::optional<DoorLeaf> LeafOn(const TurningJoint& joint, const Eigen::Vector3f& up);

@@ -198,11 +198,14 @@ class Reader : private XmlAttributes {
     if (limit == nullptr) {
       Fail(element, "joint '" + joint->name + "' has no limit; add it, or call it continuous");
     }
-    if (limit->Attribute("lower") != nullptr) joint->lower = Number(*limit, "lower");
-    if (limit->Attribute("upper") != nullptr) joint->upper = Number(*limit, "upper");
-    if (joint->lower > joint->upper) {
-      Fail(*limit, "the lower limit of '" + joint->name + "' is above the upper one; mend it");
-    }
+    const bool has_lower = limit->Attribute("lower") != nullptr;
+    const bool has_upper = limit->Attribute("upper") != nullptr;
+    if (has_lower) joint->lower = Number(*limit, "lower");
+    if (has_upper) joint->upper = Number(*limit, "upper");
+    // As Bullet takes them, and habitat-sim with it.
+    const bool is_free = (!has_lower && !has_upper) || joint->lower > joint->upper;
+    if (is_free && joint->type == UrdfJointType::kRevolute)
+      joint->type = UrdfJointType::kContinuous;
   }
 
   void SortJoints() {

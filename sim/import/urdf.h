@@ -69,9 +69,10 @@ struct Urdf {
 };
 
 /// Reads a URDF: links with their visuals (meshes relative to its folder, boxes, cylinders and
-/// spheres) and joints. Links without mass, several roots, and numbers with commas between them are
-/// taken, as habitat-sim takes them. Throws FileError with the line: no XML, no robot, a mesh that
-/// is not there, links and joints that are missing, double or in a circle, bad numbers.
+/// spheres) and joints; revolute ones whose lower limit is above the upper one are continuous.
+/// Links without mass, several roots, and numbers with commas between them are taken, as
+/// habitat-sim takes them. Throws FileError with the line: no XML, no robot, a mesh that is not
+/// there, links and joints that are missing, double or in a circle, bad numbers.
 Urdf ReadUrdf(const std::filesystem::path& file);
 
 }  // namespace bulletnav::sim

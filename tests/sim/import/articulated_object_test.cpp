@@ -168,10 +168,14 @@ TEST_F(ArticulatedObject, EachInstanceHasItsOwnDoor) {
   ExpectBox(BoxOf(scene.mesh, "fridge_2::door"), Vec(6.5f, 0, -4.65f), Vec(7.5f, 2, -4.45f));
 }
 
-TEST_F(ArticulatedObject, JointsThatLieOrTurnFreelyAreNoDoors) {
+TEST_F(ArticulatedObject, JointsThatLieOrTurnFreelyOrNotAtAllAreNoDoors) {
   std::string flap = kFridge;
   flap.replace(flap.find("<axis xyz=\"0 0 1\"/>"), 19, "<axis xyz=\"0 1 0\"/>");
   folder_.Write("urdf/fridge/fridge.urdf", flap);
+  EXPECT_THAT(Read(With(R"({"template_name": "fridge"})"), DoorState::kAsBuilt).doors, IsEmpty());
+  std::string stuck = kFridge;
+  stuck.replace(stuck.find("upper=\"2.3\""), 11, "upper=\"0\"");
+  folder_.Write("urdf/fridge/fridge.urdf", stuck);
   EXPECT_THAT(Read(With(R"({"template_name": "fridge"})"), DoorState::kAsBuilt).doors, IsEmpty());
   std::string chair = kFridge;
   chair.replace(chair.find("\"revolute\""), 10, "\"continuous\"");
