@@ -37,6 +37,15 @@ struct DatasetOptions {
   int panoramas = 16;
 };
 
+void MakeHousesFor(const DataConfig& config, int workers) {
+  const std::string version = CommittedVersion();
+  const StopNote note([&]() -> std::string {
+    if (version.empty()) return "";
+    return "houses that are done stay; the same command goes on from there";
+  });
+  MakeHousesOf(config, version, workers, StartLine);
+}
+
 void MakeLabels(const DataConfig& config, int workers) {
   LabelStatistics statistics;
   int cached = 0;
@@ -134,7 +143,7 @@ void AddDatasetCommand(CLI::App* program) {
   command->callback([options] {
     const DataConfig config = LoadDataConfig(ShippedConfig(options->config));
     RequirePlaces(config, *options);
-    MakeHousesOf(config, CommittedVersion(), options->workers, StartLine);
+    MakeHousesFor(config, options->workers);
     if (!options->gallery.empty()) {
       WriteGallery(config, *options);
     } else if (options->draw.empty()) {

@@ -7,9 +7,11 @@
 
 #include <fmt/core.h>
 
+#include "benchmark/base/warn_line.h"
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/progress.h"
 #include "benchmark/cli/scene_options.h"
+#include "sim/base/error.h"
 #include "sim/scene/export_scene.h"
 
 namespace bulletnav::bench {
@@ -34,15 +36,34 @@ std::string NameOf(const std::filesystem::path& file) {
   return name;
 }
 
+/// With the hinges of doors, where they can be found: what lies beside the mesh may be of something
+/// else, and nobody has asked to turn a door.
+sim::ImportedScene Read(const SceneOptions& options) {
+  sim::ImportOptions import = options.import();
+  if (import.doors) return sim::ImportScene(options.file, import);
+  std::string trouble;
+  try {
+    import.doors.emplace();
+    return sim::ImportScene(options.file, import);
+  } catch (const sim::FileError& e) {
+    trouble = e.what();
+  }
+  import.doors.reset();
+  sim::ImportedScene scene = sim::ImportScene(options.file, import);
+  WarnLine("doors are exported without hinges: " + trouble);
+  return scene;
+}
+
 void Export(const ExportOptions& options) {
   const std::string file = options.scene.file.string();
   std::optional<Progress> progress(std::in_place, "reading " + file);
-  const sim::ImportedScene scene = sim::ImportScene(options.scene.file, options.scene.import());
+  const sim::ImportedScene scene = Read(options.scene);
   progress->Rename("writing " + options.out.string());
   const auto format =
       options.format == "sdf" ? sim::SceneFormat::kSdf : sim::SceneFormat::kSceneInstance;
   const std::string name = options.name.empty() ? NameOf(options.scene.file) : options.name;
-  const std::filesystem::path made = sim::ExportScene(scene.mesh, name, format, options.out);
+  const std::filesystem::path made =
+      sim::ExportScene(scene.mesh, name, format, options.out, scene.doors);
   progress.reset();
   fmt::print("{}\n", made.string());
 }

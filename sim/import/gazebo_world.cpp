@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -13,9 +12,9 @@
 
 #include "sim/base/error.h"
 #include "sim/import/cpu_time.h"
+#include "sim/import/door_joint.h"
 #include "sim/import/gazebo_files.h"
 #include "sim/import/primitives.h"
-#include "sim/math/pose.h"
 
 namespace bulletnav::sim {
 namespace {
@@ -25,7 +24,6 @@ using Pose = ignition::math::Pose3d;
 
 // libsdformat takes some milliseconds a model; a large warehouse has thousands.
 constexpr int kSecondsForSdf = 60;
-constexpr float kUpright = 0.98f;  // least part along z of a door's hinge
 
 Vec ToEigen(const ignition::math::Vector3d& v) {
   return Eigen::Vector3d(v.X(), v.Y(), v.Z()).cast<float>();
@@ -49,11 +47,6 @@ Eigen::Affine3f ToEigen(const Pose& pose) {
   rounded.translation() =
       Vec(Rounded(pose.Pos().X()), Rounded(pose.Pos().Y()), Rounded(pose.Pos().Z()));
   return rounded;
-}
-
-bool NamesDoor(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text.find("door") != std::string::npos;
 }
 
 /// Models that Gazebo brings itself, whose absence no one minds.
@@ -170,26 +163,24 @@ class WorldReader {
     if (door != doors->end()) doors->emplace(child, door->second);
   }
 
-  /// Absent where the axis is not upright. Poses in the world are those of joints at 0, where a
-  /// door is shut, or as nearly as its limits let it.
+  /// Absent where the axis is not upright. Poses in the world are those of joints at 0.
   std::optional<DoorLeaf> DoorOf(const sdf::Joint& joint, const Eigen::Affine3f& X_WM) {
     Pose pose;
     Check(joint.SemanticPose().Resolve(pose, "__model__"));
     ignition::math::Vector3d axis;
     Check(joint.Axis()->ResolveXyz(axis, "__model__"));
-    DoorLeaf door;
-    door.hinge = (X_WM * ToEigen(pose)).translation();
-    door.axis = (X_WM.linear() * ToEigen(axis)).normalized().unaryExpr([](float v) {
+    TurningJoint turning;
+    turning.hinge = (X_WM * ToEigen(pose)).translation();
+    turning.axis = (X_WM.linear() * ToEigen(axis)).normalized().unaryExpr([](float v) {
       return Rounded(double{v});
     });
-    if (!(std::abs(door.axis.z()) > kUpright)) return std::nullopt;
-    const double low = std::max(joint.Axis()->Lower(), -0.5 * kPi);
-    const double high = std::min(joint.Axis()->Upper(), 0.5 * kPi);
-    const bool opens_backwards = -low > high;
-    if (opens_backwards) door.axis = -door.axis;
-    door.shut_angle = Rounded(opens_backwards ? -std::min(0.0, high) : std::max(0.0, low));
-    door.open_angle = Rounded(opens_backwards ? -low : high);
-    return door;
+    turning.lower = joint.Axis()->Lower();
+    turning.upper = joint.Axis()->Upper();
+    const sdf::ElementPtr element = joint.Element();
+    if (element->HasElement(kAngleAtZero)) {
+      turning.angle_at_zero = element->GetElement(kAngleAtZero)->Get<double>("", 0.0).first;
+    }
+    return LeafOn(turning, Vec::UnitZ());
   }
 
   void AddModel(const sdf::Model& model, const Eigen::Affine3f& X_WM, const std::string& above) {

@@ -21,12 +21,23 @@ using Vec = Eigen::Vector3f;
 constexpr std::string_view kDatasetEnd = ".scene_dataset_config.json";
 constexpr int kMostFoldersUp = 8;
 
-std::string KeyOf(HabitatDataset::Kind kind) {
-  return kind == HabitatDataset::Kind::kStage ? "stages" : "objects";
-}
+/// What is written about templates of a kind.
+struct KindText {
+  const char* key;    // in the data set's file
+  const char* end;    // of files of attributes
+  const char* asset;  // the attribute that names what is drawn
+};
 
-std::string EndOf(HabitatDataset::Kind kind) {
-  return kind == HabitatDataset::Kind::kStage ? ".stage_config.json" : ".object_config.json";
+KindText TextOf(HabitatDataset::Kind kind) {
+  switch (kind) {
+    case HabitatDataset::Kind::kStage:
+      return {"stages", ".stage_config.json", "render_asset"};
+    case HabitatDataset::Kind::kObject:
+      return {"objects", ".object_config.json", "render_asset"};
+    case HabitatDataset::Kind::kArticulated:
+      break;
+  }
+  return {"articulated_objects", ".ao_config.json", "urdf_filepath"};
 }
 
 /// Files and folders that a pattern below `folder` names, in the order of their names.
@@ -77,9 +88,9 @@ std::string WithoutEnd(const std::string& path, std::string_view end) {
   return path.ends_with(end) ? path.substr(0, path.size() - end.size()) : path;
 }
 
-/// Attributes with `render_asset` as a whole path: it is relative to the file that has it.
-Json WithAsset(Json attributes, const fs::path& folder) {
-  const auto asset = attributes.find("render_asset");
+/// Attributes with what is drawn as a whole path: it is relative to the file that has it.
+Json WithAsset(Json attributes, const fs::path& folder, const char* key) {
+  const auto asset = attributes.find(key);
   if (asset != attributes.end() && asset->is_string()) {
     *asset = (folder / asset->get<std::string>()).lexically_normal().string();
   }
@@ -104,6 +115,18 @@ Eigen::Matrix3f TurnOf(const Node& attributes) {
   turn.row(2) = -front.normalized();
   turn.row(0) = turn.row(1).cross(turn.row(2));
   return turn;
+}
+
+HabitatTemplate ReadArticulated(const Node& attributes) {
+  HabitatTemplate made;
+  if (!attributes.Has("urdf_filepath")) {
+    attributes.Fail("'urdf_filepath', the URDF to read, is missing; add it");
+  }
+  made.asset = attributes.At("urdf_filepath").Text();
+  if (attributes.Has("uniform_scale")) {
+    made.turn_and_scale *= static_cast<float>(attributes.At("uniform_scale").Positive());
+  }
+  return made;
 }
 
 HabitatTemplate ReadTemplate(const Node& attributes) {
@@ -146,6 +169,7 @@ HabitatDataset::HabitatDataset(const fs::path& scene) {
       if (!Lists(scene)) continue;
       stages_ = EntriesOf(Kind::kStage);
       objects_ = EntriesOf(Kind::kObject);
+      articulated_ = EntriesOf(Kind::kArticulated);
       return;
     }
     if (folder == folder.parent_path()) break;
@@ -170,8 +194,8 @@ bool HabitatDataset::Lists(const fs::path& scene) const {
 std::vector<HabitatDataset::Entry> HabitatDataset::EntriesOf(Kind kind) const {
   std::vector<Entry> entries;
   const Node root(json_, file_);
-  if (!root.Has(KeyOf(kind).c_str())) return entries;
-  const Node section = root.At(KeyOf(kind).c_str());
+  if (!root.Has(TextOf(kind).key)) return entries;
+  const Node section = root.At(TextOf(kind).key);
   const auto add_files = [&](const Node& patterns, const std::string& end, bool is_asset) {
     for (const fs::path& file : FilesOf(patterns, file_.parent_path(), end)) {
       entries.push_back({WithoutEnd(file.generic_string(), end), file, is_asset, Json::object()});
@@ -181,7 +205,7 @@ std::vector<HabitatDataset::Entry> HabitatDataset::EntriesOf(Kind kind) const {
     const Node paths = section.At("paths");
     for (const auto& [extension, patterns] : paths.value().items()) {
       const bool is_asset = extension != ".json";
-      add_files(paths.At(extension.c_str()), is_asset ? extension : EndOf(kind), is_asset);
+      add_files(paths.At(extension.c_str()), is_asset ? extension : TextOf(kind).end, is_asset);
     }
   }
   if (section.Has("configs")) AddConfigs(section.At("configs").value(), kind, &entries);
@@ -189,17 +213,18 @@ std::vector<HabitatDataset::Entry> HabitatDataset::EntriesOf(Kind kind) const {
 }
 
 void HabitatDataset::AddConfigs(const Json& configs, Kind kind, std::vector<Entry>* entries) const {
-  const Node list(configs, file_, KeyOf(kind) + ".configs");
+  const KindText text = TextOf(kind);
+  const Node list(configs, file_, std::string(text.key) + ".configs");
   for (std::size_t i = 0; i < list.Size(); ++i) {
     const Node config = list.Item(i);
     Entry entry{"", "", false, Json::object()};
     if (config.Has("original_file")) {
       entry.file = file_.parent_path() / config.At("original_file").Text();
-      entry.handle = WithoutEnd(entry.file.generic_string(), EndOf(kind));
+      entry.handle = WithoutEnd(entry.file.generic_string(), text.end);
     }
     if (config.Has("template_handle")) entry.handle = config.At("template_handle").Text();
     if (config.Has("attributes")) {
-      entry.overrides = WithAsset(config.At("attributes").value(), file_.parent_path());
+      entry.overrides = WithAsset(config.At("attributes").value(), file_.parent_path(), text.asset);
     }
     entries->push_back(std::move(entry));
   }
@@ -207,26 +232,47 @@ void HabitatDataset::AddConfigs(const Json& configs, Kind kind, std::vector<Entr
 
 HabitatTemplate HabitatDataset::Load(Kind kind, const Entry& entry) const {
   Json attributes = Json::object();
-  const Node section = Node(json_, file_).At(KeyOf(kind).c_str());
+  const KindText text = TextOf(kind);
+  const Node section = Node(json_, file_).At(text.key);
+  const auto add = [&](const Json& more, const fs::path& folder) {
+    Override(WithAsset(more, folder, text.asset), &attributes);
+  };
   if (section.Has("default_attributes")) {
-    Override(WithAsset(section.At("default_attributes").value(), file_.parent_path()), &attributes);
+    add(section.At("default_attributes").value(), file_.parent_path());
   }
   if (entry.is_asset) {
-    attributes["render_asset"] = entry.file.string();
+    attributes[text.asset] = entry.file.string();
   } else if (!entry.file.empty()) {
     const Json own = ParseJson<Json>(ReadTextFile(entry.file), entry.file);
     if (!own.is_object()) throw FileError(entry.file, "", "is no JSON object; mend it");
-    Override(WithAsset(own, entry.file.parent_path()), &attributes);
+    // A URDF that is not named has the name of its attributes' file.
+    if (kind == Kind::kArticulated) {
+      attributes[text.asset] = WithoutEnd(entry.file.string(), text.end) + ".urdf";
+    }
+    add(own, entry.file.parent_path());
   }
   Override(entry.overrides, &attributes);
-  HabitatTemplate made = ReadTemplate(Node(attributes, entry.file.empty() ? file_ : entry.file));
+  const Node all(attributes, entry.file.empty() ? file_ : entry.file);
+  HabitatTemplate made = kind == Kind::kArticulated ? ReadArticulated(all) : ReadTemplate(all);
   made.name = fs::path(entry.handle).filename().string();
   return made;
 }
 
+const std::vector<HabitatDataset::Entry>& HabitatDataset::entries(Kind kind) const {
+  switch (kind) {
+    case Kind::kStage:
+      return stages_;
+    case Kind::kObject:
+      return objects_;
+    case Kind::kArticulated:
+      break;
+  }
+  return articulated_;
+}
+
 HabitatTemplate HabitatDataset::Find(Kind kind, const std::string& name) const {
-  const std::vector<Entry>& entries = kind == Kind::kStage ? stages_ : objects_;
-  std::string wanted = WithoutEnd(name, EndOf(kind));
+  const KindText text = TextOf(kind);
+  const std::string wanted = WithoutEnd(name, text.end);
   const auto is_named = [&](const Entry& entry) {
     return entry.handle == wanted || entry.handle.ends_with("/" + wanted) ||
            (entry.is_asset && (entry.handle + entry.file.extension().string()).ends_with(wanted));
@@ -235,11 +281,11 @@ HabitatTemplate HabitatDataset::Find(Kind kind, const std::string& name) const {
     return fs::path(entry.handle).filename().string().find(wanted) != std::string::npos;
   };
   std::vector<const Entry*> found;
-  for (const Entry& entry : entries) {
+  for (const Entry& entry : entries(kind)) {
     if (!wanted.empty() && is_named(entry)) found.push_back(&entry);
   }
   if (found.empty() && !wanted.empty()) {
-    for (const Entry& entry : entries) {
+    for (const Entry& entry : entries(kind)) {
       if (has_part(entry)) found.push_back(&entry);
     }
   }
@@ -252,7 +298,7 @@ HabitatTemplate HabitatDataset::Find(Kind kind, const std::string& name) const {
       return entry->is_asset;
     });
   if (found.empty()) {
-    throw Error("none of the " + std::to_string(entries.size()) + " " + KeyOf(kind) + " that " +
+    throw Error("none of the " + std::to_string(entries(kind).size()) + " " + text.key + " that " +
                 file_.string() + " lists is called so; mend the name, or download what is missing");
   }
   if (found.size() > 1) {

@@ -15,8 +15,9 @@ namespace bulletnav::sim {
 /// What a stage or an object of a data set is made from.
 struct HabitatTemplate {
   std::string name;             // its file's, without extensions
-  std::filesystem::path asset;  // the mesh to draw
-  /// From the asset's own axes and units to Habitat's (up +y, front -z) in metres.
+  std::filesystem::path asset;  // the mesh to draw, of articulated objects the URDF
+  /// From the asset's own axes and units to Habitat's (up +y, front -z) in metres; of articulated
+  /// objects a scale.
   Eigen::Matrix3f turn_and_scale = Eigen::Matrix3f::Identity();
   std::optional<Eigen::Vector3f> center_of_mass;  // in the asset's axes turned, metres
 };
@@ -31,7 +32,7 @@ Eigen::Vector3f ReadVector(const JsonNode<nlohmann::ordered_json>& node);
 /// Source of the format: habitat-sim's documentation, "Using JSON files to configure attributes".
 class HabitatDataset {
  public:
-  enum class Kind { kStage, kObject };
+  enum class Kind { kStage, kObject, kArticulated };
 
   /// Throws FileError: no such file, or bad content of one.
   explicit HabitatDataset(const std::filesystem::path& scene);
@@ -55,11 +56,13 @@ class HabitatDataset {
   std::vector<Entry> EntriesOf(Kind kind) const;
   void AddConfigs(const Json& configs, Kind kind, std::vector<Entry>* entries) const;
   HabitatTemplate Load(Kind kind, const Entry& entry) const;
+  const std::vector<Entry>& entries(Kind kind) const;
 
   std::filesystem::path file_;
   Json json_;
   std::vector<Entry> stages_;
   std::vector<Entry> objects_;
+  std::vector<Entry> articulated_;
 };
 
 }  // namespace bulletnav::sim

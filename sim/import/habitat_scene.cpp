@@ -3,12 +3,16 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 #include <string>
 
 #include "sim/base/error.h"
 #include "sim/base/files.h"
 #include "sim/config/json_node.h"
+#include "sim/import/articulated_object.h"
+#include "sim/import/cpu_time.h"
 #include "sim/import/habitat_dataset.h"
+#include "sim/import/urdf.h"
 
 namespace bulletnav::sim {
 namespace {
@@ -17,6 +21,8 @@ using Json = nlohmann::ordered_json;
 using Node = JsonNode<Json>;
 using Vec = Eigen::Vector3f;
 using Kind = HabitatDataset::Kind;
+
+constexpr int kSecondsForUrdf = 1;
 
 Vec ReadVector(const Node& instance, const char* key, const Vec& otherwise) {
   return instance.Has(key) ? ReadVector(instance.At(key)) : otherwise;
@@ -55,6 +61,23 @@ bool IsAssetLocal(const Node& node, bool otherwise) {
   origin.Fail("'" + text + "' is not one of: asset_local, COM");
 }
 
+/// A list, or numbers by name, which count in the order of the names.
+std::vector<double> ReadPositions(const Node& instance) {
+  std::vector<double> positions;
+  if (!instance.Has("initial_joint_pose")) return positions;
+  const Node pose = instance.At("initial_joint_pose");
+  if (!pose.value().is_object()) {
+    for (std::size_t i = 0; i < pose.Size(); ++i) positions.push_back(pose.Item(i).Number());
+    return positions;
+  }
+  std::map<std::string, double> by_name;
+  for (const auto& [name, value] : pose.value().items()) {
+    by_name[name] = pose.At(name.c_str()).Number();
+  }
+  for (const auto& [name, position] : by_name) positions.push_back(position);
+  return positions;
+}
+
 class SceneReader {
  public:
   explicit SceneReader(const std::filesystem::path& file)
@@ -73,8 +96,15 @@ class SceneReader {
         Add(Kind::kObject, objects.Item(i), "object_instances[" + std::to_string(i) + "]");
       }
     }
-    CountArticulated(root);
-    if (scene_.parts.empty()) root.Fail("names no stage and no objects; is it the right file?");
+    if (root.Has("articulated_object_instances")) {
+      const Node objects = root.At("articulated_object_instances");
+      for (std::size_t i = 0; i < objects.Size(); ++i) {
+        AddJointed(objects.Item(i), "articulated_object_instances[" + std::to_string(i) + "]");
+      }
+    }
+    CountLeftOut();
+    if (scene_.parts.empty())
+      root.Fail("names no stage and no objects that show anything; is it the right file?");
     return std::move(scene_);
   }
 
@@ -104,18 +134,48 @@ class SceneReader {
     scene_.parts.push_back(std::move(part));
   }
 
-  void CountArticulated(const Node& root) {
-    if (!root.Has("articulated_object_instances")) return;
-    const std::size_t count = root.At("articulated_object_instances").Size();
-    if (count == 0) return;
-    scene_.skipped.push_back(std::to_string(count) +
-                             " articulated objects (URDF), which are not read");
+  const Urdf& UrdfIn(const std::filesystem::path& urdf, const std::string& place) try {
+    const auto known = urdfs_.find(urdf);
+    if (known != urdfs_.end()) return known->second;
+    AllowCpuSeconds(kSecondsForUrdf);
+    return urdfs_.emplace(urdf, ReadUrdf(urdf)).first->second;
+  } catch (const Error& e) {
+    throw FileError(file_, place, std::string("its URDF is not read: ") + e.what());
+  }
+
+  /// Translations are those of root links, whatever translation_origin says.
+  void AddJointed(const Node& instance, const std::string& place) {
+    const HabitatTemplate made =
+        Find(Kind::kArticulated, instance.At("template_name").Text(), place);
+    ArticulatedObject object;
+    object.category = made.name;
+    object.name = made.name + "_" + std::to_string(++count_of_[made.name]);
+    object.place = place;
+    object.X_WR.linear() = ReadRotation(instance);
+    object.X_WR.translation() = ReadVector(instance, "translation", Vec::Zero());
+    object.scale = made.turn_and_scale(0, 0);
+    if (instance.Has("uniform_scale")) {
+      object.scale *= static_cast<float>(instance.At("uniform_scale").Positive());
+    }
+    object.positions = ReadPositions(instance);
+    const Urdf& model = UrdfIn(made.asset, place);
+    AddArticulated(model, object, &scene_);
+    for (const auto& [what, count] : model.left_out) left_out_[what] += count;
+  }
+
+  void CountLeftOut() {
+    for (const auto& [what, count] : left_out_) {
+      scene_.skipped.push_back(std::to_string(count) + " " + what + " of articulated objects");
+    }
   }
 
   const std::filesystem::path& file_;
   Json json_;
   HabitatDataset dataset_;
   bool is_asset_local_ = false;
+  std::map<std::filesystem::path, Urdf> urdfs_;
+  std::map<std::string, int> count_of_;  // articulated objects of a template
+  std::map<std::string, int> left_out_;
   SceneParts scene_;
 };
 

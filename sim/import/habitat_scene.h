@@ -13,7 +13,8 @@ bool IsHabitatScene(const std::filesystem::path& file);
 /// data set (see HabitatDataset), translation (metres), rotation (quaternion w, x, y, z) and scale.
 /// An object's translation is its centre of mass's, or the middle of its box's where its template
 /// has none; with the origin `asset_local`, it is the asset's origin's. Category: the template's
-/// name. Articulated objects are left out and counted. Throws FileError.
+/// name. Articulated objects are URDFs (see ReadUrdf) and stand as `initial_joint_pose` says; their
+/// upright revolute joints are doors. Throws FileError.
 SceneParts ReadHabitatScene(const std::filesystem::path& file);
 
 }  // namespace bulletnav::sim

@@ -64,8 +64,9 @@ void SetUp(const std::filesystem::path& file, const ImportOptions& options, UpAx
 [[noreturn]] void FailWithoutDoors(const std::filesystem::path& file) {
   throw FileError(file, "",
                   "no doors are known that could be turned, only those of generated houses with "
-                  "their description (.json) beside them, and of worlds whose doors have a "
-                  "revolute joint called door; leave out import.doors");
+                  "their description (.json) beside them, of worlds whose doors have a revolute "
+                  "joint called door, and articulated objects with an upright revolute joint; "
+                  "leave out import.doors");
 }
 
 void FindHouseDoors(const std::filesystem::path& file, const ImportOptions& options,

@@ -5,6 +5,7 @@
 #include <array>
 #include <cctype>
 #include <map>
+#include <optional>
 #include <set>
 #include <string_view>
 #include <vector>
@@ -14,6 +15,8 @@
 
 #include "sim/base/error.h"
 #include "sim/base/files.h"
+#include "sim/math/rotation.h"
+#include "sim/scene/export_doors.h"
 #include "sim/scene/glb_writer.h"
 #include "sim/scene/submesh.h"
 
@@ -27,12 +30,13 @@ using Json = nlohmann::ordered_json;
 constexpr std::array<std::string_view, 9> kBuiltIn = {
     "", "wall", "floor", "ceiling", "beams", "pit", "door_frame", "window", "stage"};
 
-/// A part of the scene around its own origin, the middle of its box.
+/// A part of the scene around its own origin, the middle of its box, or its hinge.
 struct Piece {
   bool is_stage = false;
   std::string name;
   SceneMesh mesh;
   Eigen::Vector3f middle = Eigen::Vector3f::Zero();
+  std::optional<DoorLeaf> door = std::nullopt;  // that can be turned
 };
 
 /// Letters, digits, dashes and underscores.
@@ -50,8 +54,16 @@ bool IsBuiltIn(const SceneObject& object) {
   return std::find(kBuiltIn.begin(), kBuiltIn.end(), object.category) != kBuiltIn.end();
 }
 
+/// The door that an object is. Doors that lead outside stay as they are.
+std::optional<DoorLeaf> DoorOf(const SceneObject& object, const std::vector<DoorLeaf>& doors) {
+  const auto door = std::find_if(doors.begin(), doors.end(), [&](const DoorLeaf& leaf) {
+    return leaf.object == object.name && !leaf.leads_outside;
+  });
+  return door == doors.end() ? std::nullopt : std::optional(*door);
+}
+
 /// The stage first, where there is one, then the objects in their order.
-std::vector<Piece> Pieces(const SceneMesh& mesh) {
+std::vector<Piece> Pieces(const SceneMesh& mesh, const std::vector<DoorLeaf>& doors) {
   std::map<std::uint32_t, std::vector<std::size_t>> triangles_of;  // 0: the stage
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const std::uint32_t object = mesh.has_objects() ? mesh.triangle_objects[t] : 0;
@@ -69,7 +81,8 @@ std::vector<Piece> Pieces(const SceneMesh& mesh) {
     for (int n = 2; !names.insert(piece.name).second; ++n)
       piece.name = fmt::format("{}-{}", wish, n);
     if (!piece.is_stage) {
-      piece.middle = piece.mesh.Bounds().center();
+      piece.door = DoorOf(mesh.objects[object], doors);
+      piece.middle = piece.door ? piece.door->hinge : Eigen::Vector3f(piece.mesh.Bounds().center());
       for (Eigen::Vector3f& p : piece.mesh.positions) p -= piece.middle;
     }
     pieces.push_back(std::move(piece));
@@ -82,12 +95,14 @@ void WriteJson(const fs::path& file, const Json& json) {
 }
 
 void WriteDatasetConfig(const fs::path& folder) {
-  const auto paths = [](const char* pattern) {
-    return Json{{"paths", {{".json", {pattern}}}}};
+  const auto paths = [](const char* pattern, const char* extension = ".json") {
+    return Json{{"paths", {{extension, Json::array({pattern})}}}};
   };
-  WriteJson(folder / "bulletnav.scene_dataset_config.json", {{"stages", paths("stages")},
-                                                             {"objects", paths("objects/*")},
-                                                             {"scene_instances", paths("scenes")}});
+  WriteJson(folder / "bulletnav.scene_dataset_config.json",
+            {{"stages", paths("stages")},
+             {"objects", paths("objects/*")},
+             {"articulated_objects", paths("urdf/*", ".urdf")},
+             {"scene_instances", paths("scenes")}});
 }
 
 /// The mesh and its config; returns what instances call it.
@@ -102,16 +117,43 @@ std::string WriteTemplate(const Piece& piece, const fs::path& folder, const std:
   return config.substr(config.find('/') + 1);
 }
 
+/// The leaf as it would stand shut, and its URDF; returns what stands for it in the scene.
+Json WriteJointed(const Piece& piece, const fs::path& folder, const std::string& scene) {
+  const DoorLeaf& leaf = *piece.door;
+  const std::string path = scene + "/" + piece.name;
+  SceneMesh mesh = piece.mesh;
+  const Eigen::Matrix3f back = RotationAbout<float>(leaf.axis, -leaf.angle);
+  if (leaf.angle != 0.0f) {
+    for (Eigen::Vector3f& p : mesh.positions) p = back * p;
+  }
+  WriteFileAtomically(folder / "urdf" / (path + ".glb"), EncodeGlb(mesh));
+  WriteFileAtomically(folder / "urdf" / (path + ".urdf"),
+                      UrdfDoor({piece.name, piece.name + ".glb", leaf}));
+  const Eigen::Vector3f& p = piece.middle;
+  return {{"template_name", path + ".urdf"},
+          {"translation", {p.x(), p.y(), p.z()}},
+          {"rotation", {1, 0, 0, 0}},
+          {"fixed_base", true},
+          {"initial_joint_pose", Json::array({leaf.angle})},
+          {"auto_clamp_joint_limits", true},
+          {"motion_type", "DYNAMIC"}};
+}
+
 fs::path WriteSceneInstance(const std::vector<Piece>& pieces, const std::string& name,
                             const fs::path& folder) {
   WriteDatasetConfig(folder);
   Json scene = {{"translation_origin", "asset_local"}};
   Json objects = Json::array();
+  Json jointed = Json::array();
   for (const Piece& piece : pieces) {
     if (piece.is_stage) {
       scene["stage_instance"] = {
           {"template_name",
            "stages/" + WriteTemplate(piece, folder, "stages/" + name, ".stage_config.json")}};
+      continue;
+    }
+    if (piece.door) {
+      jointed.push_back(WriteJointed(piece, folder, name));
       continue;
     }
     const std::string path = "objects/" + name + "/" + piece.name;
@@ -122,6 +164,7 @@ fs::path WriteSceneInstance(const std::vector<Piece>& pieces, const std::string&
                        {"motion_type", "STATIC"}});
   }
   scene["object_instances"] = std::move(objects);
+  if (!jointed.empty()) scene["articulated_object_instances"] = std::move(jointed);
   fs::path file = folder / "scenes" / (name + ".scene_instance.json");
   WriteJson(file, scene);
   return file;
@@ -156,7 +199,7 @@ fs::path WriteSdf(const std::vector<Piece>& pieces, const std::string& name,
   for (const Piece& piece : pieces) {
     const std::string mesh = name + "/" + piece.name + ".glb";
     WriteFileAtomically(folder / mesh, EncodeGlb(piece.mesh));
-    world += SdfModel(piece, mesh);
+    world += piece.door ? SdfDoor({piece.name, mesh, *piece.door}) : SdfModel(piece, mesh);
   }
   world += "  </world>\n</sdf>\n";
   fs::path file = folder / (name + ".sdf");
@@ -167,11 +210,11 @@ fs::path WriteSdf(const std::vector<Piece>& pieces, const std::string& name,
 }  // namespace
 
 fs::path ExportScene(const SceneMesh& mesh, const std::string& name, SceneFormat format,
-                     const fs::path& folder) {
+                     const fs::path& folder, const std::vector<DoorLeaf>& doors) {
   if (name.empty() || FileName(name) != name) {
     throw Error("'" + name + "' cannot name an exported scene; take letters, digits, - and _");
   }
-  const std::vector<Piece> pieces = Pieces(mesh);
+  const std::vector<Piece> pieces = Pieces(mesh, doors);
   switch (format) {
     case SceneFormat::kSceneInstance:
       return WriteSceneInstance(pieces, name, folder);

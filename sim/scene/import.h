@@ -52,10 +52,10 @@ struct ImportedScene {
 /// colours), dae, habitat-sim's scene_instance.json; turned y-up and cleaned (see CleanMesh),
 /// textures no larger than can be seen (see LoadTextures). One that is missing or cannot be read is
 /// drawn grey and named in the report. Doors can be turned in generated houses that have their
-/// description (.json) beside them, and in worlds whose doors have a revolute joint. Throws
-/// FileError, with place and remedy, for what is no scene: missing, empty, damaged or cut off
-/// files, bad indices, no triangles, no building's size, or doors to be turned where none are
-/// known.
+/// description (.json) beside them, and in worlds and articulated objects whose doors have a
+/// revolute joint. Throws FileError, with place and remedy, for what is no scene: missing, empty,
+/// damaged or cut off files, bad indices, no triangles, no building's size, or doors to be turned
+/// where none are known.
 ImportedScene ImportScene(const std::filesystem::path& file, const ImportOptions& options = {});
 
 }  // namespace bulletnav::sim

@@ -181,6 +181,15 @@ TEST_F(CommandsTest, ScenesAreGeneratedInspectedAndDrawn) {
   EXPECT_THAT(Output("scenes inspect s/scenes/corridor.scene_instance.json"),
               HasSubstr("walkable"));
   EXPECT_EQ(Output("scenes export corridor.glb --format sdf --out s"), "s/corridor.sdf\n");
+  // What lies beside a mesh need not be its description, unless doors are to be turned.
+  Write("corridor.json", "{}");
+  const Outcome outcome = Run("scenes export corridor.glb --format sdf --out s");
+  EXPECT_EQ(outcome.out, "s/corridor.sdf\n");
+  EXPECT_THAT(outcome.err, HasSubstr("warning: doors are exported without hinges: corridor.glb"));
+  ExpectError("scenes export corridor.glb --format sdf --out s --doors closed", kFailed,
+              "corridor.json");
+  Write("corridor.json", "{\"openings\": []}");
+  EXPECT_EQ(Run("scenes export corridor.glb --format sdf --out s").err, "");
   EXPECT_THAT(Output("scenes inspect corridor.glb --json"), StartsWith("{"));
   EXPECT_TRUE(Has("plan.png"));
   Output("render corridor.glb --random 2 --seed 5 --size 64x16 --backend embree --out pictures");

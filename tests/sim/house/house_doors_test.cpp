@@ -13,6 +13,7 @@
 #include "sim/house/turn_leaves.h"
 #include "sim/navmesh/navmesh.h"
 #include "sim/physics/physics_world.h"
+#include "sim/scene/export_scene.h"
 #include "sim/scene/glb_writer.h"
 #include "sim/scene/import.h"
 #include "tests/support/temporary_folder.h"
@@ -146,6 +147,58 @@ TEST_F(HouseDoors, LetNobodyThroughWhenClosed) {
   EXPECT_GT(doors, 2);
   EXPECT_GT(shut_off, 0);
 }
+
+/// Corners of an object's triangles.
+std::vector<Vec> CornersOf(const SceneMesh& mesh, const std::string& object) {
+  std::vector<Vec> corners;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (mesh.objects[mesh.triangle_objects[t]].name != object) continue;
+    for (const std::uint32_t v : mesh.triangles[t]) corners.push_back(mesh.positions[v]);
+  }
+  return corners;
+}
+
+void ExpectSamePoints(const std::vector<Vec>& a, const std::vector<Vec>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (const Vec& p : a) {
+    float nearest = 1.0f;
+    for (const Vec& q : b) nearest = std::min(nearest, (p - q).norm());
+    ASSERT_LT(nearest, 1e-5f);
+  }
+}
+
+class ExportedHouseDoors : public HouseDoors, public testing::WithParamInterface<SceneFormat> {};
+
+TEST_P(ExportedHouseDoors, TurnAsTheHousesOwn) {
+  const ImportedScene as_built = Read({});
+  const tests::TemporaryFolder folder;
+  const auto file = ExportScene(as_built.mesh, "house", GetParam(), folder.path(), as_built.doors);
+  for (const DoorState state : {DoorState::kOpen, DoorState::kClosed}) {
+    const ImportedScene house = Read({.state = state});
+    ImportOptions options;
+    options.doors = DoorSpec{.state = state};
+    const ImportedScene exported = ImportScene(file, options);
+    EXPECT_EQ(exported.mesh.triangles.size(), house.mesh.triangles.size());
+    auto door = exported.doors.begin();
+    for (const DoorLeaf& leaf : house.doors) {
+      SCOPED_TRACE(leaf.object);
+      ExpectSamePoints(CornersOf(house.mesh, leaf.object), CornersOf(exported.mesh, leaf.object));
+      if (leaf.leads_outside) continue;
+      ASSERT_NE(door, exported.doors.end());
+      EXPECT_EQ(door->object, leaf.object);
+      EXPECT_EQ(door->angle, leaf.angle);
+      ++door;
+    }
+    EXPECT_EQ(door, exported.doors.end());
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ExportedHouseDoors,
+                         testing::Values(
+#ifdef BULLETNAV_READS_SDF
+                             SceneFormat::kSdf,
+#endif
+                             SceneFormat::kSceneInstance));
 
 TEST_F(HouseDoors, ThatAreNotKnownAreNotTurned) {
   const tests::TemporaryFolder folder;

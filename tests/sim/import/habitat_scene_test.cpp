@@ -158,11 +158,6 @@ TEST_F(HabitatScene, PicturesThatMeshesHaveInCommonAreHeldOnce) {
   EXPECT_NEAR(grey_of(24), 200, 5);
 }
 
-TEST_F(HabitatScene, ArticulatedObjectsAreCounted) {
-  const auto file = With("", R"(, "articulated_object_instances": [{}, {}])");
-  EXPECT_THAT(ImportScene(file).report.skipped, ElementsAre(HasSubstr("2 articulated objects")));
-}
-
 TEST_F(HabitatScene, WhatIsMissingIsNamedWithItsPlace) {
   EXPECT_THAT(ErrorOf(With(R"({"template_name": "box"}, {"template_name": "sofa"})")),
               AllOf(HasSubstr("one.scene_instance.json:object_instances[1].template_name: 'sofa'"),

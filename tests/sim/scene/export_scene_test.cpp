@@ -90,6 +90,96 @@ TEST_P(ExportFormat, NamesThatAreNoFileNamesAreRefused) {
   }
 }
 
+/// The same room with a second door that opens the other way and one that leads outside, all shut.
+struct Hinged {
+  SceneMesh mesh = Furnished();
+  std::vector<DoorLeaf> doors;
+
+  Hinged() {
+    AddObject({"door", "door_2", ""}, {1, 0, -8}, {2, 2, -7.95f}, &mesh);
+    AddObject({"door", "door_3", ""}, {3, 0, -8}, {4, 2, -7.95f}, &mesh);
+    DoorLeaf door;
+    door.object = "door_1";
+    door.hinge = {5.1f, 0, -3};
+    door.open_angle = 1.9f;  // more than a quarter turn
+    doors.push_back(door);
+    door.object = "door_2";
+    door.hinge = {1, 0, -7.95f};
+    door.axis = -Vec::UnitY();
+    door.open_angle = 1.2f;
+    doors.push_back(door);
+    door.object = "door_3";
+    door.hinge = {3, 0, -7.95f};
+    door.leads_outside = true;
+    doors.push_back(door);
+  }
+  Hinged& Set(DoorState state) {
+    SetDoors({.state = state}, "", &doors, &mesh);
+    return *this;
+  }
+};
+
+bool IsNear(const SceneMesh& a, std::size_t t, const SceneMesh& b, std::size_t u) {
+  if (a.objects[a.triangle_objects[t]] != b.objects[b.triangle_objects[u]]) return false;
+  if (a.materials[a.triangle_materials[t]].base_color !=
+      b.materials[b.triangle_materials[u]].base_color) {
+    return false;
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec& p = a.positions[a.triangles[t][k]];
+    if ((p - b.positions[b.triangles[u][k]]).norm() > 1e-5f) return false;
+  }
+  return true;
+}
+
+/// As many triangles, and near each one of the same object and colour.
+void ExpectSameTriangles(const SceneMesh& a, const SceneMesh& b) {
+  ASSERT_EQ(a.triangles.size(), b.triangles.size());
+  for (std::size_t t = 0; t < a.triangles.size(); ++t) {
+    bool is_there = false;
+    for (std::size_t u = 0; u < b.triangles.size() && !is_there; ++u) is_there = IsNear(a, t, b, u);
+    EXPECT_TRUE(is_there) << a.objects[a.triangle_objects[t]].name << ", triangle " << t;
+  }
+}
+
+TEST_P(ExportFormat, DoorsOpenAndCloseAsBefore) {
+  for (const auto& [before, after] : {std::pair{DoorState::kClosed, DoorState::kOpen},
+                                      {DoorState::kOpen, DoorState::kClosed},
+                                      {DoorState::kOpen, DoorState::kAsBuilt}}) {
+    const tests::TemporaryFolder folder;
+    Hinged wanted = Hinged().Set(before);
+    const auto file = ExportScene(wanted.mesh, "house_1", GetParam(), folder.path(), wanted.doors);
+    ImportOptions options;
+    options.doors = DoorSpec{.state = after};
+    const ImportedScene back = ImportScene(file, options);
+    wanted.Set(after);
+    ExpectSameTriangles(wanted.mesh, back.mesh);
+    ASSERT_EQ(back.doors.size(), 2u);  // the one that leads outside has no hinge
+    for (std::size_t i = 0; i < 2; ++i) {
+      const DoorLeaf& door = back.doors[i];
+      EXPECT_EQ(door.object, wanted.doors[i].object);
+      EXPECT_EQ(door.hinge, wanted.doors[i].hinge);
+      EXPECT_EQ(door.axis, wanted.doors[i].axis);
+      EXPECT_EQ(door.angle, wanted.doors[i].angle);
+      EXPECT_EQ(door.shut_angle, wanted.doors[i].shut_angle);
+      EXPECT_EQ(door.open_angle, wanted.doors[i].open_angle);
+      EXPECT_NEAR(door.width, wanted.doors[i].width, 1e-5f);
+    }
+    EXPECT_TRUE(back.report.skipped.empty());
+  }
+}
+
+TEST_P(ExportFormat, ScenesWithAndWithoutHingesShareAFolder) {
+  const tests::TemporaryFolder folder;
+  const auto still = ExportScene(Furnished(), "still", GetParam(), folder.path());
+  const Hinged hinged;
+  const auto file = ExportScene(hinged.mesh, "hinged", GetParam(), folder.path(), hinged.doors);
+  ImportOptions options;
+  options.doors.emplace();
+  EXPECT_EQ(ImportScene(file, options).doors.size(), 2u);
+  EXPECT_EQ(ImportScene(still, options).doors.size(), 0u);
+}
+
 INSTANTIATE_TEST_SUITE_P(All, ExportFormat,
                          testing::Values(
 #ifdef BULLETNAV_READS_SDF
