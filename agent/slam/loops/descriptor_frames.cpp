@@ -31,6 +31,15 @@ std::vector<std::uint8_t> DescriptorFrames::Cells(int first, int last) const {
   return cells;
 }
 
+double OrderedCosine(const DescriptorFrames& frames, int later, int earlier, int length) {
+  const int count = std::min(length, earlier + 1);
+  double sum = 0.0;
+  for (int back = 0; back < count; ++back) {
+    sum += Cosine(frames.descriptor(later - back), frames.descriptor(earlier - back));
+  }
+  return sum / count;
+}
+
 void ProposeBest(std::size_t first, double least, std::vector<LoopCandidate>* candidates) {
   const auto best =
       std::max_element(candidates->begin() + static_cast<std::ptrdiff_t>(first), candidates->end(),

@@ -33,6 +33,11 @@ class DescriptorFrames {
   std::vector<std::vector<std::uint8_t>> cells_;  // by frame, if there is who describes sequences
 };
 
+/// The mean cosine of the `length` frames up to `later` with those up to `earlier`, in their order;
+/// of fewer at the start of the drive. That of their descriptors one after the other, as one.
+/// Expects: earlier <= later.
+double OrderedCosine(const DescriptorFrames& frames, int later, int earlier, int length);
+
 /// Takes the best of the candidates from position `first` on for a loop, if it scores `least`.
 void ProposeBest(std::size_t first, double least, std::vector<LoopCandidate>* candidates);
 

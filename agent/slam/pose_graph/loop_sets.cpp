@@ -122,16 +122,42 @@ double CircleError(const OdometryChain<Pose>& odometry, const PoseEdge<Pose>& a,
   return error.dot(covariance.llt().solve(error));
 }
 
+namespace {
+
+/// A loop and odometry back: how far from closing, squared, and how unsure.
 template <class Pose>
-double OdometryError(const OdometryChain<Pose>& odometry, const PoseEdge<Pose>& loop) {
+struct Circle {
+  double error = 0.0;
+  PoseMatrix<Pose> covariance;
+};
+
+template <class Pose>
+Circle<Pose> CircleOf(const OdometryChain<Pose>& odometry, const PoseEdge<Pose>& loop) {
   const auto from = static_cast<int>(loop.from);
   const auto to = static_cast<int>(loop.to);
   BULLETNAV_CHECK(std::min(from, to) >= 0 && std::max(from, to) < odometry.size());
-  const Pose circle = Compose(loop.measured, odometry.Seen(to, from));
+  const Pose motion = Compose(loop.measured, odometry.Seen(to, from));
   const PoseMatrix<Pose> covariance = Carried<Pose>(loop.measured, loop.information.inverse()) +
-                                      Carried<Pose>(circle, odometry.Covariance(to, from));
-  const auto error = NumbersOf(circle);
-  return error.dot(covariance.llt().solve(error));
+                                      Carried<Pose>(motion, odometry.Covariance(to, from));
+  const auto error = NumbersOf(motion);
+  return {error.dot(covariance.llt().solve(error)), covariance};
+}
+
+}  // namespace
+
+template <class Pose>
+double OdometryError(const OdometryChain<Pose>& odometry, const PoseEdge<Pose>& loop) {
+  return CircleOf(odometry, loop).error;
+}
+
+double AgreesByChance(const OdometryChain<sim::PlanarPose>& odometry,
+                      const PoseEdge<sim::PlanarPose>& loop, const WrongMotions& wrong) {
+  const Circle<sim::PlanarPose> circle = CircleOf(odometry, loop);
+  // An ellipsoid of motions that err as much, in a cylinder of all.
+  const double ellipsoid = 4.0 / 3.0 * sim::kPi * circle.error * std::sqrt(circle.error) *
+                           std::sqrt(circle.covariance.determinant());
+  const double all = sim::kPi * wrong.metres * wrong.metres * 2.0 * wrong.radians;
+  return std::min(1.0, ellipsoid / all);
 }
 
 int SeparateLoops(std::span<const std::pair<int, int>> ends, int gap) {

@@ -48,6 +48,19 @@ double CircleError(const OdometryChain<Pose>& odometry, const PoseEdge<Pose>& a,
 template <class Pose>
 double OdometryError(const OdometryChain<Pose>& odometry, const PoseEdge<Pose>& loop);
 
+/// What wrong loops name that verification lets through: any motion as far and turned as far.
+struct WrongMotions {
+  double metres = 2.0;
+  double radians = sim::kPi / 3.0;
+};
+
+/// The share of wrong loops between the same two vertices that odometry would rule out no more than
+/// it does this one, between 0 and 1: small where odometry is sure and the loop says the same.
+/// Ours; the idea of counting what agrees by chance is that of Desolneux, Moisan and Morel,
+/// "Meaningful alignments", IJCV 2000. The loop's vertices are in the chain (checked).
+double AgreesByChance(const OdometryChain<sim::PlanarPose>& odometry,
+                      const PoseEdge<sim::PlanarPose>& loop, const WrongMotions& wrong);
+
 /// How many of some loops support each other: more than `gap` apart from each other at both their
 /// first and their second ends, which are places in the chain. Loops near each other at one end may
 /// all be wrong together, as where two rooms are furnished alike. By greedy growth from each loop;

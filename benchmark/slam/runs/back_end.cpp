@@ -40,11 +40,10 @@ std::vector<sim::PlanarPose> StepsOf(std::span<const sim::PlanarPose> odometry) 
 }
 
 using Edges = std::vector<agent::PoseEdge<sim::PlanarPose>>;
+using Chain = agent::OdometryChain<sim::PlanarPose>;
 
-agent::OdometryChain<sim::PlanarPose> ChainOf(const std::vector<sim::PlanarPose>& steps,
-                                              const BackEndSpec& spec) {
-  agent::OdometryChain<sim::PlanarPose> chain(
-      Eigen::Vector3d(0.0, 0.0, sim::DegToRad(spec.drift_deg)));
+Chain ChainOf(const std::vector<sim::PlanarPose>& steps, const BackEndSpec& spec) {
+  Chain chain(Eigen::Vector3d(0.0, 0.0, sim::DegToRad(spec.drift_deg)));
   const Information covariance = Covariance(spec.step_m, spec.step_deg);
   for (const sim::PlanarPose& step : steps) chain.Add(step, covariance);
   return chain;
@@ -59,8 +58,7 @@ void CheckEnds(const Edges& loops, int frames) {
 }
 
 /// Those that odometry does not rule out.
-std::vector<int> Possible(const agent::OdometryChain<sim::PlanarPose>& chain, const Edges& loops,
-                          const BackEndSpec& spec) {
+std::vector<int> Possible(const Chain& chain, const Edges& loops, const BackEndSpec& spec) {
   std::vector<int> possible;
   const bool is_checked = spec.odometry_confidence > 0.0;
   const double limit = is_checked ? agent::ChiSquaredQuantile(spec.odometry_confidence,
@@ -80,22 +78,37 @@ Edges EdgesAt(const Edges& loops, const std::vector<int>& places) {
   return edges;
 }
 
-/// None of them if too few support each other.
-std::vector<int> Supported(std::vector<int> chosen, const Edges& loops, const BackEndSpec& spec) {
+/// Whether odometry alone vouches for loops: what most of them say it says as well, by no chance.
+bool IsVouchedFor(const std::vector<int>& chosen, const Edges& loops, const Chain& chain,
+                  const BackEndSpec& spec) {
+  if (spec.lone_chance == 0.0) return false;
+  std::vector<double> chances;
+  chances.reserve(chosen.size());
+  for (const int place : chosen) {
+    chances.push_back(agent::AgreesByChance(chain, loops[static_cast<std::size_t>(place)], {}));
+  }
+  const auto middle = chances.begin() + static_cast<std::ptrdiff_t>(chances.size() / 2);
+  std::nth_element(chances.begin(), middle, chances.end());
+  return *middle <= spec.lone_chance;
+}
+
+/// None of them if too few support each other, and odometry does not either.
+std::vector<int> Supported(std::vector<int> chosen, const Edges& loops, const Chain& chain,
+                           const BackEndSpec& spec) {
+  if (chosen.empty()) return chosen;
   std::vector<std::pair<int, int>> ends;
   ends.reserve(chosen.size());
   for (const int place : chosen) {
     const auto& loop = loops[static_cast<std::size_t>(place)];
     ends.emplace_back(static_cast<int>(loop.from), static_cast<int>(loop.to));
   }
-  if (agent::SeparateLoops(ends, spec.run_gap) < spec.runs) chosen.clear();
+  const bool is_alone = agent::SeparateLoops(ends, spec.run_gap) < spec.runs;
+  if (is_alone && !IsVouchedFor(chosen, loops, chain, spec)) chosen.clear();
   return chosen;
 }
 
-std::vector<int> Chosen(const std::vector<sim::PlanarPose>& steps, const Edges& loops,
-                        const BackEndSpec& spec) {
-  CheckEnds(loops, static_cast<int>(steps.size()) + 1);
-  const agent::OdometryChain<sim::PlanarPose> chain = ChainOf(steps, spec);
+std::vector<int> Chosen(const Chain& chain, const Edges& loops, const BackEndSpec& spec) {
+  CheckEnds(loops, chain.size());
   std::vector<int> chosen = Possible(chain, loops, spec);
   if (spec.consistent && !chosen.empty()) {
     agent::LoopSetOptions options;
@@ -108,7 +121,7 @@ std::vector<int> Chosen(const std::vector<sim::PlanarPose>& steps, const Edges& 
     }
     chosen = std::move(kept);
   }
-  return Supported(std::move(chosen), loops, spec);
+  return Supported(std::move(chosen), loops, chain, spec);
 }
 
 /// How many standard deviations a loop is off, at most, along, across and in yaw.
@@ -152,7 +165,8 @@ void Settle(std::span<const sim::PlanarPose> odometry, const Edges& edges, const
             BackEndOutcome* outcome) {
   constexpr int kMostRounds = 10;
   const std::vector<sim::PlanarPose> steps = StepsOf(odometry);
-  std::vector<int> chosen = Chosen(steps, edges, spec);
+  const Chain chain = ChainOf(steps, spec);
+  std::vector<int> chosen = Chosen(chain, edges, spec);
   for (int round = 0;; ++round) {
     outcome->accepted = chosen;
     outcome->graph = Optimized(GraphOf(odometry, steps, spec), EdgesAt(edges, chosen), spec);
@@ -161,7 +175,7 @@ void Settle(std::span<const sim::PlanarPose> odometry, const Edges& edges, const
       return StrainOf(outcome->graph, edges[static_cast<std::size_t>(place)]) > spec.most_error;
     });
     if (chosen.size() == outcome->accepted.size()) break;
-    chosen = Supported(std::move(chosen), edges, spec);
+    chosen = Supported(std::move(chosen), edges, chain, spec);
   }
 }
 

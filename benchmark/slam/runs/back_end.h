@@ -26,10 +26,11 @@ struct BackEndOutcome {
 /// Puts odometry (added up, from the first frame's body) and loops into a pose graph and optimises
 /// it. Left out are loops that odometry rules out, then those outside of the largest set that
 /// agrees two by two, then all if they come from fewer places than the spec wants, since loops
-/// of one place have nothing that could contradict them; and at last those that the optimised graph
-/// strains most. See BackEndSpec. Sources: Mangelson et al., ICRA 2018 (sets); the check of strain
-/// is RTAB-Map's OptimizeMaxError; the places are ours. Throws nothing that a user can mend:
-/// trouble of the optimiser is told in the outcome.
+/// of one place have nothing that could contradict them, unless odometry says the same by no
+/// chance; and at last those that the optimised graph strains most. See BackEndSpec. Sources:
+/// Mangelson et al., ICRA 2018 (sets); the check of strain is RTAB-Map's OptimizeMaxError; the
+/// places are ours. Throws nothing that a user can mend: trouble of the optimiser is told in the
+/// outcome.
 BackEndOutcome RunBackEnd(std::span<const sim::PlanarPose> odometry,
                           std::span<const MeasuredLoop> loops, const BackEndSpec& spec);
 

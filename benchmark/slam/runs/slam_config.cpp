@@ -73,6 +73,9 @@ void BackEndSpec::Validate() const {
   if (runs < 1 || run_gap < 0 || !(most_error >= 0.0 && drift_deg >= 0.0)) {
     throw sim::Error("expected runs of at least 1; run_gap, most_error, drift_deg of at least 0");
   }
+  if (!(lone_chance >= 0.0 && lone_chance <= 1.0)) {
+    throw sim::KeyError("lone_chance", "lone_chance must lie between 0 and 1");
+  }
 }
 
 void SlamConfig::Validate() const {

@@ -22,12 +22,7 @@ constexpr int kTries = 16;        // for a view
 constexpr int kTriesAPlace = 12;  // for a place
 constexpr double kNearest = 0.7;  // metres from a view to what it looks at
 constexpr double kFarthest = 4.5;
-constexpr double kStorey = 0.6;  // metres of height between floors of one storey, at most
-/// Two views that are farther apart on foot than this times as far, and so many metres, are in
-/// rooms beside each other: depth alone takes both sides of a thin wall for one.
-constexpr double kDetour = 1.5;
-constexpr double kDetourMetres = 1.5;
-constexpr std::uint8_t kUnsure = 51;  // covisibility of such pairs: neither same nor other
+constexpr double kStorey = 0.6;       // metres of height between floors of one storey, at most
 constexpr double kAside = 0.35;       // radians that a view looks beside it
 constexpr double kTurned = M_PI / 2;  // that is a view from another side
 constexpr float kLeastDepth = 0.8f;   // mean metres of a first view: no picture of a wall alone
@@ -115,16 +110,9 @@ class ViewMaker {
       if (is_turned && turn < kTurned) continue;
       View view = See(*pose);
       const sim::PlanarPose motion = sim::RelativePose(first.pose, view.pose);
-      if (Covisibility(first.seen, view.seen, motion) < kSamePlace) continue;
-      if (IsInOneRoom(first, view)) return view;
+      if (Covisibility(first.seen, view.seen, motion) >= kSamePlace) return view;
     }
     return {};
-  }
-
-  bool IsInOneRoom(const View& a, const View& b) const {
-    const double apart = (a.pose.position - b.pose.position).norm();
-    return query_.GeodesicDistance(a.pose.position.cast<float>(), b.pose.position.cast<float>()) <=
-           kDetour * apart + kDetourMetres;
   }
 
   /// Somewhere around, looking at it.
@@ -153,8 +141,7 @@ class ViewMaker {
         const bool is_level =
             std::abs(views[a].pose.position.y() - views[b].pose.position.y()) <= kStorey;
         const double share = is_level ? Covisibility(views[a].seen, views[b].seen, motion) : 0.0;
-        auto byte = static_cast<std::uint8_t>(std::lround(255.0 * share));
-        if (share > kOtherPlace && !IsInOneRoom(views[a], views[b])) byte = kUnsure;
+        const auto byte = static_cast<std::uint8_t>(std::lround(255.0 * share));
         made->shared[a * count + b] = byte;
         made->shared[b * count + a] = byte;
       }

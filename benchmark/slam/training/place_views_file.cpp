@@ -25,7 +25,7 @@ static_assert(std::endian::native == std::endian::little);
 constexpr std::array<char, 8> kMagic = {'B', 'N', 'P', 'L', 'A', 'C', 'E', 'S'};
 constexpr std::uint32_t kVersion = 1;
 /// Counts up when the same scene and config come to give other views.
-constexpr std::uint64_t kViewsVersion = 1;
+constexpr std::uint64_t kViewsVersion = 2;
 
 struct Header {
   std::array<char, 8> magic = kMagic;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 
 #include "sim/base/check.h"
@@ -15,25 +16,63 @@ constexpr int kCoarse = 4;      // pixels of the picture a pixel of the coarse o
 constexpr int kPointEvery = 4;  // coarse pixels a point, along each side
 constexpr float kOffShare = 0.05f;
 constexpr float kOffMetres = 0.05f;
+/// How far behind a surface a camera may seem to be that sees its front: bodies keep farther from
+/// walls, and planes through few pixels are not exact.
+constexpr float kBehind = 0.1f;
 
 float DepthAt(const DepthPicture& depth, int col, int row) {
   return depth.metres[static_cast<std::size_t>(row) * static_cast<std::size_t>(depth.width) +
                       static_cast<std::size_t>(col)];
 }
 
-std::vector<Eigen::Vector3f> PointsOf(const DepthPicture& depth, const Intrinsics& k) {
-  std::vector<Eigen::Vector3f> points;
-  points.reserve(depth.metres.size() / (std::size_t{kPointEvery} * kPointEvery) + 1);
+/// Of one over depth at a pixel, along a row or a column: by the neighbour whose depth is more like
+/// the pixel's, so as not to reach over an edge. Nothing without neighbours. On a plane one over
+/// depth rises evenly over the picture.
+std::optional<float> Slope(const DepthPicture& depth, int col, int row, bool is_along_row) {
+  const float here = 1.0f / DepthAt(depth, col, row);
+  std::optional<float> slope;
+  for (const int side : {-1, 1}) {
+    const int c = is_along_row ? col + side : col;
+    const int r = is_along_row ? row : row + side;
+    if (c < 0 || r < 0 || c >= depth.width || r >= depth.height) continue;
+    const float there = DepthAt(depth, c, r);
+    if (!(there > 0.0f)) continue;
+    const float found = (1.0f / there - here) * static_cast<float>(side);
+    if (!slope || std::abs(found) < std::abs(*slope)) slope = found;
+  }
+  return slope;
+}
+
+/// The direction, seen from the body, that the surface at a pixel faces; zero if it is not known.
+Eigen::Vector3f Facing(const DepthPicture& depth, const Intrinsics& k, int col, int row) {
+  const std::optional<float> along = Slope(depth, col, row, true);
+  const std::optional<float> down = Slope(depth, col, row, false);
+  if (!along || !down) return Eigen::Vector3f::Zero();
+  const float by_u = *along * static_cast<float>(k.fx);
+  const float by_v = *down * static_cast<float>(k.fy);
+  const auto u = static_cast<float>((col - k.cx) / k.fx);
+  const auto v = static_cast<float>((row - k.cy) / k.fy);
+  // A plane n . p = 1 has n_u u + n_v v + n_ahead = 1 / depth.
+  const float by_ahead = 1.0f / DepthAt(depth, col, row) - u * by_u - v * by_v;
+  return Eigen::Vector3f(-by_ahead, by_u, by_v).normalized();
+}
+
+void FindPoints(DepthThumbnail* thumbnail) {
+  const DepthPicture& depth = thumbnail->depth;
+  const Intrinsics& k = thumbnail->intrinsics;
+  const std::size_t most = depth.metres.size() / (std::size_t{kPointEvery} * kPointEvery) + 1;
+  thumbnail->points.reserve(most);
+  thumbnail->facing.reserve(most);
   for (int row = kPointEvery / 2; row < depth.height; row += kPointEvery) {
     for (int col = kPointEvery / 2; col < depth.width; col += kPointEvery) {
       const float ahead = DepthAt(depth, col, row);
       if (!(ahead > 0.0f)) continue;
       const auto right = static_cast<float>((col - k.cx) / k.fx);
       const auto down = static_cast<float>((row - k.cy) / k.fy);
-      points.emplace_back(ahead, -right * ahead, -down * ahead);
+      thumbnail->points.emplace_back(ahead, -right * ahead, -down * ahead);
+      thumbnail->facing.push_back(Facing(depth, k, col, row));
     }
   }
-  return points;
 }
 
 }  // namespace
@@ -60,8 +99,8 @@ DepthThumbnail Coarsened(const DepthPicture& depth, const Intrinsics& intrinsics
 }
 
 DepthThumbnail ThumbnailOf(DepthPicture coarse, const Intrinsics& intrinsics) {
-  DepthThumbnail thumbnail{std::move(coarse), intrinsics, {}};
-  thumbnail.points = PointsOf(thumbnail.depth, thumbnail.intrinsics);
+  DepthThumbnail thumbnail{std::move(coarse), intrinsics, {}, {}};
+  FindPoints(&thumbnail);
   return thumbnail;
 }
 
@@ -76,9 +115,11 @@ double ShareSeen(const DepthThumbnail& a, const DepthThumbnail& b, const sim::Pl
   const auto cx = static_cast<float>(b.intrinsics.cx);
   const auto cy = static_cast<float>(b.intrinsics.cy);
   int seen = 0;
-  for (const Eigen::Vector3f& point : a.points) {
+  for (std::size_t i = 0; i < a.points.size(); ++i) {
+    const Eigen::Vector3f& point = a.points[i];
     const float dx = point.x() - x;
     const float dy = point.y() - y;
+    if (a.facing[i].dot(Eigen::Vector3f(-dx, -dy, -point.z())) < -kBehind) continue;
     const float ahead = cosine * dx + sine * dy;
     const float left = cosine * dy - sine * dx;
     constexpr float kNear = 0.05f;

@@ -16,6 +16,7 @@ struct DepthThumbnail {
   Intrinsics intrinsics;                // of the coarse picture
   std::vector<Eigen::Vector3f> points;  // seen from the body: metres ahead, to the left, up from
                                         // the camera
+  std::vector<Eigen::Vector3f> facing;  // of each point: where its surface faces, or zero
 };
 
 /// Expects: a picture of at least one pixel, with as many values as its size says (checked).
@@ -25,7 +26,8 @@ DepthThumbnail Coarsened(const DepthPicture& depth, const Intrinsics& intrinsics
 DepthThumbnail ThumbnailOf(DepthPicture coarse, const Intrinsics& intrinsics);
 
 /// The share of points of `a` that fall into the picture of `b` where nothing hides them: depth
-/// there differs from theirs by at most 5% and 5 cm. 0 if `a` has no points. X_AB: body b seen from
+/// there differs from theirs by at most 5% and 5 cm, and `b` is not behind the surface that they
+/// are on, as on the other side of a thin wall. 0 if `a` has no points. X_AB: body b seen from
 /// body a; both cameras are level and above their body's axis.
 double ShareSeen(const DepthThumbnail& a, const DepthThumbnail& b, const sim::PlanarPose& X_AB);
 

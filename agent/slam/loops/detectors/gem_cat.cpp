@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-
 #include "agent/slam/loops/descriptor_frames.h"
 #include "agent/slam/loops/loop_registry.h"
 #include "sim/base/error.h"
@@ -38,24 +36,14 @@ class GemCat final : public LoopDetector {
     std::vector<LoopCandidate> candidates;
     candidates.reserve(static_cast<std::size_t>(frame.comparable));
     for (int earlier = 0; earlier < frame.comparable; ++earlier) {
-      candidates.push_back({frame.number, earlier, Likeness(frame.number, earlier), false});
+      const double alike = OrderedCosine(frames_, frame.number, earlier, config_.length);
+      candidates.push_back({frame.number, earlier, alike, false});
     }
     ProposeBest(0, config_.least_frame, &candidates);
     return candidates;
   }
 
  private:
-  /// Parts have the same length, so that the cosine of the whole is the mean of theirs. At the
-  /// start of the drive there are fewer.
-  double Likeness(int later, int earlier) const {
-    const int count = std::min(config_.length, earlier + 1);
-    double sum = 0.0;
-    for (int back = 0; back < count; ++back) {
-      sum += Cosine(frames_.descriptor(later - back), frames_.descriptor(earlier - back));
-    }
-    return sum / count;
-  }
-
   Config config_;
   DescriptorFrames frames_;
 };

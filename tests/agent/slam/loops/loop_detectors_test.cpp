@@ -91,29 +91,35 @@ std::shared_ptr<const Vocabulary> SomeVocabulary() {
   return std::make_shared<const Vocabulary>(pictures, VocabularySpec{.branches = 5, .levels = 4});
 }
 
+bool NeedsDescriptors(const std::string& name) {
+  return name.starts_with("gem_") || name.starts_with("hut") || name.starts_with("seqnet");
+}
+
 /// Settings under which places of one room are not taken for one another.
 std::string NeedsLikeness(const std::string& name) {
   return name.starts_with("hut") ? "{least_frame: 0.95, least_sequence: 0.7, sequence_weight: 0}"
                                  : "{least_frame: 0.95}";
 }
 
-std::unique_ptr<LoopDetector> Make(const std::string& name) {
+std::unique_ptr<LoopDetector> Make(const std::string& name, const std::string& other) {
   // Frames are half like their neighbours here, less than in drives, to which likeness is compared.
   std::optional<sim::YamlNode> parameters;
   if (name == "words_hierarchy") parameters = sim::ParseYaml("{least_frame: 1.0}", "test");
-  if (name.starts_with("gem_") || name.starts_with("hut")) {
+  if (NeedsDescriptors(name)) {
     parameters = sim::ParseYaml(NeedsLikeness(name), "test");
   }
   if (name == "orbslam_like") parameters = sim::ParseYaml("{common_words: 10}", "test");
   // Pictures are too small here for corners.
   if (name == "rtabmap_like") parameters = sim::ParseYaml("{own_corners: false}", "test");
+  if (!other.empty()) parameters = sim::ParseYaml(other, "test");
   return ConfigureLoopDetector(sim::ParseYaml(name, "test"),
                                parameters)({SomeVocabulary(), kDescriptorSize, nullptr});
 }
 
-/// Places in turn, twice, or each only once.
-std::vector<LoopCandidate> Drive(const std::string& name, bool is_twice) {
-  const auto detector = Make(name);
+/// Places in turn, twice, or each only once; `parameters`, if there are any, instead of usual ones.
+std::vector<LoopCandidate> Drive(const std::string& name, bool is_twice,
+                                 const std::string& parameters = {}) {
+  const auto detector = Make(name, parameters);
   std::vector<LoopCandidate> all;
   const int frames = is_twice ? 2 * kPlaces : kPlaces;
   for (int i = 0; i < frames; ++i) {
@@ -206,7 +212,8 @@ TEST(LoopRegistry, ParametersAreCheckedAtTheirPlace) {
 }
 
 TEST(LoopRegistry, DetectorsThatNeedDescriptorsSaySo) {
-  for (const char* name : {"gem_cat", "gem_flat", "gem_mean", "hut", "hut_fixed5", "hut_online"}) {
+  for (const std::string& name : LoopDetectorNames()) {
+    if (!NeedsDescriptors(name)) continue;
     const auto make = ConfigureLoopDetector(sim::ParseYaml(name, "c.yaml"), std::nullopt);
     EXPECT_THAT(
         [&] {
@@ -232,6 +239,33 @@ TEST(Hierarchies, NamePairsOfTheFlatComparison) {
       ASSERT_NE(found, flat.end()) << name;
       EXPECT_EQ(found->second, pair.score) << name;
     }
+  }
+}
+
+/// What it names: the short list of sequences most alike, as gem_mean has them, with the scores
+/// that gem_cat gives.
+TEST(SeqNetEven, OrdersTheSequencesMostAlikeByTheirPictures) {
+  constexpr int kShortlist = 3;
+  std::map<std::pair<int, int>, double> ordered;
+  for (const LoopCandidate& pair : Drive("gem_cat", true)) {
+    ordered[{pair.later, pair.earlier}] = pair.score;
+  }
+  std::map<int, std::vector<LoopCandidate>> alike;
+  for (const LoopCandidate& pair : Drive("gem_mean", true)) alike[pair.later].push_back(pair);
+  std::map<int, std::vector<int>> named;
+  for (const LoopCandidate& pair : Drive("seqnet_even", true, "{shortlist: 3}")) {
+    EXPECT_EQ(pair.score, ordered.at({pair.later, pair.earlier}));
+    named[pair.later].push_back(pair.earlier);
+  }
+  for (auto& [later, pairs] : alike) {
+    std::stable_sort(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) {
+      return a.score > b.score;
+    });
+    std::vector<int> most;
+    for (std::size_t i = 0; i < pairs.size() && i < kShortlist; ++i) {
+      most.push_back(pairs[i].earlier);
+    }
+    EXPECT_THAT(named[later], ::testing::UnorderedElementsAreArray(most)) << later;
   }
 }
 

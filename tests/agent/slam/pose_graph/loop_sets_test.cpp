@@ -262,6 +262,43 @@ TEST(OdometryError, IsTheCircleWithALoopThatSaysNothing) {
   EXPECT_NEAR(OdometryError(chain, loop), 0.0, 1e-12);
 }
 
+/// Against loops drawn at random, a share of which errs no more.
+TEST(AgreesByChance, IsTheShareOfWrongLoopsThatAgreeAsWell) {
+  constexpr int kDrawn = 200'000;
+  OdometryChain<PlanarPose> chain(Eigen::Vector3d(0.0, 0.0, 2e-3));
+  sim::Rng rng(8, "chance");
+  const PoseMatrix<PlanarPose> covariance = Eigen::Vector3d(1e-4, 2e-4, 3e-5).asDiagonal();
+  for (int i = 0; i < 40; ++i) {
+    chain.Add({0.2, rng.Uniform(-0.05, 0.05), rng.Uniform(-0.3, 0.3)}, covariance);
+  }
+  const PlanarPose said = chain.Seen(2, 37);
+  PoseEdge<PlanarPose> loop;
+  loop.from = 2;
+  loop.to = 37;
+  loop.information = Eigen::Vector3d(400.0, 400.0, 900.0).asDiagonal();
+  loop.measured = sim::Compose(said, {0.15, -0.1, 0.05});
+  const double error = OdometryError(chain, loop);
+  const WrongMotions wrong = {.metres = 2.0, .radians = 0.8};
+  const double share = AgreesByChance(chain, loop, wrong);
+  int as_well = 0;
+  for (int i = 0; i < kDrawn; ++i) {
+    const double turned = rng.Uniform(-wrong.radians, wrong.radians);
+    const double distance = wrong.metres * std::sqrt(rng.Uniform(0.0, 1.0));
+    const double way = rng.Uniform(-sim::kPi, sim::kPi);
+    PoseEdge<PlanarPose> other = loop;
+    other.measured =
+        sim::Compose(said, {distance * std::cos(way), distance * std::sin(way), turned});
+    as_well += OdometryError(chain, other) <= error ? 1 : 0;
+  }
+  EXPECT_GT(as_well, 500);
+  EXPECT_NEAR(share, static_cast<double>(as_well) / kDrawn, 0.1 * share);
+  // What odometry says itself agrees best; what it rules out, all do as well.
+  loop.measured = said;
+  EXPECT_NEAR(AgreesByChance(chain, loop, wrong), 0.0, 1e-9);
+  loop.measured = sim::Compose(said, {5.0, 5.0, 2.0});
+  EXPECT_EQ(AgreesByChance(chain, loop, wrong), 1.0);
+}
+
 /// Straight on: a turn too much in every step, always the same, grows with the way in yaw and with
 /// its square to the side.
 TEST(OdometryChain, ASharedErrorAddsUp) {

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/slam/truth/loop_truth.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
+
+#include "sim/math/rng.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -45,6 +48,90 @@ TEST(Covisibility, WhatIsHiddenIsNotSeen) {
   EXPECT_EQ(Covisibility(WallAhead(3.0f), WallAhead(1.0f), {}), 0.0);
   EXPECT_EQ(Covisibility(WallAhead(3.0f), WallAhead(3.0f), {0.0, 0.0, sim::kPi}), 0.0);
   EXPECT_EQ(Covisibility(WallAhead(0.0f), WallAhead(0.0f), {}), 0.0);
+}
+
+/// A room without furniture, walls of no thickness, that a camera 1.2 m above its floor looks at.
+struct Box {
+  double x0, x1, y0, y1;
+  double up = 1.4;
+  double down = 1.2;
+};
+
+/// What is seen from a place inside: all planes are met, the nearest first.
+DepthThumbnail Inside(const Box& box, const sim::PlanarPose& pose) {
+  DepthPicture picture{320, 240, {}};
+  const double c = std::cos(pose.yaw);
+  const double s = std::sin(pose.yaw);
+  const auto along = [](double way, double low, double high) {
+    return way > 0.0 ? high / way : way < 0.0 ? low / way : INFINITY;
+  };
+  for (int row = 0; row < picture.height; ++row) {
+    for (int col = 0; col < picture.width; ++col) {
+      const double left = -(col - kCamera.cx) / kCamera.fx;
+      const double up = -(row - kCamera.cy) / kCamera.fy;
+      const double depth = std::min({along(c - s * left, box.x0 - pose.x, box.x1 - pose.x),
+                                     along(s + c * left, box.y0 - pose.y, box.y1 - pose.y),
+                                     along(up, -box.down, box.up)});
+      picture.metres.push_back(static_cast<float>(depth));
+    }
+  }
+  return Coarsened(picture, kCamera);
+}
+
+/// At least 18 cm from the walls, as a body keeps.
+sim::PlanarPose Somewhere(const Box& box, sim::Rng* rng) {
+  return {rng->Uniform(box.x0 + 0.18, box.x1 - 0.18), rng->Uniform(box.y0 + 0.18, box.y1 - 0.18),
+          rng->Uniform(-sim::kPi, sim::kPi)};
+}
+
+double Shared(const DepthThumbnail& a, const sim::PlanarPose& at_a, const DepthThumbnail& b,
+              const sim::PlanarPose& at_b) {
+  return Covisibility(a, b, sim::Compose(sim::Inverse(at_a), at_b));
+}
+
+/// Depth alone takes both sides of a wall that is thinner than its tolerance for one.
+TEST(Covisibility, TheOtherSideOfAThinWallIsAnotherPlace) {
+  EXPECT_EQ(Covisibility(WallAhead(2.0f), WallAhead(2.0f), {4.1, 0.0, sim::kPi}), 0.0);
+  const Box here = {0.0, 4.0, 0.0, 3.0};
+  const Box beside = {4.08, 8.0, 0.0, 3.0, here.up, here.down};
+  sim::Rng rng(3, "thin wall");
+  double most = 0.0;
+  double most_by_depth = 0.0;
+  for (int i = 0; i < 100; ++i) {
+    sim::PlanarPose at_a = Somewhere(here, &rng);
+    sim::PlanarPose at_b = Somewhere(beside, &rng);
+    if (i % 2 == 0) {  // both look at the wall
+      at_a.yaw = rng.Uniform(-0.5, 0.5);
+      at_b.yaw = sim::kPi + rng.Uniform(-0.5, 0.5);
+    }
+    DepthThumbnail a = Inside(here, at_a);
+    DepthThumbnail b = Inside(beside, at_b);
+    most = std::max(most, Shared(a, at_a, b, at_b));
+    for (DepthThumbnail* one : {&a, &b}) {
+      one->facing.assign(one->facing.size(), Eigen::Vector3f::Zero());
+    }
+    most_by_depth = std::max(most_by_depth, Shared(a, at_a, b, at_b));
+  }
+  EXPECT_GT(most_by_depth, 0.3) << "none is taken for a loop";
+  EXPECT_LT(most, 0.1);
+}
+
+/// In a room without furniture both cameras are in front of all that they see.
+TEST(Covisibility, WhereSurfacesFaceChangesNothingInOneRoom) {
+  const Box room = {0.0, 5.0, 0.0, 3.0};
+  sim::Rng rng(4, "one room");
+  for (int i = 0; i < 100; ++i) {
+    const sim::PlanarPose at_a = Somewhere(room, &rng);
+    const sim::PlanarPose at_b = Somewhere(room, &rng);
+    DepthThumbnail a = Inside(room, at_a);
+    DepthThumbnail b = Inside(room, at_b);
+    const double shared = Shared(a, at_a, b, at_b);
+    for (DepthThumbnail* one : {&a, &b}) {
+      one->facing.assign(one->facing.size(), Eigen::Vector3f::Zero());
+    }
+    // But for a point at an edge, say.
+    EXPECT_NEAR(shared, Shared(a, at_a, b, at_b), 0.01) << i;
+  }
 }
 
 TEST(HeadingBin, TurnsCountToEitherSide) {
