@@ -43,6 +43,7 @@ struct BatchSimulator::Impl {
     tools.resize(static_cast<std::size_t>(pool.workers()));
     if (spec.sensor_noise.is_none()) return;
     panorama_noise.assign(tools.size(), PictureNoise(spec.sensor_noise, spec.panorama));
+    glass.resize(tools.size());
   }
 
   std::unique_ptr<SimulatedBody> NewBody(std::shared_ptr<const World> world,
@@ -88,24 +89,43 @@ struct BatchSimulator::Impl {
     const std::size_t pixels = spec.panorama.pixels();
     std::vector<CameraPose> cameras;
     for (std::size_t i = first; i < first + n; ++i) cameras.push_back(bodies[i]->camera_pose());
+    const std::span<std::uint8_t> seen_glass =
+        out.depth.empty() ? std::span<std::uint8_t>() : GlassOf(scene(first), n, worker);
     RendererOf(scene(first), worker)
-        .Render(
+        .Draw(
             cameras,
-            out.color.empty() ? out.color : out.color.subspan(3 * pixels * first, 3 * pixels * n),
-            out.depth.empty() ? out.depth : out.depth.subspan(pixels * first, pixels * n));
+            {out.color.empty() ? out.color : out.color.subspan(3 * pixels * first, 3 * pixels * n),
+             out.depth.empty() ? out.depth : out.depth.subspan(pixels * first, pixels * n),
+             {},
+             seen_glass});
     if (panorama_noise.empty()) return;
-    for (std::size_t i = first; i < first + n; ++i) AddNoise(i, worker, out);
+    for (std::size_t i = 0; i < n; ++i) {
+      AddNoise(first + i, worker, out,
+               seen_glass.empty() ? seen_glass : seen_glass.subspan(pixels * i, pixels));
+    }
+  }
+
+  /// Memory for which pixels of n panoramas show glass; empty if the noise does not ask or there is
+  /// none.
+  std::span<std::uint8_t> GlassOf(const RenderScene& scene, std::size_t n, int worker) {
+    if (panorama_noise.empty() || !panorama_noise[0].asks_for_glass() || !scene.has_glass()) {
+      return {};
+    }
+    std::vector<std::uint8_t>& memory = glass[static_cast<std::size_t>(worker)];
+    memory.resize(n * spec.panorama.pixels());
+    return memory;
   }
 
   /// To a lane's panorama, as its SensorReader would.
-  void AddNoise(std::size_t lane, int worker, const BatchObservations& out) {
+  void AddNoise(std::size_t lane, int worker, const BatchObservations& out,
+                std::span<const std::uint8_t> seen_glass) {
     const std::size_t pixels = spec.panorama.pixels();
     SensorInput input = bodies[lane]->sensor_input();
     input.sensor = "panorama";
     panorama_noise[static_cast<std::size_t>(worker)].Apply(
         input.noise(),
         out.color.empty() ? out.color : out.color.subspan(3 * pixels * lane, 3 * pixels),
-        out.depth.empty() ? out.depth : out.depth.subspan(pixels * lane, pixels));
+        out.depth.empty() ? out.depth : out.depth.subspan(pixels * lane, pixels), seen_glass);
   }
 
   /// Reads the arrays that are wanted of one lane. `wanted`: of all lanes, see Wanted.
@@ -216,8 +236,9 @@ struct BatchSimulator::Impl {
   NoiseModel noise;
   WorkerPool pool;
   std::vector<std::unique_ptr<SimulatedBody>> bodies;
-  std::vector<ToolsByScene> tools;           // of each worker
-  std::vector<PictureNoise> panorama_noise;  // of each worker, if there is any
+  std::vector<ToolsByScene> tools;               // of each worker
+  std::vector<PictureNoise> panorama_noise;      // of each worker, if there is any
+  std::vector<std::vector<std::uint8_t>> glass;  // of each worker's panoramas, see GlassOf
 };
 
 BatchSimulator::BatchSimulator(std::vector<std::shared_ptr<const World>> worlds,
@@ -280,9 +301,10 @@ void BatchSimulator::Observe(std::span<const int> lanes, const BatchObservations
       lanes, [](SimulatedBody&, std::size_t) {}, out);
 }
 
-void BatchSimulator::Render(int lane, const CameraPose& camera, const BatchObservations& out) {
+void BatchSimulator::Render(int lane, const CameraPose& camera, const BatchObservations& out,
+                            std::span<std::uint8_t> glass) {
   const RenderScene& scene = impl_->body(lane, "BatchSimulator::Render").world().render_scene();
-  impl_->RendererOf(scene, 0).Render({&camera, 1}, out.color, out.depth);
+  impl_->RendererOf(scene, 0).Draw({&camera, 1}, {out.color, out.depth, {}, glass});
 }
 
 const SimulatedBody& BatchSimulator::body(int lane) const {

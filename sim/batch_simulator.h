@@ -65,8 +65,9 @@ class BatchSimulator {
   void Observe(const BatchObservations& out);
   void Observe(std::span<const int> lanes, const BatchObservations& out);
   /// What the panorama's camera would see anywhere in a lane's world, by the renderers that are
-  /// there: one picture, without noise; `arrays` does not matter.
-  void Render(int lane, const CameraPose& camera, const BatchObservations& out);
+  /// there: one picture, without noise; `arrays` does not matter. `glass`: as PictureMemory::glass.
+  void Render(int lane, const CameraPose& camera, const BatchObservations& out,
+              std::span<std::uint8_t> glass = {});
 
   /// Ground truth of a lane.
   const SimulatedBody& body(int lane) const;

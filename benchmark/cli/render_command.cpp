@@ -113,6 +113,8 @@ void Render(const RenderOptions& options) {
   const sim::Rng random(options.seed, "render");
   std::vector<std::uint8_t> color(3 * size.pixels());
   std::vector<float> depth(size.pixels());
+  const bool asks_for_glass = noise.asks_for_glass() && world->render_scene().has_glass();
+  std::vector<std::uint8_t> glass(asks_for_glass ? size.pixels() : 0);
   sim::MakeFolder(options.out);
   nlohmann::json list = nlohmann::json::array();
   Progress progress("rendering", static_cast<int>(poses.size()));
@@ -121,8 +123,8 @@ void Render(const RenderOptions& options) {
     const Eigen::Vector3d eye =
         pose.position + Eigen::Vector3d(0, sim::BodySpec().camera_height, 0);
     const sim::CameraPose camera{eye.cast<float>(), static_cast<float>(pose.yaw)};
-    renderer->Render({&camera, 1}, color, depth);
-    noise.Apply(random.Fork("picture", i), color, depth);
+    renderer->Draw({&camera, 1}, {color, depth, {}, glass});
+    noise.Apply(random.Fork("picture", i), color, depth, glass);
     const std::string stem = fmt::format("{:04}", i);
     WritePictures(options.out, stem, size, color, depth);
     list.push_back({{"name", stem},

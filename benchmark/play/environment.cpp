@@ -123,14 +123,19 @@ void Environment::DrawGoal(int lane) {
   const sim::BodyPose pose = own.episode->goal_pose();
   const Eigen::Vector3d position = pose.position + Eigen::Vector3d(0, task_.body.camera_height, 0);
   const sim::CameraPose eye = {position.cast<float>(), static_cast<float>(pose.yaw)};
+  std::vector<std::uint8_t> glass;
   if (task_.goal_camera) {
     DrawGoalPicture(&own, eye);
   } else {
     if (task_.color) own.goal_color.resize(3 * task_.panorama.pixels());
     if (task_.depth) own.goal_depth.resize(task_.panorama.pixels());
-    simulator_->Render(lane, eye, {own.goal_color, own.goal_depth});
+    const bool asks_for_glass = task_.depth && goal_noise_ && goal_noise_->asks_for_glass();
+    if (asks_for_glass && own.episode->world().render_scene().has_glass()) {
+      glass.resize(own.goal_depth.size());
+    }
+    simulator_->Render(lane, eye, {own.goal_color, own.goal_depth}, glass);
   }
-  if (goal_noise_) goal_noise_->Apply(GoalNoise(lane), own.goal_color, own.goal_depth);
+  if (goal_noise_) goal_noise_->Apply(GoalNoise(lane), own.goal_color, own.goal_depth, glass);
 }
 
 /// Other numbers for each goal of each episode.

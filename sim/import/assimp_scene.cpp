@@ -8,6 +8,7 @@
 #include <span>
 #include <string_view>
 
+#include <assimp/GltfMaterial.h>
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
 #include <assimp/material.h>
@@ -22,6 +23,7 @@
 #include "sim/import/mesh_file_check.h"
 #include "sim/import/mesh_io.h"
 #include "sim/import/texture_files.h"
+#include "sim/scene/glass.h"
 
 namespace bulletnav::sim {
 namespace {
@@ -29,6 +31,7 @@ namespace {
 constexpr const char* kNoTriangles =
     "holds no triangles; is it a point cloud? Export the scene's surfaces as a mesh";
 constexpr std::size_t kMaxTriangles = 100'000'000;
+constexpr double kClearest = 0.9;    // glass that lets all light through is seen all the same
 constexpr int kSecondsAPicture = 9;  // one of 16,384 x 16,384 pixels may be a small file
 
 std::uint8_t ToByte(float value) {
@@ -79,7 +82,24 @@ class Converter {
       if (material.base_color == Rgb8{0, 0, 0}) material.base_color = kWhite;
       break;
     }
+    if (IsSeeThrough(OpacityOf(source, color.a))) MarkSeeThrough(&material);
     mesh_.materials.push_back(material);
+  }
+
+  /// Of its whole surface; what pictures say of single places is not asked. `alpha`: its colour's.
+  double OpacityOf(const aiMaterial& source, float alpha) const {
+    float opacity = 1.0f;
+    if (!is_linear_) {
+      source.Get(AI_MATKEY_OPACITY, opacity);
+      return opacity;
+    }
+    float transmission = 0.0f;
+    source.Get(AI_MATKEY_TRANSMISSION_FACTOR, transmission);
+    if (transmission > 0.0f) return 1.0 - kClearest * transmission;
+    aiString mode;
+    const bool blends = source.Get(AI_MATKEY_GLTF_ALPHAMODE, mode) == AI_SUCCESS &&
+                        std::string_view(mode.C_Str()) == "BLEND";
+    return blends ? alpha : 1.0;
   }
 
   int AddTexture(const std::string& name) {

@@ -15,6 +15,7 @@
 #include "sim/import/door_joint.h"
 #include "sim/import/gazebo_files.h"
 #include "sim/import/primitives.h"
+#include "sim/scene/glass.h"
 
 namespace bulletnav::sim {
 namespace {
@@ -241,6 +242,7 @@ class WorldReader {
       return false;
     }
     if (const sdf::Material* material = visual.Material()) Paint(*material, &part->mesh);
+    if (IsSeeThrough(1.0 - double{visual.Transparency()})) MarkSeeThrough(&part->mesh.materials[0]);
     return true;
   }
 

@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "sim/base/check.h"
+#include "sim/scene/glass.h"
 
 namespace bulletnav::sim {
 namespace {
@@ -90,6 +91,9 @@ RenderMesh::RenderMesh(const SceneMesh& mesh) : back_faces(mesh.back_faces) {
   textures.infos.push_back({0, 0});
   textures.texels.push_back(0xffffffffu);
   for (const Texture& texture : mesh.textures) AddTexture(texture.image, &textures);
+  for (const Material& material : mesh.materials) {
+    glass_materials.push_back(IsGlass(material.name) ? 1 : 0);
+  }
   corners.reserve(mesh.triangles.size());
   shading.reserve(mesh.triangles.size());
   if (mesh.has_objects()) objects.reserve(mesh.triangles.size());
@@ -111,6 +115,10 @@ void RenderMesh::Add(const SceneMesh& mesh, const std::array<std::uint32_t, 3>& 
   const auto& p = corners.back();
   const double area = 0.5 * (p[1] - p[0]).cross(p[2] - p[0]).norm();
   FillUvs({mesh.uvs[a], mesh.uvs[b], mesh.uvs[c]}, side, area, &out);
+  if (glass_materials[mesh.triangle_materials[like]] != 0) {
+    out.glass = 1.0f;
+    has_glass = true;
+  }
   if (mesh.has_objects()) objects.push_back(mesh.triangle_objects[like]);
 }
 

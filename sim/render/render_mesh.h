@@ -29,6 +29,8 @@ struct RenderMesh {
   std::vector<TriangleShading> shading;
   TexturePyramids textures;
   std::vector<std::uint32_t> objects;  // one a triangle; empty where they are not known
+  std::vector<char> glass_materials;   // of the mesh: whether it is glass or a mirror
+  bool has_glass = false;              // in any triangle
   bool back_faces;                     // whether triangles are seen from behind
 };
 

@@ -7,12 +7,14 @@
 
 namespace bulletnav::sim {
 
-void Renderer::RenderObjects(std::span<const CameraPose> /*cameras*/,
-                             std::span<std::uint8_t> /*color*/, std::span<float> /*depth*/,
-                             std::span<std::int32_t> /*objects*/) {
-  throw RenderError(
-      "this renderer cannot tell which objects it sees; take the backend embree, or EGL without a "
-      "graphics processor");
+void Renderer::RenderObjects(std::span<const CameraPose> cameras, std::span<std::uint8_t> color,
+                             std::span<float> depth, std::span<std::int32_t> objects) {
+  if (!sees_objects()) {
+    throw RenderError(
+        "this renderer cannot tell which objects it sees; take the backend embree, or EGL without "
+        "a graphics processor");
+  }
+  Draw(cameras, {color, depth, objects, {}});
 }
 
 std::unique_ptr<const RenderScene> MakeRenderScene(const SceneMesh& mesh, Backend backend) {

@@ -28,6 +28,14 @@ struct CameraPose {
   float yaw = 0.0f;
 };
 
+/// Where n pictures go: the caller's memory, one after the other. An empty span: not wanted.
+struct PictureMemory {
+  std::span<std::uint8_t> color;    // [n, rows, cols, 3]
+  std::span<float> depth;           // [n, rows, cols], like those below
+  std::span<std::int32_t> objects;  // see Renderer::RenderObjects
+  std::span<std::uint8_t> glass;    // 1 where glass or a mirror is seen, see IsGlass; else 0
+};
+
 /// Draws RGBD pictures of one scene with one kind of camera; one renderer a thread, any number a
 /// scene.
 /// Output, for n cameras, into the caller's memory without a further copy:
@@ -50,16 +58,21 @@ class Renderer {
   virtual const CameraSpec& spec() const = 0;
   /// How many cameras at once this backend likes: 1 on a CPU, many on a GPU.
   virtual int preferred_batch() const = 0;
-  virtual void Render(std::span<const CameraPose> cameras, std::span<std::uint8_t> color,
-                      std::span<float> depth) = 0;
+  void Render(std::span<const CameraPose> cameras, std::span<std::uint8_t> color,
+              std::span<float> depth) {
+    Draw(cameras, {color, depth, {}, {}});
+  }
 
   /// Whether this kind of renderer can tell which objects it sees.
   virtual bool sees_objects() const { return false; }
   /// As Render, and objects i32 [n, rows, cols]: numbers in SceneMesh::objects of what is seen, at
   /// any distance, 0 where nothing is seen or nothing known. Throws RenderError, naming the remedy,
   /// unless sees_objects.
-  virtual void RenderObjects(std::span<const CameraPose> cameras, std::span<std::uint8_t> color,
-                             std::span<float> depth, std::span<std::int32_t> objects);
+  void RenderObjects(std::span<const CameraPose> cameras, std::span<std::uint8_t> color,
+                     std::span<float> depth, std::span<std::int32_t> objects);
+
+  /// All that can be drawn, at once. Throws as RenderObjects if objects are wanted.
+  virtual void Draw(std::span<const CameraPose> cameras, const PictureMemory& out) = 0;
 
  protected:
   Renderer() = default;
@@ -80,6 +93,8 @@ class RenderScene {
   virtual std::string description() const = 0;
   /// Whether it is known what its triangles belong to.
   virtual bool has_objects() const = 0;
+  /// Whether any of its triangles is of glass or a mirror.
+  virtual bool has_glass() const = 0;
   /// Throws Error on a bad spec, RenderError where the device cannot do it.
   virtual std::unique_ptr<Renderer> MakeRenderer(const CameraSpec& spec) const = 0;
 

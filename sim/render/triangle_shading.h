@@ -26,7 +26,7 @@ struct alignas(16) TriangleShading {
   float normal[3];         // unit
   float plane;             // normal . corner
   float texel_density;     // (texels a metre at level 0) squared; 0 for a flat colour
-  float unused;
+  float glass;             // 1: glass or a mirror, 0: not
 };
 static_assert(sizeof(TriangleShading) == 96);
 

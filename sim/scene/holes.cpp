@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
-#include <string_view>
 
+#include "sim/scene/glass.h"
 #include "sim/scene/mesh_measures.h"
 #include "sim/scene/patches.h"
 #include "sim/scene/refine.h"
@@ -17,30 +16,20 @@ namespace {
 
 constexpr float kOverhead = 2.0f;  // metres above the floor
 // How much sooner than others these have a hole; the noise is between -1.34 and 1.34.
-constexpr float kGlass = 0.5f;
+constexpr float kShiny = 0.5f;
 constexpr float kDark = 0.4f;  // black; less for what is less dark
 constexpr float kCeiling = 0.15f;
 constexpr double kFinest = 0.05;     // metres
 constexpr double kAffordable = 0.4;  // of AffordableEdge: only a part of the mesh is cut so finely
 constexpr double kEdgesAcross = 4.0;
 
-bool IsGlassy(const std::string& name) {
-  constexpr std::array<std::string_view, 7> kWords = {"window", "glass", "mirror", "screen",
-                                                      "metal",  "steel", "chrome"};
-  std::string lower = name;
-  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return std::any_of(kWords.begin(), kWords.end(), [&](std::string_view word) {
-    return lower.find(word) != std::string::npos;
-  });
-}
-
 std::vector<float> ReadinessOf(const SceneMesh& mesh) {
   std::vector<float> readiness;
   for (const Material& material : mesh.materials) {
     const auto mean = MeanOf(mesh, material);
     const double light = (mean[0] + mean[1] + mean[2]) / (3.0 * 255.0);
-    const float glass = IsGlassy(material.name) ? kGlass : 0.0f;
-    readiness.push_back(glass + kDark * static_cast<float>(1.0 - light));
+    const float shine = IsShiny(material.name) ? kShiny : 0.0f;
+    readiness.push_back(shine + kDark * static_cast<float>(1.0 - light));
   }
   return readiness;
 }

@@ -61,8 +61,7 @@ CameraPose CameraMount::On(const BodyPose& pose, const CameraPose& eye) const {
 CameraReader::CameraReader(const RenderScene& scene, const CameraSpec& camera,
                            const std::vector<std::string>& channels)
     : renderer_(scene.MakeRenderer(camera)), channels_(channels) {
-  sees_objects_ = std::count(channels.begin(), channels.end(), kSemantic) > 0;
-  if (!sees_objects_) return;
+  if (std::count(channels.begin(), channels.end(), kSemantic) == 0) return;
   if (!scene.has_objects()) {
     throw Error(
         "the channel semantic needs a scene whose objects are known: one that BulletNav has made; "
@@ -74,24 +73,19 @@ CameraReader::CameraReader(const RenderScene& scene, const CameraSpec& camera,
   }
 }
 
-void CameraReader::Read(const CameraPose& pose, std::span<const std::span<std::byte>> out) {
-  std::span<std::uint8_t> color;
-  std::span<float> depth;
-  std::span<std::int32_t> objects;
+void CameraReader::Read(const CameraPose& pose, std::span<const std::span<std::byte>> out,
+                        std::span<std::uint8_t> glass) {
+  PictureMemory memory{{}, {}, {}, glass};
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     if (channels_[i] == kColor) {
-      color = ValuesIn<std::uint8_t>(out[i]);
+      memory.color = ValuesIn<std::uint8_t>(out[i]);
     } else if (channels_[i] == kDepth) {
-      depth = ValuesIn<float>(out[i]);
+      memory.depth = ValuesIn<float>(out[i]);
     } else {
-      objects = ValuesIn<std::int32_t>(out[i]);
+      memory.objects = ValuesIn<std::int32_t>(out[i]);
     }
   }
-  if (sees_objects_) {
-    renderer_->RenderObjects({&pose, 1}, color, depth, objects);
-  } else {
-    renderer_->Render({&pose, 1}, color, depth);
-  }
+  renderer_->Draw({&pose, 1}, memory);
 }
 
 }  // namespace bulletnav::sim

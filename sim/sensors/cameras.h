@@ -85,13 +85,13 @@ class CameraReader {
   CameraReader(const RenderScene& scene, const CameraSpec& camera,
                const std::vector<std::string>& channels);
 
-  /// `out`: as Sensor::Read gets it.
-  void Read(const CameraPose& pose, std::span<const std::span<std::byte>> out);
+  /// `out`: as Sensor::Read gets it; `glass`: SensorInput's.
+  void Read(const CameraPose& pose, std::span<const std::span<std::byte>> out,
+            std::span<std::uint8_t> glass);
 
  private:
   std::unique_ptr<Renderer> renderer_;
   std::vector<std::string> channels_;
-  bool sees_objects_ = false;
 };
 
 }  // namespace bulletnav::sim

@@ -35,6 +35,9 @@ struct SensorInput {
   Sensors step;                  // what the last step measured; zero after a reset
   RngKey key;                    // of the sensors' random numbers in this step
   std::string_view sensor = {};  // its name on the body
+  /// Where a camera writes which of its pixels show glass, u8 [rows, cols], as
+  /// PictureMemory::glass; empty: not wanted. One that does not write has none.
+  std::span<std::uint8_t> glass = {};
 
   /// For noise: other numbers for each sensor, episode and step.
   Rng noise() const { return Rng(key).Fork(sensor); }

@@ -9,18 +9,21 @@ SensorReader::SensorReader(const SensorSet& set, const SensorScene& scene, const
     : scene_(scene), noise_(noise) {
   noise_.Validate();
   sensors_.reserve(set.sensors().size());
-  for (const MountedSensor& mounted : set.sensors()) sensors_.push_back({mounted, nullptr, {}});
+  for (const MountedSensor& mounted : set.sensors()) sensors_.push_back({mounted, nullptr, {}, {}});
 }
 
 void SensorReader::Make(Made* made) const {
   const ConfiguredSensor& sensor = made->mounted.sensor;
   made->sensor = sensor.make(scene_);
-  if (sensor.camera && !noise_.is_none()) made->noise.emplace(noise_, *sensor.camera);
+  if (!sensor.camera || noise_.is_none()) return;
+  made->noise.emplace(noise_, *sensor.camera);
+  const bool has_glass = made->noise->asks_for_glass() && scene_.render.has_glass();
+  if (has_glass) made->glass.resize(SizeOf(*sensor.camera).pixels());
 }
 
-void SensorReader::AddNoise(Made* made, const SensorInput& input,
-                            std::span<const std::span<std::byte>> pictures) {
-  if (!made->noise) return;
+/// With their noise.
+void SensorReader::ReadPictures(Made* made, SensorInput input,
+                                std::span<const std::span<std::byte>> pictures) {
   std::span<std::uint8_t> color;
   std::span<float> depth;
   for (std::size_t i = 0; i < pictures.size(); ++i) {
@@ -28,7 +31,9 @@ void SensorReader::AddNoise(Made* made, const SensorInput& input,
     if (channel == "color") color = ValuesIn<std::uint8_t>(pictures[i]);
     if (channel == "depth") depth = ValuesIn<float>(pictures[i]);
   }
-  made->noise->Apply(input.noise(), color, depth);
+  if (!depth.empty()) input.glass = made->glass;
+  made->sensor->Read(input, pictures);
+  made->noise->Apply(input.noise(), color, depth, input.glass);
 }
 
 void SensorReader::Read(SensorInput input, std::span<const std::span<std::byte>> out) {
@@ -42,8 +47,11 @@ void SensorReader::Read(SensorInput input, std::span<const std::span<std::byte>>
     if (!is_wanted) continue;
     if (!made.sensor) Make(&made);
     input.sensor = made.mounted.name;
-    made.sensor->Read(input, mine);
-    AddNoise(&made, input, mine);
+    if (made.noise) {
+      ReadPictures(&made, input, mine);
+    } else {
+      made.sensor->Read(input, mine);
+    }
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -27,10 +28,11 @@ class SensorReader {
     MountedSensor mounted;
     std::unique_ptr<Sensor> sensor;
     std::optional<PictureNoise> noise;  // of a camera, if there is any
+    std::vector<std::uint8_t> glass;    // of its picture, if the noise asks and there is any
   };
   void Make(Made* made) const;
-  static void AddNoise(Made* made, const SensorInput& input,
-                       std::span<const std::span<std::byte>> pictures);
+  static void ReadPictures(Made* made, SensorInput input,
+                           std::span<const std::span<std::byte>> pictures);
 
   SensorScene scene_;
   SensorNoise noise_;

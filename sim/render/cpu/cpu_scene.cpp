@@ -31,7 +31,7 @@ struct EmbreeData {
 class EmbreeRenderer final : public Renderer {
  public:
   EmbreeRenderer(const EmbreeData& data, const Kernels& kernels, const CameraSpec& spec)
-      : scene_(data.kernel()), objects_(data.mesh.objects), kernels_(kernels), sampling_(spec) {
+      : scene_(data.kernel()), mesh_(data.mesh), kernels_(kernels), sampling_(spec) {
     tile_farthest_.resize(std::size_t{kTileRows} * kTileColumns);
     dirty_.resize(kTileColumns);
     entries_.resize(data.bvh.nodes.size() + data.bvh.leaves.size());
@@ -43,29 +43,22 @@ class EmbreeRenderer final : public Renderer {
 
   bool sees_objects() const override { return true; }
 
-  void Render(std::span<const CameraPose> cameras, std::span<std::uint8_t> color,
-              std::span<float> depth) override {
-    RenderObjects(cameras, color, depth, {});
-  }
-
-  void RenderObjects(std::span<const CameraPose> cameras, std::span<std::uint8_t> color,
-                     std::span<float> depth, std::span<std::int32_t> objects) override {
+  void Draw(std::span<const CameraPose> cameras, const PictureMemory& out) override {
     const KernelScratch scratch = {tile_farthest_.data(), dirty_.data(), entries_.data(),
                                    buckets_.data()};
-    const PictureSlices slices(spec(), cameras, color, depth);
-    const ObjectSlices object_slices(spec(), cameras.size(), objects);
+    const PictureSlices slices(spec(), cameras, out);
     for (std::size_t i = 0; i < cameras.size(); ++i) {
       const KernelFrame frame = sampling_.Frame(cameras[i]);
       kernels_.find_visible(scene_, sampling_.grid(), frame, scratch, sampling_.hits());
       kernels_.shade(scene_, sampling_.grid(), frame, sampling_.hits(), slices.color(i),
                      slices.depth(i));
-      object_slices.Write(i, sampling_, objects_);
+      slices.WriteSeen(i, sampling_, mesh_.objects, mesh_.shading);
     }
   }
 
  private:
   KernelScene scene_;
-  const std::vector<std::uint32_t>& objects_;
+  const RenderMesh& mesh_;
   const Kernels& kernels_;
   Sampling sampling_;
   std::vector<float> tile_farthest_;
@@ -82,6 +75,7 @@ class EmbreeRenderScene final : public RenderScene {
   Backend backend() const override { return Backend::kEmbree; }
   std::string description() const override { return std::string("Embree 3, ") + kernels_.name; }
   bool has_objects() const override { return !data_.mesh.objects.empty(); }
+  bool has_glass() const override { return data_.mesh.has_glass; }
   std::unique_ptr<Renderer> MakeRenderer(const CameraSpec& spec) const override {
     return std::make_unique<EmbreeRenderer>(data_, kernels_, spec);
   }

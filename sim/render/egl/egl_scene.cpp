@@ -64,18 +64,21 @@ class DeviceRenderer final : public Renderer {
   const CameraSpec& spec() const override { return spec_; }
   int preferred_batch() const override { return batch_; }
 
-  void Render(std::span<const CameraPose> cameras, std::span<std::uint8_t> color,
-              std::span<float> depth) override {
-    const PictureSlices checked(spec_, cameras, color, depth);
+  void Draw(std::span<const CameraPose> cameras, const PictureMemory& out) override {
+    if (!out.objects.empty()) RenderObjects(cameras, out.color, out.depth, out.objects);  // throws
+    const PictureSlices checked(spec_, cameras, out);
     const EglContext::Current current(*context_);
     const std::size_t pixels = SizeOf(spec_).pixels();
     const auto batch = static_cast<std::size_t>(batch_);
     for (std::size_t first = 0; first < cameras.size(); first += batch) {
       const std::size_t n = std::min(batch, cameras.size() - first);
       ids_->Draw(cameras.subspan(first, n), /*leave_out_hidden=*/false);
-      resolve_->Run(cameras.subspan(first, n), ids_->ids(),
-                    color.empty() ? color : color.subspan(3 * pixels * first, 3 * pixels * n),
-                    depth.empty() ? depth : depth.subspan(pixels * first, pixels * n));
+      const auto part = [&](auto all, std::size_t values) {
+        return all.empty() ? all : all.subspan(values * first, values * n);
+      };
+      resolve_->Run(
+          cameras.subspan(first, n), ids_->ids(),
+          {part(out.color, 3 * pixels), part(out.depth, pixels), {}, part(out.glass, pixels)});
     }
   }
 
@@ -92,7 +95,7 @@ class DeviceRenderer final : public Renderer {
 class CpuResolveRenderer final : public Renderer {
  public:
   CpuResolveRenderer(const SceneBuffers& scene, const CameraSpec& spec)
-      : objects_(scene.mesh.objects),
+      : mesh_(scene.mesh),
         sampling_(spec),
         layout_(spec, Oversampling(scene, spec)),
         context_(scene.context.Share()) {
@@ -122,15 +125,8 @@ class CpuResolveRenderer final : public Renderer {
 
   bool sees_objects() const override { return true; }
 
-  void Render(std::span<const CameraPose> cameras, std::span<std::uint8_t> color,
-              std::span<float> depth) override {
-    RenderObjects(cameras, color, depth, {});
-  }
-
-  void RenderObjects(std::span<const CameraPose> cameras, std::span<std::uint8_t> color,
-                     std::span<float> depth, std::span<std::int32_t> objects) override {
-    const PictureSlices slices(spec(), cameras, color, depth);
-    const ObjectSlices object_slices(spec(), cameras.size(), objects);
+  void Draw(std::span<const CameraPose> cameras, const PictureMemory& out) override {
+    const PictureSlices slices(spec(), cameras, out);
     const EglContext::Current current(*context_);
     for (std::size_t i = 0; i < cameras.size(); ++i) {
       ids_->Draw(cameras.subspan(i, 1), /*leave_out_hidden=*/true);
@@ -140,13 +136,13 @@ class CpuResolveRenderer final : public Renderer {
       kernels_.resolve(scene_, sampling_.grid(), frame, picture, sampling_.hits());
       kernels_.shade(scene_, sampling_.grid(), frame, sampling_.hits(), slices.color(i),
                      slices.depth(i));
-      object_slices.Write(i, sampling_, objects_);
+      slices.WriteSeen(i, sampling_, mesh_.objects, mesh_.shading);
     }
   }
 
  private:
   const Kernels& kernels_ = *SupportedKernels()[0];
-  const std::vector<std::uint32_t>& objects_;
+  const RenderMesh& mesh_;
   Sampling sampling_;
   ViewLayout layout_;
   std::unique_ptr<EglContext> context_;
@@ -164,6 +160,7 @@ class EglScene final : public RenderScene {
   Backend backend() const override { return Backend::kEgl; }
   std::string description() const override { return "EGL, " + buffers_.context.renderer(); }
   bool has_objects() const override { return !buffers_.mesh.objects.empty(); }
+  bool has_glass() const override { return buffers_.mesh.has_glass; }
   std::unique_ptr<Renderer> MakeRenderer(const CameraSpec& spec) const override {
     if (buffers_.shade_on_device) return std::make_unique<DeviceRenderer>(buffers_, spec);
     return std::make_unique<CpuResolveRenderer>(buffers_, spec);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "sim/render/egl/shader_resolve.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <vector>
 
@@ -33,6 +35,19 @@ struct CameraBlock {
 template <class T>
 GlBuffer Upload(const std::vector<T>& values) {
   return NewBuffer(std::as_bytes(std::span(values)));
+}
+
+// The shader's depth is below zero on glass.
+void CopySizes(std::span<const float> depth, float* out) {
+  std::transform(depth.begin(), depth.end(), out, [](float d) {
+    return std::abs(d);
+  });
+}
+
+void CopySigns(std::span<const float> depth, std::uint8_t* out) {
+  std::transform(depth.begin(), depth.end(), out, [](float d) {
+    return static_cast<std::uint8_t>(d < 0.0f ? 1 : 0);
+  });
 }
 
 }  // namespace
@@ -75,10 +90,9 @@ void ShaderResolve::UploadViews() {
   views_ = Upload(blocks);
 }
 
-void ShaderResolve::Run(std::span<const CameraPose> cameras, GLuint ids,
-                        std::span<std::uint8_t> color, std::span<float> depth) {
+void ShaderResolve::Run(std::span<const CameraPose> cameras, GLuint ids, const PictureMemory& out) {
   Dispatch(cameras, ids);
-  ReadBack(cameras.size(), color, depth);
+  ReadBack(cameras.size(), out);
 }
 
 void ShaderResolve::Dispatch(std::span<const CameraPose> cameras, GLuint ids) {
@@ -113,22 +127,20 @@ void ShaderResolve::Dispatch(std::span<const CameraPose> cameras, GLuint ids) {
   glMemoryBarrier(GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
-void ShaderResolve::ReadBack(std::size_t cameras, std::span<std::uint8_t> color,
-                             std::span<float> depth) const {
+void ShaderResolve::ReadBack(std::size_t cameras, const PictureMemory& out) const {
   const std::size_t bytes = kBytesAPixel * padded_pixels_ * cameras;
   const auto* mapped = static_cast<const std::uint8_t*>(
       glMapNamedBufferRange(output_.get(), 0, static_cast<GLsizeiptr>(bytes), GL_MAP_READ_BIT));
   if (mapped == nullptr) throw RenderError("the OpenGL context is lost; restart the program");
   const std::size_t pixels = size_.pixels();
-  const std::uint8_t* depths = mapped + 3 * padded_pixels_ * cameras;
+  const auto* depths = reinterpret_cast<const float*>(mapped + 3 * padded_pixels_ * cameras);
   for (std::size_t i = 0; i < cameras; ++i) {
-    if (!color.empty()) {
-      std::memcpy(&color[3 * pixels * i], mapped + 3 * padded_pixels_ * i, 3 * pixels);
+    if (!out.color.empty()) {
+      std::memcpy(&out.color[3 * pixels * i], mapped + 3 * padded_pixels_ * i, 3 * pixels);
     }
-    if (!depth.empty()) {
-      std::memcpy(&depth[pixels * i], depths + sizeof(float) * padded_pixels_ * i,
-                  sizeof(float) * pixels);
-    }
+    const std::span<const float> depth(depths + padded_pixels_ * i, pixels);
+    if (!out.depth.empty()) CopySizes(depth, &out.depth[pixels * i]);
+    if (!out.glass.empty()) CopySigns(depth, &out.glass[pixels * i]);
   }
   glUnmapNamedBuffer(output_.get());
 }

@@ -15,15 +15,14 @@ class ShaderResolve {
   ShaderResolve(const SceneBuffers& scene, const ViewLayout& layout, const CameraSpec& spec,
                 int batch);
 
-  /// Output as Renderer::Render gives it.
-  void Run(std::span<const CameraPose> cameras, GLuint ids, std::span<std::uint8_t> color,
-           std::span<float> depth);
+  /// Output as Renderer::Draw gives it, without objects.
+  void Run(std::span<const CameraPose> cameras, GLuint ids, const PictureMemory& out);
 
  private:
   void UploadRays(const RayGrid& grid);
   void UploadViews();
   void Dispatch(std::span<const CameraPose> cameras, GLuint ids);
-  void ReadBack(std::size_t cameras, std::span<std::uint8_t> color, std::span<float> depth) const;
+  void ReadBack(std::size_t cameras, const PictureMemory& out) const;
 
   const SceneBuffers& scene_;
   const ViewLayout& layout_;

@@ -39,7 +39,7 @@ struct Triangle {
   uint color0, color1;
   uint color2, texture_index;
   float nx, ny;
-  float nz, plane, texel_density, unused;
+  float nz, plane, texel_density, glass;
 };
 struct View {
   vec4 right;    // xyz in the camera's frame divided by the half extent
@@ -231,6 +231,7 @@ void main() {
     bool seen = hit.id != 0u && hit.inverse_t > kUnseen;
     colors[i] = seen ? shade(hit, row, origin, ray, t) : 0u;
     depths[i] = seen ? min(t * length(d), max_depth) : 0.0;
+    if (seen && triangles[hit.id - 1u].glass > 0.0) depths[i] = -depths[i];  // so marked
   }
   uint color_at = uint(camera) * uint(size.z / 4 * 3) + uint(3 * quad);
   words[color_at] = colors[0] | colors[1] << 24;

@@ -111,6 +111,18 @@ int TileShift(int size, int tiles, int least) {
   return shift;
 }
 
+/// What is told of the triangle that each pixel shows, 0 where there is none.
+template <class T, class OfTriangle>
+void WriteOfHits(const Sampling& sampling, T* out, const OfTriangle& told) {
+  const KernelGrid& grid = sampling.grid();
+  for (int row = 0; row < grid.rows; ++row) {
+    const std::int32_t* ids = sampling.hits().id + std::int64_t{row} * grid.stride;
+    for (int col = 0; col < grid.cols; ++col) {
+      *out++ = ids[col] >= 0 ? told(static_cast<std::size_t>(ids[col])) : T{0};
+    }
+  }
+}
+
 }  // namespace
 
 template <class Function>
@@ -222,8 +234,12 @@ KernelFrame Sampling::Frame(const CameraPose& camera) {
 }
 
 PictureSlices::PictureSlices(const CameraSpec& spec, std::span<const CameraPose> cameras,
-                             std::span<std::uint8_t> color, std::span<float> depth)
-    : pixels_(SizeOf(spec).pixels()), color_(color), depth_(depth) {
+                             const PictureMemory& out)
+    : pixels_(SizeOf(spec).pixels()),
+      color_(out.color),
+      depth_(out.depth),
+      objects_(out.objects),
+      glass_(out.glass) {
   for (const CameraPose& camera : cameras) {
     if (!camera.position.allFinite() || !std::isfinite(camera.yaw)) {
       throw Error("Render: a camera's position or yaw is not a finite number");
@@ -234,33 +250,25 @@ PictureSlices::PictureSlices(const CameraSpec& spec, std::span<const CameraPose>
     throw Error(fmt::format("Render: the span for {} has {} elements; it must be empty or have {}",
                             name, size, wanted));
   };
-  check("colour", color.size(), 3 * pixels_ * cameras.size());
-  check("depth", depth.size(), pixels_ * cameras.size());
+  const std::size_t all = pixels_ * cameras.size();
+  check("colour", out.color.size(), 3 * all);
+  check("depth", out.depth.size(), all);
+  check("objects", out.objects.size(), all);
+  check("glass", out.glass.size(), all);
 }
 
-ObjectSlices::ObjectSlices(const CameraSpec& spec, std::size_t cameras,
-                           std::span<std::int32_t> objects)
-    : pixels_(SizeOf(spec).pixels()), objects_(objects) {
-  if (objects.empty() || objects.size() == pixels_ * cameras) return;
-  throw Error(
-      fmt::format("Render: the span for objects has {} elements; it must be empty or have {}",
-                  objects.size(), pixels_ * cameras));
-}
-
-void ObjectSlices::Write(std::size_t i, const Sampling& sampling,
-                         std::span<const std::uint32_t> objects) const {
-  if (objects_.empty()) return;
-  const KernelGrid& grid = sampling.grid();
-  std::int32_t* out = &objects_[pixels_ * i];
-  for (int row = 0; row < grid.rows; ++row) {
-    for (int col = 0; col < grid.cols; ++col) {
-      const int at = row * grid.stride + col;
-      const bool is_hit = sampling.hits().id[at] >= 0 && !objects.empty();
-      *out++ =
-          is_hit
-              ? static_cast<std::int32_t>(objects[static_cast<std::size_t>(sampling.hits().id[at])])
-              : 0;
-    }
+void PictureSlices::WriteSeen(std::size_t i, const Sampling& sampling,
+                              std::span<const std::uint32_t> objects,
+                              std::span<const TriangleShading> shading) const {
+  if (!objects_.empty()) {
+    WriteOfHits(sampling, &objects_[pixels_ * i], [&](std::size_t triangle) {
+      return objects.empty() ? 0 : static_cast<std::int32_t>(objects[triangle]);
+    });
+  }
+  if (!glass_.empty()) {
+    WriteOfHits(sampling, &glass_[pixels_ * i], [&](std::size_t triangle) {
+      return static_cast<std::uint8_t>(shading[triangle].glass > 0.0f ? 1 : 0);
+    });
   }
 }
 

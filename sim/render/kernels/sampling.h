@@ -65,31 +65,24 @@ class Sampling {
 class PictureSlices {
  public:
   PictureSlices(const CameraSpec& spec, std::span<const CameraPose> cameras,
-                std::span<std::uint8_t> color, std::span<float> depth);
+                const PictureMemory& out);
   /// Null where that output is not wanted.
   std::uint8_t* color(std::size_t i) const {
     return color_.empty() ? nullptr : &color_[3 * pixels_ * i];
   }
   float* depth(std::size_t i) const { return depth_.empty() ? nullptr : &depth_[pixels_ * i]; }
 
+  /// What the i-th picture shows, as far as it is wanted, from the hits of a sampling. `objects` of
+  /// each triangle, or empty; `shading` of each triangle.
+  void WriteSeen(std::size_t i, const Sampling& sampling, std::span<const std::uint32_t> objects,
+                 std::span<const TriangleShading> shading) const;
+
  private:
   std::size_t pixels_;
   std::span<std::uint8_t> color_;
   std::span<float> depth_;
-};
-
-/// Pictures of what is seen, cut as PictureSlices. Throws Error if the span neither is empty nor
-/// fits.
-class ObjectSlices {
- public:
-  ObjectSlices(const CameraSpec& spec, std::size_t cameras, std::span<std::int32_t> objects);
-
-  /// The i-th, from the hits of a sampling, if it is wanted; `objects`: of each triangle, or empty.
-  void Write(std::size_t i, const Sampling& sampling, std::span<const std::uint32_t> objects) const;
-
- private:
-  std::size_t pixels_;
   std::span<std::int32_t> objects_;
+  std::span<std::uint8_t> glass_;
 };
 
 }  // namespace bulletnav::sim

@@ -29,7 +29,13 @@ double AngleBetween(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
 /// What is drawn for a picture as a whole.
 struct PictureNoise::Draws {
   explicit Draws(Rng rng)
-      : color_key{rng.Next(), 0}, depth_key{}, stops(0.0), red(0.0), blue(0.0), panes(rng) {
+      : color_key{rng.Next(), 0},
+        depth_key{},
+        stops(0.0),
+        red(0.0),
+        blue(0.0),
+        panes(rng),
+        glass(rng) {
     color_key[1] = rng.Next();
     depth_key[0] = rng.Next();
     depth_key[1] = rng.Next();
@@ -37,6 +43,7 @@ struct PictureNoise::Draws {
     red = rng.Uniform(-1.0, 1.0);
     blue = rng.Uniform(-1.0, 1.0);
     panes = rng.Fork("panes");
+    glass = rng.Fork("glass");
   }
   std::array<std::uint32_t, 2> color_key;
   std::array<std::uint32_t, 2> depth_key;
@@ -44,6 +51,7 @@ struct PictureNoise::Draws {
   double red;
   double blue;
   Rng panes;
+  Rng glass;
 };
 
 PictureNoise::PictureNoise(const SensorNoise& noise, const CameraSpec& camera,
@@ -56,6 +64,7 @@ PictureNoise::PictureNoise(const SensorNoise& noise, const CameraSpec& camera,
       max_depth_(MaxDepthOf(camera)) {
   noise_.Validate();
   FillAngles(camera);
+  if (asks_for_glass()) glass_.emplace(noise_.depth, angles(), wraps_);
 }
 
 bool PictureNoise::has_color_noise() const {
@@ -97,13 +106,15 @@ void PictureNoise::FillAngles(const CameraSpec& camera) {
   }
 }
 
-void PictureNoise::Apply(const Rng& rng, std::span<std::uint8_t> color, std::span<float> depth) {
+void PictureNoise::Apply(const Rng& rng, std::span<std::uint8_t> color, std::span<float> depth,
+                         std::span<const std::uint8_t> glass) {
   const std::size_t pixels = static_cast<std::size_t>(rows_) * static_cast<std::size_t>(cols_);
   BULLETNAV_CHECK(color.empty() || color.size() == 3 * pixels);
   BULLETNAV_CHECK(depth.empty() || depth.size() == pixels);
+  BULLETNAV_CHECK(glass.empty() || glass.size() == pixels);
   const Draws draws(rng);
   // Depth first: it asks the colour before that is noisy.
-  if (!depth.empty() && has_depth_noise()) AddDepthNoise(draws, color, depth);
+  if (!depth.empty() && has_depth_noise()) AddDepthNoise(draws, color, glass, depth);
   if (!color.empty() && has_color_noise()) AddColorNoise(draws, color);
 }
 
@@ -150,7 +161,16 @@ void PictureNoise::PadDepth(std::span<const float> depth) {
 }
 
 void PictureNoise::AddDepthNoise(const Draws& draws, std::span<const std::uint8_t> color,
-                                 std::span<float> depth) {
+                                 std::span<const std::uint8_t> glass, std::span<float> depth) {
+  const bool has_glass = glass_ && !glass.empty();
+  if (has_glass) glass_->ReadBehind(draws.glass, glass, angles(), depth);
+  RunDepthKernel(draws, color, depth);
+  if (has_glass) glass_->Lose(depth);
+  LosePanes(draws.panes, depth);
+}
+
+void PictureNoise::RunDepthKernel(const Draws& draws, std::span<const std::uint8_t> color,
+                                  std::span<float> depth) {
   const DepthNoise& noise = noise_.depth;
   PadDepth(depth);
   depth_line_.resize(4 * azimuth_.size());
@@ -182,7 +202,6 @@ void PictureNoise::AddDepthNoise(const Draws& draws, std::span<const std::uint8_
   frame.min_signal = static_cast<float>(noise.min_signal);
   std::copy(draws.depth_key.begin(), draws.depth_key.end(), frame.key);
   kernels_->depth(frame);
-  LosePanes(draws.panes, depth);
 }
 
 void PictureNoise::LosePanes(Rng rng, std::span<float> depth) const {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "sim/math/rng.h"
 #include "sim/render/projection.h"
+#include "sim/sensors/noise/glass_noise.h"
 #include "sim/sensors/noise/kernels/noise_kernels.h"
 #include "sim/sensors/noise/sensor_noise.h"
 
@@ -22,9 +24,14 @@ class PictureNoise {
 
   /// Changes one picture: color u8 [rows, cols, 3], depth f32 [rows, cols] metres, 0 = no return;
   /// an empty span: there is none. What is drawn follows from `rng` alone, whatever is there; but
-  /// depth is lost on dark surfaces only where there is colour to tell. Without noise, nothing
-  /// changes. Expects: sizes that fit (checked).
-  void Apply(const Rng& rng, std::span<std::uint8_t> color, std::span<float> depth);
+  /// depth is lost on dark surfaces only where there is colour to tell, and on glass where `glass`
+  /// tells: u8 [rows, cols], not 0 on glass, as renderers give it. Without noise, nothing changes.
+  /// Expects: sizes that fit (checked).
+  void Apply(const Rng& rng, std::span<std::uint8_t> color, std::span<float> depth,
+             std::span<const std::uint8_t> glass = {});
+
+  /// Whether it makes a difference for depth to know what is glass.
+  bool asks_for_glass() const { return noise_.depth.glass_lost > 0.0; }
 
  private:
   struct Draws;
@@ -33,7 +40,10 @@ class PictureNoise {
   void FillAngles(const CameraSpec& camera);
   void AddColorNoise(const Draws& draws, std::span<std::uint8_t> color);
   void AddDepthNoise(const Draws& draws, std::span<const std::uint8_t> color,
-                     std::span<float> depth);
+                     std::span<const std::uint8_t> glass, std::span<float> depth);
+  void RunDepthKernel(const Draws& draws, std::span<const std::uint8_t> color,
+                      std::span<float> depth);
+  PixelAngles angles() const { return {across_, upwards_, stretch_}; }
   void PadDepth(std::span<const float> depth);
   void LosePanes(Rng rng, std::span<float> depth) const;
   void LosePane(Rng* rng, std::span<float> depth) const;
@@ -53,6 +63,7 @@ class PictureNoise {
   std::vector<float> clean_depth_;  // padded
   std::vector<std::uint16_t> color_line_;
   std::vector<float> depth_line_;
+  std::optional<GlassNoise> glass_;  // if it is asked for
 };
 
 }  // namespace bulletnav::sim

@@ -52,6 +52,11 @@ void DepthNoise::Validate() const {
   if (!(max_angle_deg > 0.0 && max_angle_deg <= 90.0)) {
     throw KeyError("max_angle_deg", "must be above 0 and at most 90");
   }
+  for (const double share : {glass_lost, glass_behind}) {
+    if (!(share >= 0.0 && share <= 1.0)) {
+      throw Error("glass_lost and glass_behind are shares, from 0 to 1");
+    }
+  }
   if (!(lateral_rad <= 0.1 && baseline_m <= 1.0)) {
     throw Error("lateral_rad is at most 0.1, baseline_m at most 1");
   }
@@ -105,6 +110,7 @@ SensorNoise Scaled(const SensorNoise& noise, double strength) {
                         &depth.lateral_rad, &depth.min_signal, &depth.panes}) {
     *value *= strength;
   }
+  depth.glass_lost = std::min(1.0, depth.glass_lost * strength);
   depth.disparity_m = std::min(kMostDepth, depth.disparity_m / strength);
   ColorNoise& color = scaled.color;
   color.exposure_stops *= strength;

@@ -19,10 +19,14 @@ namespace bulletnav::sim {
 ///   albedo cos(theta) / r^2 is below min_signal, within a factor of 0.5 to 1.5 drawn for each
 ///   pixel. The albedo is the square of the colour's luminance, 0.25 where there is no colour: so
 ///   what is dark only for want of light is taken for black.
+/// * Of glass and mirrors, met at an angle theta from their normal, a share
+///   1 - (1 - glass_lost) cos(theta) gives no return, and of the rest a share glass_behind is read
+///   from farther off, up to twice the range, as from what is behind a pane or in a mirror; both
+///   in patches. Which pixels show glass, the renderer tells (IsGlass).
 /// * `panes`: expected number, in a picture, of upright parts of surfaces without any return, for
-///   the windows, mirrors and sunlit places that the picture does not tell from others.
-/// Not modelled: glass itself (what is behind a pane cannot be known from the picture), errors
-/// that last from picture to picture, several echoes. Sources: assets/sensor_noise.yaml.
+///   the windows, mirrors and sunlit places that nobody tells from others.
+/// Not modelled: what really is behind a pane or in a mirror, errors that last from picture to
+/// picture, several echoes. Sources: assets/sensor_noise.yaml.
 struct DepthNoise {
   double axial_m = 0.0;
   double axial_per_m2 = 0.0;
@@ -35,6 +39,8 @@ struct DepthNoise {
   double max_range_m = 0.0;  // 0: no limit
   double max_angle_deg = 90.0;
   double min_signal = 0.0;
+  double glass_lost = 0.0;
+  double glass_behind = 0.0;
   double panes = 0.0;
 
   template <class V>
@@ -50,6 +56,8 @@ struct DepthNoise {
     v("max_range_m", max_range_m);
     v("max_angle_deg", max_angle_deg);
     v("min_signal", min_signal);
+    v("glass_lost", glass_lost);
+    v("glass_behind", glass_behind);
     v("panes", panes);
   }
   /// Throws Error.
@@ -112,8 +120,8 @@ SensorNoise NamedSensorNoise(std::string_view name);
 void RequireSensorNoise(std::string_view name);
 
 /// The same sensor, so much worse (above 1) or better: standard deviations, steps, shadows, what is
-/// too dark, and colour's spreads go with `strength`; ranges and angles stay. 0: no noise at all.
-/// Expects: strength in [0, 4] (checked).
+/// too dark, what glass loses, and colour's spreads go with `strength`; ranges and angles stay. 0:
+/// no noise at all. Expects: strength in [0, 4] (checked).
 SensorNoise Scaled(const SensorNoise& noise, double strength);
 
 }  // namespace bulletnav::sim

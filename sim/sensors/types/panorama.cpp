@@ -19,7 +19,7 @@ class Panorama final : public Sensor {
       : camera_(scene.render, config.panorama, config.channels) {}
 
   void Read(const SensorInput& input, std::span<const std::span<std::byte>> out) override {
-    camera_.Read(input.eye, out);
+    camera_.Read(input.eye, out, input.glass);
   }
 
  private:

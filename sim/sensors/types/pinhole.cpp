@@ -19,7 +19,7 @@ class Pinhole final : public Sensor {
       : mount_(config.mount), camera_(scene.render, config.camera, config.channels) {}
 
   void Read(const SensorInput& input, std::span<const std::span<std::byte>> out) override {
-    camera_.Read(mount_.On(input.pose, input.eye), out);
+    camera_.Read(mount_.On(input.pose, input.eye), out, input.glass);
   }
 
  private:

@@ -267,6 +267,21 @@ TEST(Environment, GoalsHaveTheSensorsNoiseToo) {
   EXPECT_NE(noisy, GoalPictures(task, "b"));
 }
 
+TEST(Environment, GoalsLoseMirrorsToo) {
+  Task task = SmallTask();
+  task.sensor_noise = sim::NamedSensorNoise("depth_camera");
+  sim::SceneMesh room = tests::BoxRoom(8, 2.6f, 8);
+  const auto lost_with_walls_of = [&](const std::string& name) {
+    for (sim::Material& material : room.materials) material.name = name;
+    Lanes lanes(task);
+    lanes.environment.Reset(0, Ahead({1.5}), sim::World::FromMesh(room, "room"));
+    const std::span<const float> depth = lanes.environment.goal(0).depth;
+    return std::count(depth.begin(), depth.end(), 0.0f);
+  };
+  EXPECT_LT(lost_with_walls_of("paint"), 16 * 64 / 4);
+  EXPECT_GT(lost_with_walls_of("mirror"), 16 * 64 / 2);
+}
+
 void ExpectWhatASimulatorShows(const Task& task) {
   const auto room = Room();
   Lanes lanes(task);

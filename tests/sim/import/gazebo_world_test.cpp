@@ -67,6 +67,18 @@ class GazeboWorld : public testing::Test {
 
 constexpr const char* kBox = "<box><size>1 2 3</size></box>";
 
+TEST_F(GazeboWorld, ShapesTellOfWhatLightGoesThrough) {
+  for (const auto& [transparency, name] :
+       {std::pair{"0.6", "(see-through)"}, std::pair{"0", ""}, std::pair{"1", ""}}) {
+    const std::string model =
+        "<model name='m'><link name='l'><visual name='v'><transparency>" +
+        std::string(transparency) +
+        "</transparency><geometry><box><size>4 4 2</size></box></geometry></visual></link></model>";
+    const SceneMesh mesh = ImportScene(World(model)).mesh;
+    EXPECT_EQ(mesh.materials[mesh.triangle_materials[0]].name, name) << transparency;
+  }
+}
+
 TEST_F(GazeboWorld, ShapesStandWhereTheirPosesSayZUp) {
   const ImportedScene scene = ImportScene(World(
       Model("crate", "1 2 1.5 0 0 0", kBox) +

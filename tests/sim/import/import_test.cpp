@@ -96,6 +96,24 @@ TEST(Import, ObjWithMaterialsAndTexture) {
   EXPECT_TRUE(has_blue);
 }
 
+/// Of the triangles that come last.
+std::string LastMaterial(const SceneMesh& mesh) {
+  return mesh.materials[mesh.triangle_materials.back()].name;
+}
+
+TEST(Import, ObjTellsOfWhatLightGoesThrough) {
+  const TemporaryFolder folder;
+  for (const auto& [opacity, name] :
+       {std::pair{"d 0.3", "pane (see-through)"}, std::pair{"Tr 0.7", "pane (see-through)"},
+        std::pair{"d 1", "pane"}, std::pair{"d 0.95", "pane"}, std::pair{"d 0", "pane"}}) {
+    folder.Write("room.mtl",
+                 std::string("newmtl wood\nKd 1 1 1\nnewmtl pane\nKd 0 0 1\n") + opacity + "\n");
+    const auto file = folder.Write(
+        "room.obj", "mtllib room.mtl\nusemtl wood\n" + kRoomObj + "usemtl pane\nf 1 3 7\n");
+    EXPECT_EQ(LastMaterial(ImportScene(file).mesh), name) << opacity;
+  }
+}
+
 TEST(Import, ABrokenTextureIsGreyAndNamed) {
   const TemporaryFolder folder;
   folder.Write("bad.png", "this is no picture");
@@ -447,6 +465,28 @@ TEST(Import, GltfBuffersMayLieBesideItOrInIt) {
     EXPECT_EQ(scene.report.triangles, 2u);
     EXPECT_TRUE(scene.report.extent_m.isApprox(Vec(4, 0, 4)));
   }
+}
+
+/// The floor with a material called pane.
+ImportedScene Glazed(const std::string& material) {
+  const TemporaryFolder folder;
+  const Changes changes = {
+      {"\"indices\":1", "\"indices\":1,\"material\":0"},
+      {"\"scene\":0",
+       R"("scene":0,"extensionsUsed":["KHR_materials_transmission"],"materials":[{"name":"pane",)" +
+           material + "}]"}};
+  return ImportScene(folder.Write("a.gltf", FloorGltf(FloorUri(3), changes)));
+}
+
+TEST(Import, GltfTellsOfWhatLightGoesThrough) {
+  const std::string clear = R"("pbrMetallicRoughness":{"baseColorFactor":[1,1,1,0.25]})";
+  const std::string blends = R"("alphaMode":"BLEND",)";
+  const std::string transmits =
+      R"("extensions":{"KHR_materials_transmission":{"transmissionFactor":1}})";
+  EXPECT_EQ(LastMaterial(Glazed(blends + clear).mesh), "pane (see-through)");
+  EXPECT_EQ(LastMaterial(Glazed(transmits).mesh), "pane (see-through)");
+  EXPECT_EQ(LastMaterial(Glazed(clear).mesh), "pane");  // its alpha does not count
+  EXPECT_EQ(LastMaterial(Glazed(R"("alphaMode":"BLEND")").mesh), "pane");
 }
 
 /// The floor under a chain of nodes, each the next one's parent.

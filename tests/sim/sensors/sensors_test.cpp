@@ -204,6 +204,90 @@ TEST(Sensors, ABatchsPanoramaHasTheNoiseOfASimulators) {
   EXPECT_FALSE(std::equal(seen.color.begin(), seen.color.end(), color.begin()));
 }
 
+/// A room whose far wall is one pane, called so.
+std::shared_ptr<const World> RoomWithAPane(const std::string& name) {
+  SceneMesh mesh = BoxRoom(4, 2.6f, 6);
+  tests::AddQuad({0.5f, 0.5f, -5.9f}, {3.5f, 0.5f, -5.9f}, {3.5f, 2.2f, -5.9f}, {0.5f, 2.2f, -5.9f},
+                 kWhite, &mesh);
+  mesh.materials.back().name = name;
+  return World::FromMesh(mesh, "room");
+}
+
+/// All that a body at the start sees, with colour.
+Observation SeenAtTheStart(const std::shared_ptr<const World>& world, const SensorNoise& noise) {
+  SimulatorSpec spec;
+  spec.panorama = {.rows = 64, .cols = 256};
+  spec.sensors = SensorSet::Usual(spec.panorama, true, true);
+  PinholeSensorConfig ahead;
+  ahead.camera = {.rows = 48, .cols = 64};
+  spec.sensors.Add("front", PinholeSensor(ahead));
+  spec.sensor_noise = noise;
+  Simulator simulator(world, spec);
+  return simulator.Reset(kStart, {1, 1});
+}
+
+TEST(Sensors, APaneLosesDepthInItsAreaAlone) {
+  const SensorNoise noise = NamedSensorNoise("depth_camera");
+  const auto glazed = RoomWithAPane("Window");
+  const Observation pane = SeenAtTheStart(glazed, noise);
+  const Observation wall = SeenAtTheStart(RoomWithAPane("wallpaper"), noise);
+  EXPECT_EQ(pane.color, wall.color);
+  EXPECT_TRUE(std::ranges::equal(pane.values<std::uint8_t>("front.color"),
+                                 wall.values<std::uint8_t>("front.color")));
+  std::vector<std::uint8_t> glass(pane.depth.size());
+  const CameraPose eye = {kStart.position.cast<float>() + Eigen::Vector3f(0, 1.25f, 0),
+                          static_cast<float>(kStart.yaw)};
+  glazed->render_scene()
+      .MakeRenderer(PanoramaSpec{.rows = 64, .cols = 256})
+      ->Draw({&eye, 1}, {{}, {}, {}, glass});
+  double of_glass = 0.0;
+  double lost = 0.0;
+  std::size_t others = 0;
+  for (std::size_t i = 0; i < glass.size(); ++i) {
+    if (glass[i] == 0) {
+      others += pane.depth[i] != wall.depth[i] ? 1 : 0;
+      continue;
+    }
+    of_glass += 1.0;
+    lost += pane.depth[i] == 0.0f && wall.depth[i] > 0.0f ? 1.0 : 0.0;
+  }
+  EXPECT_GT(of_glass, 200.0);
+  EXPECT_GT(lost / of_glass, 0.5);  // 0.75 and more is expected, but holes are large
+  EXPECT_LE(others, 120u);          // at its edges, where rays go astray
+  EXPECT_FALSE(
+      std::ranges::equal(pane.values<float>("front.depth"), wall.values<float>("front.depth")));
+}
+
+TEST(Sensors, GlassDoesNothingToCamerasThatDoNotAsk) {
+  for (const char* name : {"none", "phone_camera"}) {
+    const Observation pane = SeenAtTheStart(RoomWithAPane("Window"), NamedSensorNoise(name));
+    const Observation wall = SeenAtTheStart(RoomWithAPane("wallpaper"), NamedSensorNoise(name));
+    EXPECT_EQ(pane.color, wall.color);
+    EXPECT_EQ(pane.depth, wall.depth);
+  }
+}
+
+TEST(Sensors, GlassIsTheSameForAnyNumberOfLanesAndWorkers) {
+  constexpr std::size_t kLanes = 5;
+  const SensorNoise noise = NamedSensorNoise("stereo_camera");
+  const auto world = RoomWithAPane("Window");
+  const Observation alone = SeenAtTheStart(world, noise);
+  SimulatorSpec spec;
+  spec.panorama = {.rows = 64, .cols = 256};
+  spec.sensor_noise = noise;
+  for (const int workers : {1, 3}) {
+    BatchSimulator batch(std::vector(kLanes, world), spec, workers);
+    for (int lane = 0; lane < static_cast<int>(kLanes); ++lane) {
+      batch.Reset(lane, lane == 3 ? kStart : BodyPose{{1.5, 0, -2}, 0.4 * lane}, {1, 1});
+    }
+    std::vector<float> depth(kLanes * alone.depth.size());
+    std::vector<std::uint8_t> color(3 * depth.size());
+    batch.Observe({color, depth});
+    const auto mine = std::span(depth).subspan(3 * alone.depth.size(), alone.depth.size());
+    EXPECT_THAT(mine, ElementsAreArray(alone.depth)) << workers;
+  }
+}
+
 TEST(Sensors, ABatchReadsWhatIsWantedAlone) {
   const auto world = Room();
   BatchSimulator batch({world, world}, Spec(), 1);
