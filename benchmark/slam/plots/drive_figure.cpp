@@ -5,7 +5,10 @@
 #include <cstddef>
 #include <memory>
 
+#include <fmt/core.h>
+
 #include "benchmark/report/palette.h"
+#include "benchmark/slam/runs/measure_drive.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -13,6 +16,7 @@ namespace {
 constexpr double kPanel = 420.0;  // units of a panel's side
 constexpr double kTitle = 34.0;
 constexpr double kGap = 16.0;
+constexpr std::size_t kInARow = 3;  // panels
 
 using Way = std::vector<Eigen::Vector2d>;  // world x, z
 
@@ -34,6 +38,12 @@ Way WayOf(const std::vector<sim::BodyPose>& poses) {
   return way;
 }
 
+/// With how far it is off, laid on the first true pose, in the mean.
+std::string TitleOf(const DrivePanel& panel, const std::vector<sim::BodyPose>& truth) {
+  if (truth.empty() || truth.size() != panel.poses.size()) return panel.title;
+  return fmt::format("{}: {:.2f} m off", panel.title, MeasureBoth(truth, panel.poses).start.mean);
+}
+
 /// What is drawn, ready in the world's coordinates.
 struct Drawing {
   std::vector<DrivePanel> panels;
@@ -50,7 +60,8 @@ Drawing DrawingOf(const DrivePicture& picture, const std::optional<SceneMap>& ma
   drawing.map = map;
   const sim::BodyPose first = picture.truth.empty() ? sim::BodyPose{} : picture.truth.front();
   for (const Eigen::Vector2d& at : drawing.truth) drawing.extent.extend(at);
-  for (const DrivePanel& panel : picture.panels) {
+  for (DrivePanel& panel : drawing.panels) {
+    panel.title = TitleOf(panel, picture.truth);
     drawing.ways.push_back(WayOf(panel.poses, first));
     for (const Eigen::Vector2d& at : drawing.ways.back()) drawing.extent.extend(at);
   }
@@ -105,9 +116,11 @@ void DrawLoops(const std::vector<LoopRecord>& loops, const Way& way, const Panel
 }
 
 void DrawPanel(const Drawing& drawing, std::size_t panel, Canvas* canvas) {
-  const double left = kGap + static_cast<double>(panel) * (kPanel + kGap);
-  const Eigen::AlignedBox2d box(Eigen::Vector2d(left, kTitle),
-                                Eigen::Vector2d(left + kPanel, kTitle + kPanel));
+  const double left = kGap + static_cast<double>(panel % kInARow) * (kPanel + kGap);
+  const std::size_t row = panel / kInARow;
+  const double top = static_cast<double>(row) * (kTitle + kPanel + kGap);
+  const Eigen::AlignedBox2d box(Eigen::Vector2d(left, top + kTitle),
+                                Eigen::Vector2d(left + kPanel, top + kTitle + kPanel));
   const PanelPlace place(drawing, box);
   canvas->Clip(box);
   if (drawing.map) DrawFloor(*drawing.map, place, canvas);
@@ -118,7 +131,7 @@ void DrawPanel(const Drawing& drawing, std::size_t panel, Canvas* canvas) {
   DrawLoops(drawing.panels[panel].loops, way, place, canvas);
   if (!way.empty()) canvas->Disc(place.At(way.front()), 4.0, kInk);
   canvas->Unclip();
-  canvas->Text({box.center().x(), kTitle / 2.0}, drawing.panels[panel].title,
+  canvas->Text({box.center().x(), top + kTitle / 2.0}, drawing.panels[panel].title,
                {14.0, kInk, true, Align::kCenter, false, false});
 }
 
@@ -126,10 +139,12 @@ void DrawPanel(const Drawing& drawing, std::size_t panel, Canvas* canvas) {
 
 Figure DriveFigure(const DrivePicture& picture, const std::optional<SceneMap>& map) {
   const auto drawing = std::make_shared<const Drawing>(DrawingOf(picture, map));
-  const double panels = static_cast<double>(picture.panels.size());
+  const std::size_t panels = picture.panels.size();
+  const auto columns = static_cast<double>(std::min(panels, kInARow));
+  const std::size_t rows = (panels + kInARow - 1) / kInARow;
   Figure figure;
-  figure.width = static_cast<int>(kGap + panels * (kPanel + kGap));
-  figure.height = static_cast<int>(kTitle + kPanel + kGap);
+  figure.width = static_cast<int>(kGap + columns * (kPanel + kGap));
+  figure.height = static_cast<int>(static_cast<double>(rows) * (kTitle + kPanel + kGap));
   figure.draw = [drawing](Canvas* canvas) {
     for (std::size_t i = 0; i < drawing->panels.size(); ++i) DrawPanel(*drawing, i, canvas);
   };

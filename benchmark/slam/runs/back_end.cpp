@@ -79,6 +79,7 @@ Edges EdgesAt(const Edges& loops, const std::vector<int>& places) {
 }
 
 /// Whether odometry alone vouches for loops: what most of them say it says as well, by no chance.
+/// Wrong runs are the rarer, the longer.
 bool IsVouchedFor(const std::vector<int>& chosen, const Edges& loops, const Chain& chain,
                   const BackEndSpec& spec) {
   if (spec.lone_chance == 0.0) return false;
@@ -89,7 +90,8 @@ bool IsVouchedFor(const std::vector<int>& chosen, const Edges& loops, const Chai
   }
   const auto middle = chances.begin() + static_cast<std::ptrdiff_t>(chances.size() / 2);
   std::nth_element(chances.begin(), middle, chances.end());
-  return *middle <= spec.lone_chance;
+  constexpr std::size_t kMostCounted = 5;
+  return *middle <= spec.lone_chance * static_cast<double>(std::min(kMostCounted, chances.size()));
 }
 
 /// None of them if too few support each other, and odometry does not either.

@@ -52,8 +52,8 @@ struct BackEndSpec {
   double confidence = 0.99;  // of right ones that agree
   int runs = 2;      // loops that must support each other, or none is taken, see SeparateLoops
   int run_gap = 20;  // frames that such loops are apart at both ends, at least
-  /// Or as few wrong loops as this share would agree with odometry as well as most of theirs do, as
-  /// where it has come a short way. 0: none is taken without support.
+  /// Or at most this share of wrong loops, times how many they are but at most 5, would agree with
+  /// odometry as well as most of them do, as on a short way. 0: none is taken without support.
   double lone_chance = 0.01;
   /// Standard deviations that a loop may be off in the optimised graph, along, across or in yaw;
   /// those that are further off go, and it is optimised again. 0: all stay.
