@@ -41,7 +41,7 @@ const std::vector<std::vector<std::string>> kFloors = {
     {"agent/perception/"},
     {"agent/slam/descriptors/"},
     {"agent/policy/"},
-    {"agent/nts/"},
+    {"agent/metric_map/", "agent/nts/"},
     {"agent/baselines/"},
     {"benchmark/base/"},
     {"benchmark/episodes/"},

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "agent/mapping/metric_map_agent.h"
+#include "agent/metric_map/metric_map_agent.h"
 #include "agent/models/usual_slots.h"
 #include "agent/policy/exploration_policy.h"
 #include "agent/policy/exploration_view.h"

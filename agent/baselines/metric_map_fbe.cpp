@@ -2,7 +2,7 @@
 #include <optional>
 #include <vector>
 
-#include "agent/mapping/metric_map_agent.h"
+#include "agent/metric_map/metric_map_agent.h"
 #include "agent/models/usual_slots.h"
 #include "agent/registry.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "agent/mapping/metric_map_agent.h"
+#include "agent/metric_map/metric_map_agent.h"
 
 #include "agent/models/free_space_model.h"
 #include "agent/models/usual_slots.h"
