@@ -67,6 +67,14 @@ void RequireComplete(const fs::path& folder, const std::vector<Shard>& shards) {
                               FirstOf(missing, ", "), missing.front(), folder.string()));
 }
 
+/// The folder of a shard is of no other: one that was copied would take another's place.
+void RequireOwnRecord(const fs::path& place, const Shard& shard, const ShardRecord& record) {
+  if (Shard{record.shard, record.of} == shard) return;
+  throw FileError(place / "shard.yaml", "",
+                  fmt::format("is of shard {}/{}; delete the folder and play shard {}/{}",
+                              record.shard, record.of, shard.number, shard.of));
+}
+
 std::vector<Part> ReadParts(const fs::path& folder) {
   std::vector<Shard> shards = ShardsIn(folder);
   // Of one that was stopped before it began there may be the folder alone.
@@ -78,8 +86,10 @@ std::vector<Part> ReadParts(const fs::path& folder) {
   parts.reserve(shards.size());
   for (const Shard& shard : shards) {
     const fs::path place = ShardFolder(folder, shard);
-    parts.push_back({place, ReadShardRecord(place), sim::ReadTextFile(place / "config.yaml"),
-                     ReadResultLines(place)});
+    const ShardRecord record = ReadShardRecord(place);
+    RequireOwnRecord(place, shard, record);
+    parts.push_back(
+        {place, record, sim::ReadTextFile(place / "config.yaml"), ReadResultLines(place)});
   }
   return parts;
 }

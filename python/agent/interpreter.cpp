@@ -8,6 +8,7 @@
 
 #include <pthread.h>
 #include <sys/prctl.h>
+#include <unistd.h>
 
 namespace bulletnav::python {
 namespace {
@@ -54,10 +55,25 @@ void EndWithParent() {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
 }
 
+/// os._exit in an agent would end the run without a word; children that it has forked may.
+void GuardExit() {
+  const py::module_ os = py::module_::import("os");
+  const py::object leave = os.attr("_exit");
+  const pid_t run = ::getpid();
+  os.attr("_exit") = py::cpp_function([leave, run](const py::object& status) {
+    if (::getpid() != run) leave(status);
+    PyErr_SetString(PyExc_SystemExit, "os._exit, which would end the whole run");
+    throw py::error_already_set();
+  });
+}
+
 bool Start() {
   Initialize();
   ::pthread_atfork(nullptr, nullptr, &EndWithParent);
   FindModules();
+  GuardExit();
+  // What crashes in C code is told with Python's traceback before the process ends.
+  py::module_::import("faulthandler").attr("enable")();
   PyEval_SaveThread();
   return true;
 }
@@ -87,6 +103,19 @@ std::string Traceback(const py::error_already_set& error) {
     return text;
   } catch (const py::error_already_set&) {
     return error.what();  // An exception that cannot even be shown.
+  }
+}
+
+std::string Place(const py::error_already_set& error) {
+  if (!error.trace()) return "";
+  try {
+    const py::list frames = py::module_::import("traceback").attr("extract_tb")(error.trace());
+    if (frames.empty()) return "";
+    const py::object last = frames[frames.size() - 1];
+    const auto file = last.attr("filename").cast<std::string>();
+    return file + ":" + py::str(last.attr("lineno")).cast<std::string>();
+  } catch (const py::error_already_set&) {
+    return "";
   }
 }
 

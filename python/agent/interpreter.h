@@ -18,6 +18,8 @@ std::string OtherPythonNote();
 
 /// Traceback and message of what Python raised. The lock must be held.
 std::string Traceback(const pybind11::error_already_set& error);
+/// Where it was raised: "mine.py:12", empty if that is not in Python. The lock must be held.
+std::string Place(const pybind11::error_already_set& error);
 /// Its last line.
 std::string LastLine(const std::string& text);
 

@@ -24,8 +24,8 @@ class PythonLane : public agent::Agent {
 };
 
 /// What bulletnav-python.so, which alone knows libpython, does for the program: makes an agent of a
-/// class in a Python module, "mine:MyAgent", with options as JSON. Throws sim::Error, in one line,
-/// if there is no such module or class or it cannot be built.
+/// class in a Python module, "mine:MyAgent", with options as JSON. Throws sim::FileError, in one
+/// line, if there is no such module or class or it cannot be built.
 /// The class:
 ///   __init__(self, rig, options)      rig: {"rows", "cols", "projection", "max_depth_m",
 ///                                     "has_color", "has_depth", "camera_height"}

@@ -68,7 +68,7 @@ class PythonAgent final : public PythonLane {
       : rig_(context.rig) {
     const std::size_t colon = name.find(':');
     if (colon == std::string::npos) {
-      throw sim::Error("module: '" + name + "' must be MODULE:CLASS, as in mine:MyAgent");
+      throw sim::FileError(name, "", "an agent's module must be MODULE:CLASS, as in mine:MyAgent");
     }
     StartInterpreter();
     const pid_t process = ::getpid();
@@ -85,8 +85,10 @@ class PythonAgent final : public PythonLane {
     } catch (const py::error_already_set& e) {
       EndChild(process);
       own_.release().dec_ref();
-      throw sim::Error("the Python agent " + name + " cannot be built: " + LastLine(Traceback(e)) +
-                       OtherPythonNote());
+      const std::string place = Place(e);
+      throw sim::FileError(name, "",
+                           "this agent cannot be built: " + LastLine(Traceback(e)) +
+                               (place.empty() ? "" : " (" + place + ")") + OtherPythonNote());
     }
   }
 

@@ -6,8 +6,13 @@ keeps. Source of the algorithm: Schulman et al., Proximal Policy Optimization, 2
 """
 import argparse
 
-import torch
-from torch import nn
+import sys
+
+try:
+    import torch
+    from torch import nn
+except ImportError:
+    sys.exit("ppo.py: needs PyTorch and numpy; on Debian: apt install python3-torch")
 
 import bulletnav
 

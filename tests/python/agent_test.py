@@ -91,6 +91,19 @@ class Stubborn(Walker):
         except BaseException:
             return self.act(observation)
 
+class Ends(Walker):
+    def act(self, observation):
+        os._exit(0)
+
+class Crashes(Walker):
+    def act(self, observation):
+        import ctypes
+        ctypes.string_at(0)
+
+class RaisesWhenBuilt(Walker):
+    def __init__(self, rig, options):
+        raise RuntimeError("no weights here")
+
 class NoAct:
     def __init__(self, rig, options): pass
     def reset(self, goal, seed): pass
@@ -167,6 +180,22 @@ class Agents(unittest.TestCase):
             if result["agent"] == "Raises":
                 self.assertIn("mine.py\", line", result["failure"])  # Its traceback.
 
+    def test_one_that_would_end_the_process_fails_its_episodes(self):
+        done, results = self.run_agents(
+            self.WALKER + "  - {agent: python, name: ends, parameters: {module: 'mine:Ends'}}\n")
+        self.assertEqual((done.returncode, len(results)), (0, 8), done.stderr)
+        for result in results:
+            if result["agent"] == "ends":
+                self.assertIn("SystemExit: os._exit", result["failure"])
+            else:
+                self.assertIsNone(result["failure"])
+
+    def test_a_crash_in_c_code_is_told_with_its_place(self):
+        done, _ = self.run_agents(
+            "  - {agent: python, name: crashes, parameters: {module: 'mine:Crashes'}}\n")
+        self.assertNotEqual(done.returncode, 0)
+        self.assertRegex(done.stderr, 'mine.py", line [0-9]+ in act')
+
     def test_one_that_forks_leaves_one_run(self):
         for name in ("Forks", "ForksAndAnswersNonsense", "ForksWhenBuilt", "LeavesAChild"):
             done, results = self.run_agents(
@@ -227,11 +256,13 @@ class Agents(unittest.TestCase):
 
     def test_what_cannot_be_built_is_said_in_a_line(self):
         for module, expected in (("none:Walker", "No module named 'none'"), ("mine:None_", "None_"),
-                                 ("mine", "MODULE:CLASS"), ("mine:NoAct", "act")):
+                                 ("mine", "MODULE:CLASS"), ("mine:NoAct", "act"),
+                                 ("mine:RaisesWhenBuilt", "no weights here ({folder}/mine.py:")):
+            # Others that could play do not: the line would be overlooked.
             done, results = self.run_agents(
-                f"  - {{agent: python, parameters: {{module: '{module}'}}}}\n", module.replace(":", "_"))
+                f"{self.WALKER}  - {{agent: python, parameters: {{module: '{module}'}}}}\n", module.replace(":", "_"))
             self.assertEqual((done.returncode, results), (1, []))
-            self.assertIn(expected, done.stderr.splitlines()[-1])
+            self.assertIn(expected.format(folder=self.folder), done.stderr.splitlines()[-1])
         done, _ = self.run_agents("  - {agent: python}\n")
         self.assertIn("MODULE:CLASS", done.stderr)
 

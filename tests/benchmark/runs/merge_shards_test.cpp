@@ -167,6 +167,15 @@ TEST_F(MergeShardsTest, TheFirstEpisodesCanBeSplitToo) {
   EXPECT_EQ(Files("split"), Files("whole"));
 }
 
+TEST_F(MergeShardsTest, ACopyDoesNotTakeAnotherShardsPlace) {
+  for (const int number : {1, 3}) Play("run", Shard{number, 3});
+  fs::copy(ShardFolder(folder("run"), {1, 3}), ShardFolder(folder("run"), {2, 3}),
+           fs::copy_options::recursive);
+  EXPECT_THAT(Complaint("run"), AllOf(HasSubstr("2-of-3/shard.yaml"), HasSubstr("of shard 1/3"),
+                                      HasSubstr("play shard 2/3")));
+  EXPECT_FALSE(fs::exists(folder("run") / "episodes.jsonl"));
+}
+
 TEST_F(MergeShardsTest, NamesWhatIsMissing) {
   EXPECT_THAT(Complaint("run"), HasSubstr("holds no shards; play them with"));
   Play("run", Shard{2, 3});
