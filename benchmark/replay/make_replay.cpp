@@ -122,8 +122,8 @@ class ReplayMaker {
     }
     if (versions.empty() || versions == std::vector{ProgramVersion()}) return "";
     return fmt::format(
-        "The run was played with bulletnav {}: playing it again needs that version, as this page "
-        "is made by another, {}.",
+        "The run was played with bulletnav {}: play it again with that version, not with {}, which "
+        "made this page.",
         fmt::join(versions, " and "), ProgramVersion());
   }
 
