@@ -19,17 +19,23 @@ function excuse(row) {
   return `The path of this episode was not kept, so there is nothing to play back.\n` +
     `To see it, play it again and make a page of that:\n\n` +
     `./bulletnav run ${run.folder}/config.yaml --only ${row.episode} --beliefs --out results/again\n` +
-    `./bulletnav replay results/again`;
+    `./bulletnav replay results/again` + (run.to_play_again ? `\n\n${run.to_play_again}` : "");
+}
+
+/// A line over the plan, of what went wrong; none for "".
+function say(text) {
+  byId("message").textContent = text;
 }
 
 /// Shows a result, and beside it that of the agent to compare with.
 async function choose(row, step = 0) {
   pause();
+  say("");
   const asked = ++now.asked;
   now.row = row;
   drawRows();
   const twin = twinOf(row);
-  let storey = null;
+  let storey = null, trouble = "";
   const results = [];
   try {
     for (const one of [row, twin]) {
@@ -38,14 +44,15 @@ async function choose(row, step = 0) {
     }
     storey = row.scene_block >= 0 ? await storeyOf(row.scene_block) : null;
   } catch (error) {
-    byId("notes").append(Object.assign(document.createElement("p"), {textContent: `Episode ${row.episode}: ${error.message}`}));
+    trouble = `Episode ${row.episode}: ${error.message}`;
   }
   if (asked !== now.asked) return;  // another was chosen meanwhile
+  say(trouble);
   Object.assign(now, {results, storey, twin});
   Object.assign(view, {zoom: 1, x: 0, z: 0});
   now.length = Math.max(0, ...results.map(one => one.steps));
   byId("step").max = now.length;
-  byId("step").disabled = byId("play").disabled = !results.length;
+  byId("step").disabled = byId("play").disabled = !now.length;
   byId("empty").textContent = excuse(row);
   drawVerdict();
   await useHouse(now.solid);
@@ -53,7 +60,7 @@ async function choose(row, step = 0) {
 }
 
 function goTo(step) {
-  now.step = Math.max(0, Math.min(step, now.length));
+  now.step = Math.max(0, Math.min(Math.trunc(step), now.length));
   byId("step").value = now.step;
   show();
   keepLink();
@@ -93,11 +100,11 @@ function show() {
   byId("layers").hidden = !now.results.length;
   for (const name of Object.keys(layers)) byId("layer_" + name).classList.toggle("on", layers[name]);
   byId("layer_solid").classList.toggle("on", now.solid);
-  if (now.solid) drawHouse(now);
-  else drawPlan(byId("plan"), {...now, layers});
   drawLegend(now.solid ? [] : now.results, now.step, layers);
   drawEvents();
   drawViews();
+  if (now.solid) drawHouse(now);  // last: what is below takes its room first
+  else drawPlan(byId("plan"), {...now, layers});
   const main = now.results[0];
   byId("now").textContent = main ? `step ${now.step} of ${now.length} · ${actionAt(main, now.step)}` : "";
   byId("play").textContent = now.playing ? "❚❚" : "▶";
@@ -162,9 +169,9 @@ function play() {
   if (!now.length) return;
   if (now.step >= now.length) now.step = 0;
   const rate = Math.max(10, now.length / 25) / 1000;
-  let before = performance.now(), at = now.step;
+  let before = null, at = now.step;  // the first frame's time may be one before this moment
   const tick = time => {
-    at += (time - before) * rate;
+    at += Math.max(0, time - (before ?? time)) * rate;
     before = time;
     if (Math.floor(at) !== now.step) { now.step = Math.min(Math.floor(at), now.length); byId("step").value = now.step; }
     now.playing = now.step < now.length ? requestAnimationFrame(tick) : 0;
@@ -216,6 +223,17 @@ function move(by) {
   choose(row);
 }
 
+/// After a change of filters, what is shown is in the list: the same row, or the same episode by
+/// the agent that was chosen, or the first row.
+function followList() {
+  if (!now.row || !shown.length) return;
+  const row = shown.includes(now.row) ? now.row
+    : shown.find(one => one.agent === filter.agent && one.task === now.row.task) || shown[0];
+  revealRow(shown.indexOf(row));
+  if (row !== now.row) choose(row);
+  else drawRows();
+}
+
 function revealRow(place) {
   const list = byId("list"), top = place * kRowHeight;
   if (top < list.scrollTop) list.scrollTop = top;
@@ -264,7 +282,7 @@ async function followLink() {
   const link = new URLSearchParams(location.hash.slice(1));
   const other = run.agents.findIndex(([name]) => name === link.get("with"));
   const agent = run.agents.findIndex(([name]) => name === link.get("agent"));
-  filter.other = other;
+  Object.assign(filter, {outcome: "", difficulty: "", other, setting: "", scene: -1, reason: "", gain: ""});
   if (agent >= 0) filter.agent = agent;
   updateFilters();
   updateTable();
@@ -277,7 +295,7 @@ async function followLink() {
     await choose(row, Number(link.get("step")) || 0);
   } else if (shown.length) {
     await choose(shown[0]);
-    if (link.get("episode")) byId("empty").textContent = "This page has no result of the link that was followed.";
+    if (link.get("episode")) say("This page has no result of the link that was followed. The first of the list is shown.");
   }
   if (link.get("charts")) showCharts(true);
 }

@@ -21,9 +21,19 @@ function gainOf(row) {
 const sceneName = scene => run.scene_names[scene];
 const numbered = (value, digits) => value === null ? "–" : value.toFixed(digits);
 
+/// By which of these results differ; all others have it in common.
+const variety = ["setting", "condition", "seed"].filter(name => run.rows.some(row => row[name] !== run.rows[0][name]));
+const variantOf = row => variety.map(name => name === "seed" ? `seed ${row.seed}` : row[name].replace("_", " ")).join(", ");
+if (variety.length) {
+  const letters = run.rows.reduce((most, row) => Math.max(most, variantOf(row).length), 7);
+  byId("left").parentNode.className = "varied";
+  byId("left").style.setProperty("--variant", `${Math.min(7 * letters, 130)}px`);
+}
+
 const columns = [
   {key: "", title: "", of: () => 0},
   {key: "episode", title: "Episode", of: row => row.episode},
+  {key: "variant", title: "Setting", of: variantOf},
   {key: "why", title: "Outcome", of: row => row.ok ? "~" : row.why},
   {key: "spl", title: "SPL", num: true,
    of: row => (row.spl ?? -1) + 1e-3 * (row.soft_spl ?? 0) - 1e-6 * (row.distance_to_goal ?? 999)},
@@ -70,7 +80,8 @@ function updateTable() {
 function drawColumns() {
   const head = byId("columns");
   head.className = filter.other >= 0 ? "compared" : "";
-  head.replaceChildren(...columns.filter(one => one.key !== "gain" || filter.other >= 0).map(one => {
+  const hidden = [filter.other >= 0 ? "" : "gain", variety.length ? "" : "variant"].filter(Boolean);
+  head.replaceChildren(...columns.filter(one => !hidden.includes(one.key)).map(one => {
     const cell = document.createElement("span");
     const on = one.key && one.key === order.column;
     cell.textContent = one.title + (on ? (order.down ? " ↓" : " ↑") : "");
@@ -101,7 +112,8 @@ function rowElement(row, place) {
   if (row.ok) mark.className = "ok";
   const who = filter.agent < 0 ? titleOf(row.agent) + " · " : "";
   const why = row.ok ? "reached" : row.why;
-  element.append(mark, cell("", row.episode), cell("why", who + why), cell("num", numbered(row.spl, 2)),
+  element.append(mark, cell("", row.episode), ...(variety.length ? [cell("variant", variantOf(row))] : []),
+                 cell("why", who + why), cell("num", numbered(row.spl, 2)),
                  cell("num", row.steps), cell("num", numbered(row.distance_to_goal, 1)));
   if (filter.other >= 0) {
     const gain = gainOf(row);
@@ -126,7 +138,7 @@ function chips(id, items, key) {
     const chip = document.createElement("button");
     chip.textContent = title;
     chip.className = filter[key] === value ? "on" : "";
-    chip.onclick = () => { filter[key] = value; updateFilters(); updateTable(); };
+    chip.onclick = () => { filter[key] = value; updateFilters(); updateTable(); followList(); };
     return chip;
   }));
 }
@@ -139,6 +151,7 @@ function options(id, items, key, change) {
     filter[key] = typeof filter[key] === "number" ? Number(select.value) : select.value;
     if (change) change();
     updateTable();
+    followList();
   };
 }
 

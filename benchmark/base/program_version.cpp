@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/base/program_version.h"
 
-#include <set>
+#include <algorithm>
 #include <sstream>
 #include <system_error>
 
@@ -37,11 +37,19 @@ void NoteVersion(const std::filesystem::path& folder) {
   sim::WriteFileAtomically(folder / kVersionsFile, text.append(line));
 }
 
-int CountVersions(const std::filesystem::path& folder) {
+std::vector<std::string> VersionsOf(const std::filesystem::path& folder) {
   std::istringstream lines(ReadVersions(folder));
-  std::set<std::string> versions;
-  for (std::string line; std::getline(lines, line);) versions.insert(line);
-  return static_cast<int>(versions.size());
+  std::vector<std::string> versions;
+  for (std::string line; std::getline(lines, line);) {
+    if (std::find(versions.begin(), versions.end(), line) == versions.end()) {
+      versions.push_back(line);
+    }
+  }
+  return versions;
+}
+
+int CountVersions(const std::filesystem::path& folder) {
+  return static_cast<int>(VersionsOf(folder).size());
 }
 
 }  // namespace bulletnav::bench

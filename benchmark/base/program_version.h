@@ -2,6 +2,7 @@
 #pragma once
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace bulletnav::bench {
 
@@ -16,7 +17,10 @@ std::string CommittedVersion();
 /// that did, in order. Throws sim::FileError.
 void NoteVersion(const std::filesystem::path& folder);
 
-/// How many versions have played there; 0 if none was noted.
+/// Versions that have played there, each once; none if none was noted. Throws sim::FileError.
+std::vector<std::string> VersionsOf(const std::filesystem::path& folder);
+
+/// How many they are.
 int CountVersions(const std::filesystem::path& folder);
 
 }  // namespace bulletnav::bench

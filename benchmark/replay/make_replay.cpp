@@ -11,9 +11,11 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "benchmark/base/gzip.h"
 #include "benchmark/base/json_cursor.h"
+#include "benchmark/base/program_version.h"
 #include "benchmark/play/belief_log.h"
 #include "benchmark/replay/replay_page.h"
 #include "benchmark/replay/replay_pictures.h"
@@ -31,8 +33,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kFloorStep = 0.1;  // metres
-constexpr int kMapPixels = 900;     // of the longer side of a furniture's picture
+constexpr double kFloorStep = 0.1;      // metres
+constexpr int kMapPixels = 900;         // of the longer side of a furniture's picture
+constexpr std::size_t kMostLines = 10;  // damaged lines that have a note each
 
 /// A scene, as long as its results are written.
 struct OpenScene {
@@ -67,6 +70,11 @@ class ReplayMaker {
     }
   }
 
+  void Note(const std::string& note) {
+    auto& notes = notes_.notes;
+    if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
+  }
+
   void Add(const std::function<void(std::size_t, std::size_t)>& progress) {
     std::map<std::string, std::vector<std::size_t>> by_scene;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
@@ -84,12 +92,14 @@ class ReplayMaker {
   }
 
   ReplayCount Finish() {
+    notes_.to_play_again = VersionHint();
     if (paths_ == 0) {
       Note("This run has kept no trajectories: there is the table, but nothing to play back.");
     } else if (beliefs_ == 0) {
-      Note(
-          "This run has logged no beliefs: what an agent believed is shown at its end alone. Run "
-          "with --beliefs to have it at each step.");
+      Note(std::string("This run has logged no beliefs: what an agent believed is shown at its end "
+                       "alone. Run "
+                       "with --beliefs to have it at each step.") +
+           (notes_.to_play_again.empty() ? "" : " " + notes_.to_play_again));
     }
     page_.Finish(RowsJson(options_.run, config_, AgentRowsOf(config_), rows_, notes_));
     ReplayCount count;
@@ -97,13 +107,24 @@ class ReplayMaker {
     count.paths = paths_;
     count.beliefs = beliefs_;
     count.picture_bytes = picture_bytes_;
-    count.notes = notes_;
+    count.notes = notes_.notes;
     return count;
   }
 
  private:
-  void Note(const std::string& note) {
-    if (std::find(notes_.begin(), notes_.end(), note) == notes_.end()) notes_.push_back(note);
+  /// Which version can play the run again, if others than this one have played it.
+  std::string VersionHint() {
+    std::vector<std::string> versions;
+    try {
+      versions = VersionsOf(options_.run);
+    } catch (const sim::Error& e) {
+      Note(e.what());
+    }
+    if (versions.empty() || versions == std::vector{ProgramVersion()}) return "";
+    return fmt::format(
+        "The run was played with bulletnav {}: play it again with that version, not with {}, which "
+        "made this page.",
+        fmt::join(versions, " and "), ProgramVersion());
   }
 
   /// What can be had of a result; the rest is noted.
@@ -126,6 +147,10 @@ class ReplayMaker {
     ++paths_;
     try {
       AddScene(*trajectory, &row);
+    } catch (const sim::Error& e) {
+      Note(fmt::format("{}. Paths in it are shown without a plan.", e.what()));
+    }
+    try {
       AddPictures(i, *trajectory);
     } catch (const sim::Error& e) {
       Note(e.what());
@@ -194,14 +219,19 @@ class ReplayMaker {
   bool has_tried_scene_ = false;
   int scene_blocks_ = 0;
   std::map<std::pair<std::string, std::string>, int> goals_;  // blocks by scene and episode
-  std::vector<std::string> notes_;
+  ReplayNotes notes_;
   std::size_t paths_ = 0;
   std::size_t beliefs_ = 0;
   std::uintmax_t picture_bytes_ = 0;
 };
 
-std::vector<ReplayRow> RowsOf(const ReplayOptions& options) {
-  std::vector<EpisodeResult> results = ReadResults(options.run);
+/// `damaged` gets a text for each line that cannot be read.
+std::vector<ReplayRow> RowsOf(const ReplayOptions& options, std::vector<std::string>* damaged) {
+  auto [results, lines] = ReadReadableResults(options.run);
+  *damaged = std::move(lines);
+  if (results.empty() && !damaged->empty()) {
+    throw sim::FileError(options.run, "", "holds no result that can be read: " + damaged->front());
+  }
   if (results.empty()) throw sim::FileError(options.run, "", "holds no results yet");
   const auto& wanted = options.episodes;
   std::vector<ReplayRow> rows;
@@ -221,13 +251,21 @@ std::vector<ReplayRow> RowsOf(const ReplayOptions& options) {
 
 ReplayCount MakeReplay(const ReplayOptions& options,
                        const std::function<void(std::size_t, std::size_t)>& progress) {
-  std::vector<ReplayRow> rows = RowsOf(options);
+  std::vector<std::string> damaged;
+  std::vector<ReplayRow> rows = RowsOf(options, &damaged);
   RunConfig config = LoadSavedRunConfig(options.run / "config.yaml");
   const fs::path file = options.out.empty() ? options.run / "replay.html" : options.out;
   ReplayCount count;
   sim::WriteFileAtomically(file, [&](const fs::path& temporary) {
     ReplayPage page(temporary, RunName(options.run) + " - BulletNav replay");
     ReplayMaker maker(options, std::move(config), std::move(rows), &page);
+    for (std::size_t i = 0; i < std::min(damaged.size(), kMostLines); ++i) {
+      maker.Note(damaged[i] + ". This line is left out.");
+    }
+    if (damaged.size() > kMostLines) {
+      maker.Note(fmt::format("{} more lines of episodes.jsonl cannot be read, and are left out.",
+                             damaged.size() - kMostLines));
+    }
     maker.Add(progress);
     count = maker.Finish();
   });

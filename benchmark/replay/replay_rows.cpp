@@ -76,7 +76,7 @@ std::string RunName(const std::filesystem::path& folder) {
 
 std::string RowsJson(const std::filesystem::path& folder, const RunConfig& config,
                      std::span<const AgentRow> agents, std::span<const ReplayRow> rows,
-                     const std::vector<std::string>& notes) {
+                     const ReplayNotes& notes) {
   Numbers names;
   Numbers scenes;
   Json list = Json::array();
@@ -104,7 +104,8 @@ std::string RowsJson(const std::filesystem::path& folder, const RunConfig& confi
                      {"agents", std::move(titles)},
                      {"scenes", scenes.names()},
                      {"scene_names", InOrder(scenes.names())},
-                     {"notes", notes},
+                     {"notes", notes.notes},
+                     {"to_play_again", notes.to_play_again},
                      {"columns", {"agent",          "setting",          "condition",   "seed",
                                   "scene",          "episode",          "difficulty",  "failure",
                                   "goals",          "reached",          "spl",         "soft_spl",

@@ -24,11 +24,17 @@ struct ReplayRow {
 /// A run's name: its folder's, with or without a slash at the end.
 std::string RunName(const std::filesystem::path& folder);
 
+/// What a page says of the run as a whole.
+struct ReplayNotes {
+  std::vector<std::string> notes;  // what is missing
+  std::string to_play_again;       // what this needs besides the command; mostly empty
+};
+
 /// What a page shows first, as JSON: {"name", "folder", "success_distance", "max_steps", "agents":
-/// [[name, title]], "scenes": [name], "notes": [text], "columns": [name], "rows": [[value of each
-/// column]]}.
+/// [[name, title]], "scenes": [name], "notes": [text], "to_play_again": text, "columns": [name],
+/// "rows": [[value of each column]]}.
 std::string RowsJson(const std::filesystem::path& folder, const RunConfig& config,
                      std::span<const AgentRow> agents, std::span<const ReplayRow> rows,
-                     const std::vector<std::string>& notes);
+                     const ReplayNotes& notes);
 
 }  // namespace bulletnav::bench

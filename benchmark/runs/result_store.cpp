@@ -34,7 +34,25 @@ struct Lines {
   std::size_t bytes = 0;
 };
 
-Lines ReadLines(const fs::path& file) {
+void AddLine(std::string_view line, const fs::path& file, int number, Lines* lines) {
+  EpisodeResult result = FromJsonLine(line, file, number);
+  const ResultKey key = result.key;
+  if (!lines->results.emplace(key, std::move(result)).second) {
+    throw FileError(file, std::to_string(number),
+                    fmt::format("episode '{}' of agent {} appears a second time; delete the line",
+                                key.episode, key.agent));
+  }
+  lines->texts.emplace(key, line);
+}
+
+/// A complaint with the line, also where it names the file alone.
+std::string AtLine(const fs::path& file, int number, const std::string& complaint) {
+  const std::string place = fmt::format("{}:{}:", file.string(), number);
+  return complaint.starts_with(place) ? complaint : place + " " + complaint;
+}
+
+/// `damaged`, if given, gets what is wrong with lines that are left out; else they throw.
+Lines ReadLines(const fs::path& file, std::vector<std::string>* damaged = nullptr) {
   Lines lines;
   const std::string text = sim::ReadTextFile(file);
   int number = 0;
@@ -42,17 +60,32 @@ Lines ReadLines(const fs::path& file) {
   for (std::size_t end = text.find('\n'); end != std::string::npos;
        end = text.find('\n', lines.bytes)) {
     const std::string_view line(text.data() + lines.bytes, end - lines.bytes);
-    EpisodeResult result = FromJsonLine(line, file, ++number);
-    const ResultKey key = result.key;
-    if (!lines.results.emplace(key, std::move(result)).second) {
-      throw FileError(file, std::to_string(number),
-                      fmt::format("episode '{}' of agent {} appears a second time; delete the line",
-                                  key.episode, key.agent));
+    try {
+      AddLine(line, file, ++number, &lines);
+    } catch (const sim::Error& e) {
+      if (damaged == nullptr) throw;
+      damaged->push_back(AtLine(file, number, e.what()));
     }
-    lines.texts.emplace(key, line);
     lines.bytes = end + 1;
   }
+  if (damaged != nullptr && lines.bytes < text.size()) {
+    damaged->push_back(
+        fmt::format("{}:{}: is cut off: the run was stopped here, or is still writing",
+                    file.string(), number + 1));
+  }
   return lines;
+}
+
+/// No lines yet, but a run.
+bool IsNewRun(const fs::path& folder) {
+  return !fs::exists(folder / kEpisodesFile) && fs::exists(folder / kConfigFile);
+}
+
+std::vector<EpisodeResult> InOrder(std::map<ResultKey, EpisodeResult> by_key) {
+  std::vector<EpisodeResult> results;
+  results.reserve(by_key.size());
+  for (auto& [key, result] : by_key) results.push_back(std::move(result));
+  return results;
 }
 
 std::string Joined(const ResultLines& lines) {
@@ -223,13 +256,15 @@ void ResultStore::Rewrite(const std::string& text) {
 }
 
 std::vector<EpisodeResult> ReadResults(const fs::path& folder) {
-  const fs::path file = folder / kEpisodesFile;
-  if (!fs::exists(file) && fs::exists(folder / kConfigFile)) return {};
-  Lines lines = ReadLines(file);
-  std::vector<EpisodeResult> results;
-  results.reserve(lines.results.size());
-  for (auto& [key, result] : lines.results) results.push_back(std::move(result));
-  return results;
+  if (IsNewRun(folder)) return {};
+  return InOrder(ReadLines(folder / kEpisodesFile).results);
+}
+
+ReadableResults ReadReadableResults(const fs::path& folder) {
+  if (IsNewRun(folder)) return {};
+  ReadableResults readable;
+  readable.results = InOrder(ReadLines(folder / kEpisodesFile, &readable.damaged).results);
+  return readable;
 }
 
 ResultLines ReadResultLines(const fs::path& folder) {

@@ -71,7 +71,17 @@ class ResultStore {
 /// is left out, and there may be none yet. Throws sim::FileError for damaged lines and keys that
 /// appear twice.
 std::vector<EpisodeResult> ReadResults(const std::filesystem::path& folder);
-/// The same, as they are written; none if there is no file.
+
+/// Results of a folder, and what is wrong with the lines that are left out: file, line, reason.
+struct ReadableResults {
+  std::vector<EpisodeResult> results;
+  std::vector<std::string> damaged;
+};
+/// What can be read of the results in a folder, ordered by key; of two results of one key the
+/// first. Throws sim::FileError if the file cannot be read at all.
+ReadableResults ReadReadableResults(const std::filesystem::path& folder);
+
+/// As ReadResults, as they are written; none if there is no file.
 ResultLines ReadResultLines(const std::filesystem::path& folder);
 
 /// "line 3 is 'seed: 1' there and 'seed: 2' here", of the first lines that differ.

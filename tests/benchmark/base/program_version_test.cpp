@@ -28,6 +28,7 @@ TEST(ProgramVersion, IsNotedOncePerVersionThatPlayed) {
   NoteVersion(folder.path());
   EXPECT_EQ(sim::ReadTextFile(file), "0.0.9 (abc)\n" + ProgramVersion() + "\n");
   EXPECT_EQ(CountVersions(folder.path()), 2);
+  EXPECT_THAT(VersionsOf(folder.path()), testing::ElementsAre("0.0.9 (abc)", ProgramVersion()));
   EXPECT_EQ(CountVersions(folder.path() / "none"), 0);
 }
 

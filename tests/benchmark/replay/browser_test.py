@@ -82,7 +82,20 @@ class Replay(unittest.TestCase):
         done, _ = support.replay(run)
         assert done.returncode == 0, done.stderr
         cls.page = (run / "replay.html").as_uri()
+        cls.varied = cls.page_of_two_settings(run).as_uri()
         cls.browser = cls.window(SOFTWARE_GL)
+
+    @classmethod
+    def page_of_two_settings(cls, run):
+        """Of results by another version, those of rgb without paths, and with a damaged line."""
+        other = pathlib.Path(shutil.copytree(run, cls.folder / "varied"))
+        lines = (other / "episodes.jsonl").read_text()
+        more = lines.replace('"setting":"rgbd"', '"setting":"rgb"') + "x" * 300 + "{\n"
+        (other / "episodes.jsonl").write_text(lines + more)
+        (other / "versions.txt").write_text("0.0.9 (abc)\n")
+        done, _ = support.replay(other, "--panoramas", "0")
+        assert done.returncode == 0, done.stderr
+        return other / "replay.html"
 
     @classmethod
     def window(cls, more):
@@ -96,6 +109,18 @@ class Replay(unittest.TestCase):
 
     def js(self, script):
         return self.browser.js(script)
+
+    def until(self, script):
+        """Waits until an expression is true: a busy machine takes its time."""
+        for _ in range(100):
+            if self.js(script):
+                return
+            time.sleep(0.05)
+        self.fail(f"still not so: {script}")
+
+    def until_shown(self):
+        """Waits until what is chosen is loaded."""
+        self.until("now.results.every(one => one.row === now.row) && location.hash === linkText()")
 
     def chip(self, text):
         self.js(f"[...document.querySelectorAll('.chips button')].find(b => b.textContent === '{text}').click()")
@@ -147,10 +172,94 @@ class Replay(unittest.TestCase):
         self.browser.press("ArrowRight")
         self.assertEqual(self.js("now.step"), 1)
         self.browser.press(" ")
-        time.sleep(0.6)
+        self.until("now.step > 2")
         self.browser.press(" ")
-        self.assertGreater(self.js("now.step"), 2)
         self.assertEqual(self.js("now.playing"), 0)
+
+    def test_plays_from_the_beginning_at_the_end(self):
+        self.js("choose(run.rows.filter(row => row.steps > 8).sort((a, b) => a.steps - b.steps)[0])")
+        time.sleep(0.3)
+        self.browser.press("End")
+        self.assertEqual(self.js("(byId('play').click(), now.step)"), 0)
+        self.until("now.step > 0")
+        self.until("now.step === now.length && !now.playing")
+
+    def test_frames_of_an_earlier_time_do_not_run_back(self):
+        self.js("(window.requestAnimationFrame = tick => { window.tick = tick; return 1; }, 0)")
+        self.browser.press("End")
+        self.browser.press(" ")
+        start = self.js("performance.now()")
+        steps = [self.js(f"(tick({start + time}), now.step)") for time in (-500, -900, 0, 300)]
+        self.assertEqual(steps[:2], [0, 0])
+        self.assertGreater(steps[3], 0)
+
+    def chosen(self):
+        """Is the row that is shown in the list, in sight and marked? Its agent and episode."""
+        self.until_shown()
+        marked = self.js("[...document.querySelectorAll('#list .row.on')].map(row => Number(row.dataset.number))")
+        self.assertEqual(marked, [self.js("now.row.number")])
+        return self.js("[run.agents[now.row.agent][0], now.row.episode]")
+
+    def test_filters_keep_what_is_shown_in_the_list(self):
+        self.js("choose(shown[2])")
+        episode = self.chosen()[1]
+        self.chip("random")
+        self.assertEqual(self.chosen(), ["random", episode], "the same episode")
+        step = self.js("(goTo(2), now.step)")
+        self.chip("All agents")
+        self.assertEqual(self.chosen(), ["random", episode], "nothing else is chosen")
+        self.assertEqual(self.js("now.step"), step)
+        for chip in ("Reached", "Failed"):
+            self.chip(chip)
+            self.chosen()
+        self.chip("shortest_path")
+        self.assertEqual(self.js("shown.length"), 0)
+        self.assertEqual(self.browser.complaints(), [])
+        self.js("choose(run.rows.find(row => run.agents[row.agent][0] === 'random'))")
+        time.sleep(0.3)
+        self.js("(filter.outcome = 'ok', updateTable(), followLink())")
+        self.assertEqual(self.chosen(), ["random", "room-easy-0000"], "a link beats filters")
+
+    def test_rows_tell_settings_apart(self):
+        self.assertEqual(self.js("document.querySelectorAll('#list .variant').length"), 0, "one setting")
+        self.browser.open(self.varied)
+        texts = self.js("[...document.querySelectorAll('#list .row')].map(row => row.children[1].textContent + row.children[2].textContent)")
+        self.assertEqual(len(set(texts)), 8, texts)
+        self.assertEqual(self.js("unique([...document.querySelectorAll('#list .variant')].map(one => one.textContent)).sort()"), ["rgb", "rgbd"])
+        self.assertTrue(self.js("[...document.querySelectorAll('#list .variant')].every(one => one.scrollWidth <= one.clientWidth)"))
+        ends = "[...document.querySelectorAll('%s span')].map(one => Math.round(one.getBoundingClientRect().right))"
+        self.assertEqual(self.js(ends % "#list .row:last-child"), self.js(ends % "#columns")[1:])
+
+    def test_nothing_to_play_back(self):
+        enabled = "[byId('play').disabled, byId('step').disabled]"
+        self.assertEqual(self.js(enabled), [False, False])
+        self.browser.open(self.varied)
+        self.js("choose(run.rows.find(row => !row.has_path))")
+        time.sleep(0.3)
+        self.assertEqual(self.js(enabled), [True, True])
+        self.browser.press(" ")
+        hint = self.js("byId('empty').textContent")
+        self.assertIn("--only room-easy", hint)
+        self.assertIn("played with bulletnav 0.0.9 (abc)", hint)
+        self.js("choose(run.rows.find(row => row.has_path))")
+        time.sleep(0.3)
+        self.assertEqual(self.js(enabled), [False, False])
+
+    def test_notes_stay_in_their_box(self):
+        self.browser.open(self.varied)
+        self.assertIn("episodes.jsonl:25", self.js("byId('notes').textContent"))
+        self.assertTrue(self.js("byId('notes').scrollWidth <= byId('notes').clientWidth"))
+        self.js("(byId('notes').append('a/'.repeat(900)), 0)")
+        self.assertTrue(self.js("byId('notes').scrollWidth <= byId('notes').clientWidth"))
+        self.assertTrue(self.js("document.body.scrollHeight <= innerHeight && document.body.scrollWidth <= innerWidth"))
+
+    def test_the_plan_has_its_shape_at_once(self):
+        self.js("(window.onresize = null, 0)")
+        for step in ("run.rows[0]", "run.rows[8]"):
+            self.js(f"choose({step})")
+            time.sleep(0.3)
+            self.assertEqual(self.js("[byId('plan').width, byId('plan').height]"),
+                             self.js("[byId('plan').clientWidth, byId('plan').clientHeight]"))
 
     def test_links_lead_back(self):
         self.js("choose(run.rows[7], 3)")
@@ -159,7 +268,13 @@ class Replay(unittest.TestCase):
         self.browser.open(link)
         self.assertEqual(self.js("[now.row.number, now.step]"), [7, 3])
         self.browser.open(self.page + "#agent=random&episode=none")
-        self.assertIn("no result", self.js("byId('empty').textContent"))
+        self.assertIn("no result", self.js("byId('message').textContent"))
+        low = self.js("byId('message').getBoundingClientRect().bottom")
+        self.assertLessEqual(low, self.js("byId('stage').getBoundingClientRect().top"), "not over the plan")
+        self.js("choose(shown[1])")
+        self.assertEqual(self.js("byId('message').textContent"), "")
+        self.browser.open(link.replace("step=3", "step=1.5"))
+        self.assertEqual(self.js("now.step"), 1)
 
     def test_charts_and_themes(self):
         self.browser.press("c")

@@ -70,9 +70,45 @@ class Page(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         rows, told = support.rows(page)
         self.assertEqual(len(rows), 5)
-        self.assertEqual(len(told["notes"]), 2, told["notes"])
+        self.assertEqual(len(told["notes"]), 3, told["notes"])
+        self.assertIn("episodes.jsonl:6: is cut off", told["notes"][0])
         self.assertTrue(any(first.name in note for note in told["notes"]))
         self.assertTrue(any(beliefs.name in note for note in told["notes"]))
+
+    def test_of_damaged_lines(self):
+        run = self.copy("damaged")
+        file = run / "episodes.jsonl"
+        lines = file.read_text().splitlines(keepends=True)
+        bad = ["garbage{\n", "{}\n", "\n", lines[0], '{"agent":1}\n', "\udcff\udc80\n", "[" * 5000 + "\n"]
+        for number, line in enumerate(bad):
+            text = "".join(lines[:2] + [line] + lines[3:])
+            file.write_bytes(text.encode(errors="surrogateescape"))
+            done, page = support.replay(run, "--panoramas", "0")
+            self.assertEqual(done.returncode, 0, (number, done.stderr))
+            rows, told = support.rows(page)
+            self.assertEqual((len(rows), len(told["notes"])), (11, 1), (number, told["notes"]))
+            self.assertIn("episodes.jsonl:3:", told["notes"][0])
+            self.assertIn("episodes.jsonl:3:", done.stderr)
+            self.assertEqual(support.program("plot", run).returncode, 1, "others refuse it")
+        file.write_text("x\n" * 30 + lines[0])
+        rows, told = support.rows(support.replay(run)[1])
+        self.assertEqual((len(rows), len(told["notes"])), (1, 11))
+        self.assertIn("20 more lines", told["notes"][-1])
+        file.write_text("x\n" * 30)
+        done, _ = support.replay(run)
+        self.assertEqual((done.returncode, len(done.stderr.strip().splitlines())), (1, 1), done.stderr)
+        self.assertIn("episodes.jsonl:1:", done.stderr)
+
+    def test_names_the_version_that_played_it(self):
+        self.assertEqual(support.rows(support.replay(self.run_folder)[1])[1]["to_play_again"], "")
+        run = self.copy("older")
+        (run / "versions.txt").write_text("0.0.9 (abc)\n")
+        shutil.rmtree(run / "beliefs")
+        told = support.rows(support.replay(run)[1])[1]
+        self.assertIn("played with bulletnav 0.0.9 (abc)", told["to_play_again"])
+        self.assertIn(told["to_play_again"], told["notes"][0])
+        (run / "versions.txt").unlink()
+        self.assertEqual(support.rows(support.replay(run)[1])[1]["to_play_again"], "")
 
     def test_of_scenes_that_are_gone_or_others(self):
         scene, away = self.folder / "room.obj", self.folder / "away.obj"
@@ -84,6 +120,7 @@ class Page(unittest.TestCase):
         self.assertEqual((done.returncode, rows[0]["has_path"], rows[0]["scene_block"]), (0, 1, -1))
         self.assertEqual(len(told["notes"]), 1, told["notes"])
         self.assertIn("room.obj", told["notes"][0])
+        self.assertIn("without a plan", told["notes"][0])
 
     def test_refuses_what_is_no_run(self):
         for folder in (self.folder / "nothing", self.folder):

@@ -232,6 +232,23 @@ TEST_F(ResultStoreTest, NamesTheLineThatIsDamaged) {
   EXPECT_THAT(Complaint(), AllOf(HasSubstr("episodes.jsonl:4"), HasSubstr("a second time")));
 }
 
+TEST_F(ResultStoreTest, WhatCanBeReadIsReadAndTheRestIsNamed) {
+  Fill(3);
+  const std::string text = sim::ReadTextFile(lines());
+  EXPECT_EQ(ReadReadableResults(folder()).results.size(), 3u);
+  EXPECT_TRUE(ReadReadableResults(folder()).damaged.empty());
+  sim::WriteFileAtomically(lines(),
+                           "garbage{\n" + text + text + std::string(99, '[') + "\n{\"agent\": ");
+  const ReadableResults readable = ReadReadableResults(folder());
+  EXPECT_EQ(readable.results.size(), 3u);
+  EXPECT_THAT(
+      readable.damaged,
+      testing::ElementsAre(HasSubstr("jsonl:1:"), HasSubstr("jsonl:5: "), HasSubstr("jsonl:6: "),
+                           HasSubstr("jsonl:7: "), HasSubstr("jsonl:8: "),
+                           AllOf(HasSubstr("jsonl:9: "), HasSubstr("cut off"))));
+  EXPECT_THROW(ReadResults(folder()), sim::FileError);
+}
+
 TEST_F(ResultStoreTest, ThreadsMayAppendTogether) {
   {
     ResultStore store(folder(), kConfig);
