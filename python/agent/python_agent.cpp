@@ -30,15 +30,21 @@ void BindOnce() {
   static_cast<void>(is_bound);
 }
 
+/// None where there is no numpy.
+py::object Numpy() {
+  try {
+    return py::module_::import("numpy");
+  } catch (py::error_already_set& e) {
+    if (!e.matches(PyExc_ImportError)) throw;
+    return py::none();
+  }
+}
+
 /// A numpy array where there is numpy.
 py::object Show(Array array) {
   py::object shown = py::cast(std::move(array));
-  try {
-    return py::module_::import("numpy").attr("asarray")(shown);
-  } catch (py::error_already_set& e) {
-    if (!e.matches(PyExc_ImportError)) throw;
-    return shown;
-  }
+  const py::object numpy = Numpy();
+  return numpy.is_none() ? shown : numpy.attr("asarray")(shown);
 }
 
 py::object Copy(const sim::ArraySpec& spec, std::span<const std::byte> bytes) {
@@ -75,6 +81,7 @@ class PythonAgent final : public PythonLane {
     const py::gil_scoped_acquire lock;
     try {
       BindOnce();
+      Numpy();  // now, where no clock runs: it takes a while
       const std::string module = name.substr(0, colon);
       const py::object made =
           py::module_::import(module.c_str()).attr(name.substr(colon + 1).c_str());
