@@ -195,7 +195,9 @@ Fingerprints TakeFingerprints(const RunConfig& config, const RunEpisodes& episod
 void CheckFingerprints(const RunConfig& config, const Fingerprints& found) {
   if (!config.fingerprints || *config.fingerprints == found) return;
   if (config.fingerprints->episodes != found.episodes) {
-    throw sim::FileError(config.episodes.file, "", "is not the file that this saved config is of");
+    throw sim::FileError(config.episodes.file, "",
+                         "is not the file that this saved config is of; bring that "
+                         "back, or play by the version in versions.txt beside the config");
   }
   for (const auto& [scene, hash] : found.scenes) {
     const auto saved = config.fingerprints->scenes.find(scene);
