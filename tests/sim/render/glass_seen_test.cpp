@@ -4,17 +4,14 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/base/elementary.h"
 #include "sim/base/error.h"
 #include "sim/render/cpu/cpu_scene.h"
-#include "sim/render/cpu/ray_tracer.h"
 #include "sim/render/egl/egl_scene.h"
 #include "tests/support/scenes.h"
+#include "tests/support/seen_triangles.h"
 
 namespace bulletnav::sim {
 namespace {
-
-using Vec = Eigen::Vector3f;
 
 const CameraPose kPose = {{2.1f, 1.25f, -2.0f}, 0.3f};
 
@@ -43,22 +40,9 @@ std::vector<std::unique_ptr<const RenderScene>> Scenes(const SceneMesh& mesh) {
 
 /// Whether each pixel's ray meets a pane first: one of the last four triangles.
 std::vector<std::uint8_t> Traced(const SceneMesh& mesh, const CameraSpec& camera) {
-  std::vector<std::array<Vec, 3>> corners;
-  for (const auto& [a, b, c] : mesh.triangles) {
-    corners.push_back({mesh.positions[a], mesh.positions[b], mesh.positions[c]});
-  }
-  const RayTracer tracer(corners);
-  const RayGrid rays(camera);
-  const PictureSize size = SizeOf(camera);
-  const float c = Cos(kPose.yaw);
-  const float s = Sin(kPose.yaw);
   std::vector<std::uint8_t> glass;
-  for (std::size_t i = 0; i < size.pixels(); ++i) {
-    const auto cols = static_cast<std::size_t>(size.cols);
-    const Vec d = rays.Direction(i / cols, i % cols);
-    const RayHit hit =
-        tracer.Cast(kPose.position, {d.x() * c + d.z() * s, d.y(), d.z() * c - d.x() * s});
-    glass.push_back(hit.triangle >= static_cast<int>(corners.size()) - 4 ? 1 : 0);
+  for (const std::int32_t triangle : tests::SeenTriangles(mesh, camera, kPose)) {
+    glass.push_back(triangle >= static_cast<int>(mesh.triangles.size()) - 4 ? 1 : 0);
   }
   return glass;
 }

@@ -3,17 +3,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/base/elementary.h"
 #include "sim/base/error.h"
 #include "sim/render/cpu/cpu_scene.h"
-#include "sim/render/cpu/ray_tracer.h"
 #include "sim/render/egl/egl_scene.h"
 #include "tests/support/scenes.h"
+#include "tests/support/seen_triangles.h"
 
 namespace bulletnav::sim {
 namespace {
-
-using Vec = Eigen::Vector3f;
 
 constexpr Rgb8 kGrey = {128, 128, 128};
 
@@ -56,26 +53,12 @@ std::vector<std::unique_ptr<const RenderScene>> Scenes(const SceneMesh& mesh) {
 /// The object that each pixel's ray meets first.
 std::vector<std::int32_t> Traced(const SceneMesh& mesh, const CameraSpec& camera,
                                  const CameraPose& pose) {
-  std::vector<std::array<Vec, 3>> corners;
-  for (const auto& [a, b, c] : mesh.triangles) {
-    corners.push_back({mesh.positions[a], mesh.positions[b], mesh.positions[c]});
-  }
-  const RayTracer tracer(corners);
-  const RayGrid rays(camera);
-  const PictureSize size = SizeOf(camera);
   std::vector<std::int32_t> objects;
-  for (int row = 0; row < size.rows; ++row) {
-    for (int col = 0; col < size.cols; ++col) {
-      const Vec d = rays.Direction(static_cast<std::size_t>(row), static_cast<std::size_t>(col));
-      const float c = Cos(pose.yaw);
-      const float s = Sin(pose.yaw);
-      const RayHit hit =
-          tracer.Cast(pose.position, {d.x() * c + d.z() * s, d.y(), d.z() * c - d.x() * s});
-      objects.push_back(hit.triangle < 0
-                            ? 0
-                            : static_cast<std::int32_t>(
-                                  mesh.triangle_objects[static_cast<std::size_t>(hit.triangle)]));
-    }
+  for (const std::int32_t triangle : tests::SeenTriangles(mesh, camera, pose)) {
+    objects.push_back(
+        triangle < 0
+            ? 0
+            : static_cast<std::int32_t>(mesh.triangle_objects[static_cast<std::size_t>(triangle)]));
   }
   return objects;
 }
