@@ -2,6 +2,7 @@
 #include "agent/slam/loops/descriptor_frames.h"
 
 #include <algorithm>
+#include <span>
 #include <string>
 
 #include "sim/base/error.h"
@@ -29,6 +30,11 @@ std::vector<std::uint8_t> DescriptorFrames::Cells(int first, int last) const {
     cells.insert(cells.end(), one.begin(), one.end());
   }
   return cells;
+}
+
+PictureDescriptor MeanOfLast(const DescriptorFrames& frames, int length) {
+  const std::span<const PictureDescriptor> all(frames.descriptors());
+  return MeanDirection(all.last(std::min(all.size(), static_cast<std::size_t>(length))));
 }
 
 double OrderedCosine(const DescriptorFrames& frames, int later, int earlier, int length) {

@@ -38,6 +38,10 @@ class DescriptorFrames {
 /// Expects: earlier <= later.
 double OrderedCosine(const DescriptorFrames& frames, int later, int earlier, int length);
 
+/// One descriptor of the last `length` frames, or of all while they are fewer: their MeanDirection.
+/// Expects: a frame.
+PictureDescriptor MeanOfLast(const DescriptorFrames& frames, int length);
+
 /// Takes the best of the candidates from position `first` on for a loop, if it scores `least`.
 void ProposeBest(std::size_t first, double least, std::vector<LoopCandidate>* candidates);
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <span>
+#include <vector>
 
 #include "agent/slam/loops/descriptor_frames.h"
 #include "agent/slam/loops/loop_registry.h"
@@ -36,9 +35,7 @@ class GemMean final : public LoopDetector {
 
   std::vector<LoopCandidate> Add(const LoopFrame& frame) override {
     frames_.Add(frame);
-    const auto length =
-        std::min(frames_.descriptors().size(), static_cast<std::size_t>(config_.length));
-    means_.push_back(MeanDirection(std::span(frames_.descriptors()).last(length)));
+    means_.push_back(MeanOfLast(frames_, config_.length));
     return CompareWithAll(frame.number, frame.comparable, means_, config_.least_frame);
   }
 

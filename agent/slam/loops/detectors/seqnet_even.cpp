@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cstddef>
-#include <span>
 #include <vector>
 
 #include "agent/slam/loops/descriptor_frames.h"
@@ -43,9 +42,7 @@ class SeqNetEven final : public LoopDetector {
 
   std::vector<LoopCandidate> Add(const LoopFrame& frame) override {
     frames_.Add(frame);
-    const auto length =
-        std::min(frames_.descriptors().size(), static_cast<std::size_t>(config_.length));
-    sequences_.push_back(MeanDirection(std::span(frames_.descriptors()).last(length)));
+    sequences_.push_back(MeanOfLast(frames_, config_.length));
     std::vector<LoopCandidate> candidates =
         CompareWithAll(frame.number, frame.comparable, sequences_, 2.0);
     Shorten(&candidates);
