@@ -278,6 +278,12 @@ void BatchSimulator::Step(std::span<const Action> actions, std::span<Sensors> se
 
 void BatchSimulator::Step(std::span<const int> lanes, std::span<const Action> actions,
                           std::span<Sensors> sensors, const BatchObservations& out) {
+  Step(lanes, actions, sensors, out, {});
+}
+
+void BatchSimulator::Step(std::span<const int> lanes, std::span<const Action> actions,
+                          std::span<Sensors> sensors, const BatchObservations& out,
+                          const AfterMotion& after) {
   constexpr const char* kCall = "BatchSimulator::Step";
   impl_->Check(kCall, lanes, out);
   Impl::CheckSize(kCall, "actions", actions.size(), {lanes.size()});
@@ -287,6 +293,7 @@ void BatchSimulator::Step(std::span<const int> lanes, std::span<const Action> ac
       lanes,
       [&](SimulatedBody& body, std::size_t place) {
         sensors[place] = body.Step(actions[place]);
+        if (after) after(place, sensors[place]);
       },
       out);
 }

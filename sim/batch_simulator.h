@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -24,6 +25,10 @@ struct BatchObservations {
 
   bool empty() const { return color.empty() && depth.empty() && arrays.empty(); }
 };
+
+/// Told of a body that has moved, before what it sees is drawn; `place`: among the lanes that move.
+/// Called from the threads, of several lanes at once.
+using AfterMotion = std::function<void(std::size_t place, const Sensors& sensors)>;
 
 /// N bodies over W threads, in one world or many, for training and evaluation. Lane i behaves bit
 /// for bit like a Simulator of its own with the same world, spec and calls, whatever W is. The
@@ -61,6 +66,9 @@ class BatchSimulator {
   /// all lanes. Empty spans in `out`: nothing is drawn.
   void Step(std::span<const int> lanes, std::span<const Action> actions, std::span<Sensors> sensors,
             const BatchObservations& out);
+  /// And with what the caller has to do for each lane that has moved; it may throw.
+  void Step(std::span<const int> lanes, std::span<const Action> actions, std::span<Sensors> sensors,
+            const BatchObservations& out, const AfterMotion& after);
   /// The observations alone, after resets: of all lanes, or of some.
   void Observe(const BatchObservations& out);
   void Observe(std::span<const int> lanes, const BatchObservations& out);

@@ -183,18 +183,31 @@ agent::Observation Environment::observation(int lane) const {
 
 std::span<const StepOutcome> Environment::Step(std::span<const int> lanes,
                                                std::span<const sim::Action> actions) {
+  return Advance(lanes, actions, {});
+}
+
+std::span<const StepOutcome> Environment::StepAndObserve(std::span<const int> lanes,
+                                                         std::span<const sim::Action> actions) {
+  return Advance(lanes, actions, {color_, depth_, others_});
+}
+
+/// Moves bodies, keeps accounts, and reads the sensors that are asked for. Accounts look for ways
+/// on the navmesh where a reward asks for distances, so each is kept by the thread of its lane.
+std::span<const StepOutcome> Environment::Advance(std::span<const int> lanes,
+                                                  std::span<const sim::Action> actions,
+                                                  const sim::BatchObservations& seen) {
   for (const int lane : lanes) BULLETNAV_CHECK(!is_over(lane));
   read_.resize(lanes.size());
-  simulator_->Step(lanes, actions, read_, {});
-  outcomes_.clear();
-  for (std::size_t i = 0; i < lanes.size(); ++i) {
+  outcomes_.assign(lanes.size(), {});
+  const auto keep_account = [&](std::size_t i, const sim::Sensors& sensors) {
     Lane& own = at(lanes[i]);
-    own.sensors = read_[i];
-    const sim::BodyPose now = simulator_->body(lanes[i]).true_pose();
-    own.truth->pose = now;
-    const StepOutcome outcome = own.episode->Take(actions[i], now, own.sensors);
-    outcomes_.push_back(outcome);
-    if (!outcome.terminated && !outcome.truncated) continue;
+    own.sensors = sensors;
+    own.truth->pose = simulator_->body(lanes[i]).true_pose();
+    outcomes_[i] = own.episode->Take(actions[i], own.truth->pose, sensors);
+  };
+  simulator_->Step(lanes, actions, read_, seen, keep_account);
+  for (std::size_t i = 0; i < lanes.size(); ++i) {
+    if (!outcomes_[i].terminated && !outcomes_[i].truncated) continue;
     try {
       StartGoals(lanes[i]);
     } catch (const sim::Error& e) {

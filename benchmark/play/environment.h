@@ -73,6 +73,10 @@ class Environment {
   /// the next call.
   std::span<const StepOutcome> Step(std::span<const int> lanes,
                                     std::span<const sim::Action> actions);
+  /// The same, and reads the sensors of these lanes, rising, in one go of the threads: less to wait
+  /// for than in Step and Observe.
+  std::span<const StepOutcome> StepAndObserve(std::span<const int> lanes,
+                                              std::span<const sim::Action> actions);
 
   /// Takes the agent off: the present goal and those after it are not reached.
   void Fail(int lane, const std::string& why);
@@ -97,6 +101,9 @@ class Environment {
   const Lane& at(int lane) const;
   const TaskEpisode& episode(int lane) const;
   void Enter(int lane, const std::shared_ptr<const sim::World>& world);
+  std::span<const StepOutcome> Advance(std::span<const int> lanes,
+                                       std::span<const sim::Action> actions,
+                                       const sim::BatchObservations& seen);
   void StartGoals(int lane);
   void DrawGoal(int lane);
   void DrawGoalPicture(Lane* lane, const sim::CameraPose& eye);

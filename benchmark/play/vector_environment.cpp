@@ -155,22 +155,28 @@ void VectorEnvironment::Step(std::span<const int> lanes, std::span<const sim::Ac
     terminated_[i] = truncated_[i] = 0;
   }
   finished_.clear();
-  const std::span<const StepOutcome> outcomes = environment_->Step(moving, taken);
-  for (std::size_t i = 0; i < moving.size(); ++i) Note(moving[i], outcomes[i]);
-  for (const int lane : ended) Start(lane);
+  const std::span<const StepOutcome> outcomes = environment_->StepAndObserve(moving, taken);
+  std::vector<int> begun = std::move(ended);
+  for (const int lane : begun) Start(lane);
+  for (std::size_t i = 0; i < moving.size(); ++i) {
+    if (Note(moving[i], outcomes[i])) begun.push_back(moving[i]);
+  }
   TakeGoals();
-  environment_->Observe(lanes);
+  std::sort(begun.begin(), begun.end());
+  environment_->Observe(begun);
 }
 
-/// What a step of a lane came to.
-void VectorEnvironment::Note(int lane, const StepOutcome& outcome) {
+/// What a step of a lane came to. Returns whether its next episode has begun.
+bool VectorEnvironment::Note(int lane, const StepOutcome& outcome) {
   const auto i = static_cast<std::size_t>(lane);
   rewards_[i] = outcome.reward;
-  if (!environment_->is_over(lane)) return;
+  if (!environment_->is_over(lane)) return false;
   terminated_[i] = outcome.truncated ? 0 : 1;
   truncated_[i] = outcome.truncated ? 1 : 0;
   finished_.push_back({lane, environment_->Finish(lane, {}).result});
-  if (spec_.autoreset == Autoreset::kSameStep) Start(lane);
+  if (spec_.autoreset != Autoreset::kSameStep) return false;
+  Start(lane);
+  return true;
 }
 
 void VectorEnvironment::TakeGoals() {

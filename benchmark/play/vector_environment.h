@@ -84,7 +84,7 @@ class VectorEnvironment {
 
  private:
   void Start(int lane);
-  void Note(int lane, const StepOutcome& outcome);
+  bool Note(int lane, const StepOutcome& outcome);
   void TakeGoals();
   void RequireLanes(std::span<const int> lanes) const;
   void Require(bool is_right, const std::string& what) const;

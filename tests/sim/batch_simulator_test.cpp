@@ -124,6 +124,21 @@ TEST(BatchSimulator, LanesMoveToOtherWorlds) {
   EXPECT_LT(depth.front(), 3.0f);
 }
 
+TEST(BatchSimulator, TellsOfEachBodyThatHasMoved) {
+  BatchSimulator batch(Worlds(Backend::kEmbree), Small(), 2);
+  for (int lane = 0; lane < kLanes; ++lane) batch.Reset(lane, Start(lane), Key(lane));
+  const std::vector<int> lanes = {1, 4};
+  const std::vector<Action> actions(2, Action::kMoveForward);
+  std::vector<Sensors> sensors(2);
+  std::vector<double> told(2);
+  batch.Step(lanes, actions, sensors, {}, [&](std::size_t place, const Sensors& sensed) {
+    told[place] = sensed.odometry.x;
+    EXPECT_NE(batch.body(lanes[place]).true_pose().position, Start(lanes[place]).position);
+  });
+  EXPECT_GT(told[0], 0.0);
+  EXPECT_EQ(told, (std::vector{sensors[0].odometry.x, sensors[1].odometry.x}));
+}
+
 TEST(BatchSimulator, ABadResetNamesThePlaceAndKeepsTheLane) {
   BatchSimulator batch(Worlds(Backend::kEmbree), Small(), 1);
   batch.Reset(0, Start(0));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/play/environment.h"
 
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 
 #include "sim/base/error.h"
@@ -239,6 +240,45 @@ TEST(Environment, LanesAreAsIfTheyWereAlone) {
   ExpectLanesAsIfAlone(task);
   task.sensor_noise = sim::NamedSensorNoise("depth_camera");
   ExpectLanesAsIfAlone(task);
+}
+
+/// What three lanes see on a walk that one of them ends at its time limit, and what its steps came
+/// to, as text; with observations read by Observe, or in the steps themselves.
+std::string WalkToTheLimit(const Task& task, bool in_steps) {
+  Lanes lanes(task, 3, 2);
+  for (int i = 0; i < 3; ++i) {
+    lanes.environment.Reset(i, Ahead({2.0, 1.0}, std::to_string(i)), Room());
+  }
+  const std::vector<int> all = {0, 1, 2};
+  lanes.environment.Observe(all);
+  std::vector<Walk> walks = {Walk(0), Walk(1), Walk(2)};
+  std::string came;
+  for (int step = 0; step < task.max_steps + 3; ++step) {
+    std::vector<Action> actions;
+    for (const int i : all) {
+      actions.push_back(walks[static_cast<std::size_t>(i)].Take(lanes.environment.observation(i)));
+    }
+    const std::span<const StepOutcome> outcomes =
+        in_steps ? lanes.environment.StepAndObserve(all, actions)
+                 : lanes.environment.Step(all, actions);
+    for (const StepOutcome& outcome : outcomes) {
+      came += fmt::format("{} {} ", outcome.reward, outcome.truncated);
+    }
+    if (!in_steps) lanes.environment.Observe(all);
+  }
+  for (const Walk& walk : walks) came += walk.seen();
+  return came;
+}
+
+TEST(Environment, StepsThatReadTheSensorsSeeTheSame) {
+  Task task = SmallTask();
+  task.noise = sim::NoiseMode::kAnsReleased;
+  task.sensor_noise = sim::NamedSensorNoise("depth_camera");
+  task.reward = RewardSpec{};
+  task.max_steps = 20;
+  const std::string apart = WalkToTheLimit(task, false);
+  EXPECT_NE(apart.find(" true "), std::string::npos);
+  EXPECT_EQ(WalkToTheLimit(task, true), apart);
 }
 
 /// Of one episode, its goals one after the other.
