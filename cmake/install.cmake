@@ -55,7 +55,10 @@ if(BULLETNAV_TOOLS)
     COMPONENT program)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/configs DESTINATION share/bulletnav COMPONENT program)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/ DESTINATION share/doc/bulletnav/docs
-    COMPONENT program FILES_MATCHING PATTERN *.md PATTERN pictures EXCLUDE)
+    COMPONENT program)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/results/reference
+    DESTINATION share/doc/bulletnav/results COMPONENT program
+    FILES_MATCHING PATTERN *.md PATTERN summary.json)
   install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md
     ${PROJECT_SOURCE_DIR}/CITATION.cff DESTINATION share/doc/bulletnav COMPONENT program)
   install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION share/doc/bulletnav RENAME copyright

@@ -27,6 +27,7 @@
 #include "benchmark/runs/runner.h"
 #include "sim/base/error.h"
 #include "sim/base/files.h"
+#include "sim/base/require_writable.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -251,10 +252,11 @@ std::vector<ReplayRow> RowsOf(const ReplayOptions& options, std::vector<std::str
 
 ReplayCount MakeReplay(const ReplayOptions& options,
                        const std::function<void(std::size_t, std::size_t)>& progress) {
-  std::vector<std::string> damaged;
-  std::vector<ReplayRow> rows = RowsOf(options, &damaged);
   RunConfig config = LoadSavedRunConfig(options.run / "config.yaml");
   const fs::path file = options.out.empty() ? options.run / "replay.html" : options.out;
+  sim::RequireWritable(file);
+  std::vector<std::string> damaged;
+  std::vector<ReplayRow> rows = RowsOf(options, &damaged);
   ReplayCount count;
   sim::WriteFileAtomically(file, [&](const fs::path& temporary) {
     ReplayPage page(temporary, RunName(options.run) + " - BulletNav replay");

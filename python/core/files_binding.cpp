@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "python/core/arguments.h"
 #include "python/core/bindings.h"
 
 #include <pybind11/stl.h>
@@ -24,7 +25,7 @@ std::vector<std::string> Told(const std::vector<bench::Episode>& episodes) {
 }
 
 std::vector<std::string> Draw(const std::string& config, int workers) {
-  const auto spec = sim::LoadYamlText<bench::GeneratorSpec>(config, "arguments");
+  const auto spec = ReadArguments<bench::GeneratorSpec>(config);
   return Told(bench::GenerateEpisodes(spec, bench::ScenesOf(spec), workers));
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "python/core/lanes.h"
 
+#include "python/core/arguments.h"
+
 #include <numeric>
 #include <utility>
 
@@ -84,7 +86,7 @@ bench::Task LanesConfig::task() const {
 }
 
 Lanes::Lanes(const std::string& config, bench::Warn warn)
-    : config_(sim::LoadYamlText<LanesConfig>(config, "arguments")), process_(::getpid()) {
+    : config_(ReadArguments<LanesConfig>(config)), process_(::getpid()) {
   worlds_ = std::make_unique<WorldShelf>(
       config_.world_options(),
       std::vector<std::filesystem::path>(config_.scene_folders.begin(),

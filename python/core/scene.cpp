@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "python/core/scene.h"
 
+#include "python/core/arguments.h"
+
 #include <fmt/core.h>
 #include <unistd.h>
 
@@ -23,7 +25,7 @@ std::string TextOf(const sim::CameraSpec& camera) {
 
 Scene::Scene(const std::filesystem::path& file, const std::string& config)
     : file_(file), process_(::getpid()) {
-  const auto read = sim::LoadYamlText<SceneConfig>(config, "arguments");
+  const auto read = ReadArguments<SceneConfig>(config);
   world_ = sim::World::Load(file, {read.scene_import.options(), read.navmesh, read.backend});
 }
 

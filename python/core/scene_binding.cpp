@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "python/core/arguments.h"
 #include "python/core/array.h"
 #include "python/core/bindings.h"
 #include "python/core/scene.h"
@@ -48,8 +49,8 @@ std::optional<std::pair<double, std::vector<Point>>> FindPath(const Scene& scene
 }
 
 sim::CameraSpec CameraOf(const std::string& type, const std::string& settings) {
-  if (type == "panorama") return sim::LoadYamlText<sim::PanoramaSpec>(settings, "camera");
-  if (type == "pinhole") return sim::LoadYamlText<sim::PinholeSpec>(settings, "camera");
+  if (type == "panorama") return ReadArguments<sim::PanoramaSpec>(settings);
+  if (type == "pinhole") return ReadArguments<sim::PinholeSpec>(settings);
   throw sim::Error("bulletnav scene: a camera's type is panorama or pinhole, not '" + type + "'");
 }
 

@@ -7,6 +7,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/files.h"
+#include "sim/import/xml_attributes.h"
 
 namespace bulletnav::sim {
 namespace {
@@ -18,11 +19,12 @@ std::optional<fs::path> IfThere(const fs::path& path) {
   return fs::exists(path, unreadable) ? std::optional(path.lexically_normal()) : std::nullopt;
 }
 
-/// URIs of a model's includes, as far as its text shows them.
+/// URIs of a model's includes, as far as its text shows them. Throws FileError for what is no XML.
 std::vector<std::string> IncludesOf(const fs::path& file) {
   constexpr std::string_view kStart = "<uri>";
   std::vector<std::string> uris;
   const std::string text = ReadTextFile(file);
+  ParseXml(text, file);
   for (std::size_t at = text.find("<include"); at != text.npos; at = text.find("<include", at)) {
     at = text.find(kStart, at);
     if (at == text.npos) break;

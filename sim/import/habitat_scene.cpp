@@ -5,9 +5,11 @@
 #include <cctype>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "sim/base/error.h"
 #include "sim/base/files.h"
+#include "sim/base/nearest_word.h"
 #include "sim/config/json_node.h"
 #include "sim/import/articulated_object.h"
 #include "sim/import/cpu_time.h"
@@ -23,6 +25,32 @@ using Vec = Eigen::Vector3f;
 using Kind = HabitatDataset::Kind;
 
 constexpr int kSecondsForUrdf = 1;
+
+// What Habitat reads in a scene instance, also what makes no difference here. Users may add keys.
+const std::vector<std::string> kSceneKeys = {
+    "stage_instance",   "object_instances", "articulated_object_instances", "translation_origin",
+    "default_lighting", "navmesh_instance", "semantic_scene_instance",      "user_defined"};
+const std::vector<std::string> kInstanceKeys = {"template_name",       "translation_origin",
+                                                "translation",         "rotation",
+                                                "uniform_scale",       "non_uniform_scale",
+                                                "mass_scale",          "motion_type",
+                                                "is_instance_visible", "shader_type",
+                                                "user_defined",        "apply_scale_to_mass",
+                                                "fixed_base",          "base_type",
+                                                "inertia_source",      "link_order",
+                                                "render_mode",         "auto_clamp_joint_limits",
+                                                "initial_joint_pose",  "initial_joint_velocities"};
+
+/// Keys that are almost one of those: without a complaint, what they say would be left out.
+void RefuseMisspelt(const Node& node, const std::vector<std::string>& known) {
+  constexpr std::size_t kLetters = 2;
+  if (!node.value().is_object()) return;
+  for (const auto& [key, value] : node.value().items()) {
+    if (std::find(known.begin(), known.end(), key) != known.end()) continue;
+    const std::string meant = NearestWord(key, known, kLetters);
+    if (!meant.empty()) node.Fail("unknown key '" + key + "'; did you mean '" + meant + "'?");
+  }
+}
 
 Vec ReadVector(const Node& instance, const char* key, const Vec& otherwise) {
   return instance.Has(key) ? ReadVector(instance.At(key)) : otherwise;
@@ -86,6 +114,7 @@ class SceneReader {
   SceneParts Read() {
     const Node root(json_, file_);
     if (!json_.is_object()) root.Fail("is no scene instance; take a sound copy of the file");
+    RefuseMisspelt(root, kSceneKeys);
     is_asset_local_ = IsAssetLocal(root, false);
     if (root.Has("stage_instance")) {
       Add(Kind::kStage, root.At("stage_instance"), "stage_instance");
@@ -116,6 +145,7 @@ class SceneReader {
   }
 
   void Add(Kind kind, const Node& instance, const std::string& place) {
+    RefuseMisspelt(instance, kInstanceKeys);
     const std::string name = instance.At("template_name").Text();
     if (kind == Kind::kStage && name == "NONE") return;
     const HabitatTemplate made = Find(kind, name, place);
@@ -145,6 +175,7 @@ class SceneReader {
 
   /// Translations are those of root links, whatever translation_origin says.
   void AddJointed(const Node& instance, const std::string& place) {
+    RefuseMisspelt(instance, kInstanceKeys);
     const HabitatTemplate made =
         Find(Kind::kArticulated, instance.At("template_name").Text(), place);
     ArticulatedObject object;

@@ -25,13 +25,8 @@ class Reader : private XmlAttributes {
   explicit Reader(const std::filesystem::path& file) : XmlAttributes(file), file_(file) {}
 
   Urdf Read() {
-    const std::string text = ReadTextFile(file_);
     tinyxml2::XMLDocument document;
-    if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) {
-      throw FileError(file_, std::to_string(document.ErrorLineNum()),
-                      std::string("is no sound XML (") + document.ErrorName() +
-                          "); mend it, or take another copy");
-    }
+    ParseXml(ReadTextFile(file_), file_, &document);
     const Element* robot = document.FirstChildElement("robot");
     if (robot == nullptr) {
       throw FileError(file_, "", "is no URDF: it has no element 'robot'; is it the right file?");

@@ -37,6 +37,16 @@ std::string Called(const Element& element, const char* attribute) {
 
 }  // namespace
 
+void ParseXml(const std::string& text, const std::filesystem::path& file,
+              tinyxml2::XMLDocument* document) {
+  tinyxml2::XMLDocument own;
+  tinyxml2::XMLDocument& parsed = document == nullptr ? own : *document;
+  if (parsed.Parse(text.data(), text.size()) == tinyxml2::XML_SUCCESS) return;
+  throw FileError(
+      file, std::to_string(parsed.ErrorLineNum()),
+      std::string("is no sound XML (") + parsed.ErrorName() + "); mend it, or take another copy");
+}
+
 void XmlAttributes::Fail(const Element& where, const std::string& what) const {
   throw FileError(file_, std::to_string(where.GetLineNum()), what);
 }

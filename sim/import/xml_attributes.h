@@ -7,10 +7,15 @@
 #include <Eigen/Core>
 
 namespace tinyxml2 {  // NOLINT(readability-identifier-naming): its own
+class XMLDocument;
 class XMLElement;
-}
+}  // namespace tinyxml2
 
 namespace bulletnav::sim {
+
+/// Throws FileError with the line for what is no sound XML. Without `document`: only that.
+void ParseXml(const std::string& text, const std::filesystem::path& file,
+              tinyxml2::XMLDocument* document = nullptr);
 
 /// Attributes of an XML file's elements as what they mean. Numbers are finite, with blanks or
 /// commas between them. All throw FileError with the element's line.

@@ -236,6 +236,7 @@ class Misuse(unittest.TestCase):
             with self.subTest(options), self.assertRaisesRegex(bulletnav.Error, expected) as caught:
                 make(**options)
             self.assertNotIn("\n", str(caught.exception))
+            self.assertNotIn("arguments:", str(caught.exception))
 
     def test_of_actions(self):
         envs = make()

@@ -188,6 +188,8 @@ TEST_F(GazeboWorld, BadContentIsRefusedInOneLine) {
     EXPECT_THAT(error, HasSubstr("bad.sdf")) << text;
     EXPECT_THAT(error, Not(HasSubstr("\n"))) << text;
   }
+  EXPECT_THAT(ErrorOf(folder_.Write("cut.sdf", "<sdf version='1.6'>\n<world name='w'>\n<mod")),
+              AllOf(HasSubstr("cut.sdf:3: is no sound XML"), HasSubstr("another copy")));
 }
 
 TEST_F(GazeboWorld, AModelThatIncludesItselfIsRefused) {

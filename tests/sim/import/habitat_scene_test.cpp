@@ -197,6 +197,12 @@ TEST_F(HabitatScene, BadContentIsRefused) {
               HasSubstr("object_instances[0].translation: expected a list of 3"));
   EXPECT_THAT(ErrorOf(With(R"({"template_name": "a/box", "uniform_scale": 0})")),
               HasSubstr("is not above 0"));
+  EXPECT_THAT(
+      ErrorOf(With(R"({"template_name": "a/box", "translaton": [0, 0, 1]})")),
+      HasSubstr("object_instances[0]: unknown key 'translaton'; did you mean 'translation'?"));
+  EXPECT_THAT(ErrorOf(With("", R"(, "object_instance": [])")),
+              HasSubstr("did you mean 'object_instances'?"));
+  EXPECT_EQ(ErrorOf(With(R"({"template_name": "a/box", "owner": "me"})")), "no error");
   EXPECT_THAT(ErrorOf(With("", R"(, "translation_origin": "middle")")),
               HasSubstr("is not one of: asset_local, COM"));
   folder_.Write(
