@@ -12,7 +12,7 @@ struct PerceptionConfig {
   std::string weights = "assets/weights/nts_rgbd.safetensors";
   DataConfig data;  // scenes that the weights have not seen; 60 points each, unless told
   /// Probabilities from which the answer is yes; those that agents use, see agent::NtsSpec.
-  double same_node = 0.5;
+  double same_node = 0.8;
   double explorable = 0.5;
   int pictures = 3;        // of each kind
   std::uint64_t seed = 0;  // of which examples are drawn, and of confidence intervals
