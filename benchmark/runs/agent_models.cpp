@@ -19,12 +19,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The key of learned weights: a setting of the config's own that has none takes those for what its
-/// panoramas hold.
+/// The key of learned weights: those for the setting, else those for all settings. A setting of the
+/// config's own that has neither takes those for what its panoramas hold.
 std::string WeightsKey(const std::string& weights, const RunConfig& config,
                        const std::string& setting) {
   std::string own = weights + "_" + setting;
-  if (!config.sensors.contains(setting) || FindShipped(config.weights_file(own))) return own;
+  if (config.weights.contains(own) || FindShipped(config.weights_file(own))) return own;
+  if (FindShipped(config.weights_file(weights))) return weights;
+  if (!config.sensors.contains(setting)) return own;
   return weights + (RigOf(config, setting).has_depth ? "_rgbd" : "_rgb");
 }
 
@@ -49,7 +51,7 @@ std::set<std::string> KeysIn(const RunConfig& config, const std::string& setting
   std::set<std::string> keys;
   for (const std::string& agent : agent::AgentNames()) {
     for (const agent::ModelSlot& slot : agent::ModelSlotsOf(agent, rig)) {
-      keys.insert(slot.weights + "_" + setting);
+      keys.insert({slot.weights, slot.weights + "_" + setting});
     }
   }
   return keys;

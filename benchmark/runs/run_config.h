@@ -125,8 +125,9 @@ struct RunConfig {
   std::vector<std::uint64_t> seeds = {0};
   double success_distance = 1.0;  // metres
   int max_steps = 500;            // a goal
-  /// Files of learned models by SLOT'S WEIGHTS_SETTING, as nts_rgbd. Those that are not named are
-  /// in assets/weights. One of `sensors` without weights takes those of rgb or rgbd.
+  /// Files of learned models by SLOT'S WEIGHTS_SETTING, as nts_rgbd, or without a setting for all
+  /// that have none of their own. Those that are not named are in assets/weights. One of `sensors`
+  /// without weights takes those of rgb or rgbd.
   std::map<std::string, std::string> weights;
   bool trajectories = true;     // kept for plots
   std::optional<bool> beliefs;  // of each step, kept for replays; never saved: see RunBenchmark

@@ -10,6 +10,7 @@
 #include "agent/perception/learned_model.h"
 #include "agent/perception/mapper_net.h"
 #include "agent/perception/semantic_net.h"
+#include "benchmark/runs/agent_models.h"
 #include "benchmark/runs/result_store.h"
 #include "benchmark/runs/runner.h"
 #include "sim/base/error.h"
@@ -112,6 +113,22 @@ TEST_F(LearnedRunTest, GoesOnWhenWeightsComeLater) {
   EXPECT_EQ(Lines(LoadRunConfig(folder_.path() / "run/config.yaml"), "again", 1), after);
   fs::remove(weights());
   EXPECT_THROW(Lines(LoadRunConfig(folder_.path() / "run/config.yaml"), "gone", 1), sim::Error);
+}
+
+TEST_F(LearnedRunTest, OneFileServesSettingsThatHaveNoneOfTheirOwn) {
+  RunConfig config = Config("{agent: active_neural_slam, settings: [rgb, rgbd]}");
+  config.weights["active_neural_slam"] = mapper().string();
+  auto used = UsedWeights(config);
+  EXPECT_EQ(used.at("active_neural_slam"), mapper());
+  EXPECT_FALSE(used.contains("active_neural_slam_rgb"));
+  config.weights["active_neural_slam_rgb"] = weights().string();
+  used = UsedWeights(config);
+  EXPECT_EQ(used.at("active_neural_slam_rgb"), weights());
+  EXPECT_EQ(used.at("active_neural_slam"), mapper());  // in rgbd
+  EXPECT_NO_THROW(RequireKnownWeights(config));
+  // One that was named and is not there is missed, not replaced.
+  config.weights["active_neural_slam_rgb"] = "none.safetensors";
+  EXPECT_FALSE(UsedWeights(config).contains("active_neural_slam_rgb"));
 }
 
 TEST_F(LearnedRunTest, RowsSayWhatIsWrongWithWeights) {
