@@ -48,7 +48,8 @@ void RefuseMisspelt(const Node& node, const std::vector<std::string>& known) {
   for (const auto& [key, value] : node.value().items()) {
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
     const std::string meant = NearestWord(key, known, kLetters);
-    if (!meant.empty()) node.Fail("unknown key '" + key + "'; did you mean '" + meant + "'?");
+    if (meant.empty()) continue;
+    node.Fail(std::string("unknown key '").append(key) + "'; did you mean '" + meant + "'?");
   }
 }
 

@@ -6,8 +6,8 @@
 #include <cstddef>
 
 #include "agent/integer/integer_functions.h"
+#include "agent/slam/descriptors/weight_steps.h"
 #include "sim/base/check.h"
-#include "sim/base/error.h"
 
 namespace bulletnav::agent {
 namespace {
@@ -16,38 +16,17 @@ namespace {
 constexpr int kShareSteps = 1 << 24;
 constexpr int kAssignSteps = 1 << 12;
 constexpr int kProjectionSteps = 1 << 14;
-constexpr double kLargest = 1 << 20;
-
-std::vector<std::int32_t> Steps(const TensorFile& weights, const std::string& name,
-                                std::vector<std::int64_t> shape, int steps,
-                                const std::filesystem::path& file) {
-  const auto found = weights.tensors.find(name);
-  if (found == weights.tensors.end() || found->second.shape != shape) {
-    throw sim::FileError(file, name,
-                         "is missing or has another shape: these are weights of another model");
-  }
-  std::vector<std::int32_t> rounded;
-  rounded.reserve(found->second.values.size());
-  for (const float value : found->second.values) {
-    const double scaled = std::nearbyint(double{value} * steps);
-    if (!(std::abs(scaled) <= kLargest)) {
-      throw sim::FileError(file, name, "holds numbers that are too large or none at all");
-    }
-    rounded.push_back(static_cast<std::int32_t>(scaled));
-  }
-  return rounded;
-}
 
 }  // namespace
 
 SeqVlad::SeqVlad(const TensorFile& weights, const std::filesystem::path& file)
     : config_(SequenceConfigOf(weights, file)) {
   const std::vector<std::int64_t> clusters = {config_.clusters, config_.channels};
-  assign_ = Steps(weights, "assign", clusters, kAssignSteps, file);
-  centres_ = Steps(weights, "centres", clusters, kDescriptorUnit, file);
-  mean_ = Steps(weights, "mean", {config_.whole()}, kDescriptorUnit, file);
+  assign_ = WeightSteps(weights, "assign", clusters, kAssignSteps, file);
+  centres_ = WeightSteps(weights, "centres", clusters, kDescriptorUnit, file);
+  mean_ = WeightSteps(weights, "mean", {config_.whole()}, kDescriptorUnit, file);
   projection_ =
-      Steps(weights, "projection", {config_.size, config_.whole()}, kProjectionSteps, file);
+      WeightSteps(weights, "projection", {config_.size, config_.whole()}, kProjectionSteps, file);
 }
 
 void SeqVlad::Add(std::span<const std::uint8_t> cells, Sum* sum) const {

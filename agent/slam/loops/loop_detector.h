@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "agent/slam/features/orb.h"
+#include "agent/slam/retrieval/sequence_filter.h"
 #include "agent/slam/retrieval/sequence_model.h"
 #include "agent/slam/retrieval/vocabulary.h"
 #include "agent/slam/topology/sequences.h"
@@ -48,6 +49,7 @@ struct LoopContext {
   std::shared_ptr<const Vocabulary> vocabulary;    // of ORB
   int descriptor_size = 0;                         // of LoopFrame::descriptor; 0: there is none
   std::shared_ptr<const SequenceModel> sequences;  // of LoopFrame::cells
+  std::shared_ptr<const SequenceFilter> filter;    // of LoopFrame::descriptor
 };
 
 /// How a detector that works with sequences of frames saw the drive, for pictures.

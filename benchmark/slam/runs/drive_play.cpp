@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "agent/slam/descriptors/picture_describer.h"
+#include "agent/slam/descriptors/seqnet_filter.h"
 #include "agent/slam/descriptors/seqvlad.h"
 #include "benchmark/base/shipped_file.h"
 #include "benchmark/privileged/visibility.h"
@@ -85,13 +86,15 @@ class DrivePlay {
       describer_ = agent::LoadPictureDescriber(WeightsOf(*config.descriptors));
     }
     if (config.sequences) sequences_ = agent::LoadSeqVlad(WeightsOf(*config.sequences));
+    if (config.filter) filter_ = agent::LoadSeqNetFilter(WeightsOf(*config.filter));
     played_.result.drive = drive.name;
     played_.result.actions = drive.actions;
     detectors_.reserve(config.detectors.size());
     for (const DetectorEntry& entry : config.detectors) {
       const sim::YamlNode name = sim::ParseYaml(entry.detector, "detectors");
       const auto make = agent::ConfigureLoopDetector(name, entry.parameters);
-      detectors_.push_back({entry.name, make({vocabulary, descriptor_size(), sequences_}), {}, {}});
+      detectors_.push_back(
+          {entry.name, make({vocabulary, descriptor_size(), sequences_, filter_}), {}, {}});
     }
   }
 
@@ -255,6 +258,7 @@ class DrivePlay {
   Travel travel_;
   std::unique_ptr<agent::PictureDescriber> describer_;  // null: frames are not described
   std::shared_ptr<const agent::SequenceModel> sequences_;
+  std::shared_ptr<const agent::SequenceFilter> filter_;
   std::vector<RunningDetector> detectors_;
   std::vector<KeptFrame> kept_;
   std::vector<TruthFrame> truth_frames_;

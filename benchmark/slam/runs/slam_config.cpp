@@ -88,6 +88,9 @@ void SlamConfig::Validate() const {
   if (sequences && !descriptors) {
     throw sim::KeyError("sequences", "'sequences' needs 'descriptors', the network that it is of");
   }
+  if (filter && !descriptors) {
+    throw sim::KeyError("filter", "'filter' needs 'descriptors', the network that it is of");
+  }
   if (!(apart_m > 0.0)) throw sim::KeyError("apart_m", "apart_m must be positive");
   if (camera.pitch_deg != 0.0)
     throw sim::KeyError("camera", "the camera must be level: pitch_deg 0");

@@ -143,6 +143,7 @@ struct SlamConfig {
   /// File of weights of a PictureDescriber; absent: frames have no descriptors.
   std::optional<std::string> descriptors;
   std::optional<std::string> sequences;  // likewise of SeqVLAD, trained on what that sees
+  std::optional<std::string> filter;     // and of SeqNet's filter, trained on what that describes
   agent::OrbSpec orb;
   double apart_m = 10.0;  // of travel, as odometry has it, between frames that may be a loop
   agent::VerifySpec verify;
@@ -167,6 +168,7 @@ struct SlamConfig {
     v("vocabulary", vocabulary);
     v("descriptors", descriptors);
     v("sequences", sequences);
+    v("filter", filter);
     v("orb", orb);
     v("apart_m", apart_m);
     v("verify", verify);

@@ -122,16 +122,15 @@ SequenceWalk MakeSequenceWalk(const sim::World& world, const PlaceDataConfig& da
   walk.frames = static_cast<int>(poses.size());
   const auto renderer = world.render_scene().MakeRenderer(data.camera);
   std::vector<std::uint8_t> color(data.camera.pixels() * 3);
-  std::vector<agent::PictureDescriptor> descriptors;
   for (const sim::BodyPose& pose : poses) {
     const sim::CameraPose eye = EyeAt(pose, data.body);
     renderer->Render({&eye, 1}, color, {});
-    descriptors.push_back(describer->Describe(color, data.camera.cols, data.camera.rows));
+    walk.descriptors.push_back(describer->Describe(color, data.camera.cols, data.camera.rows));
     const std::vector<std::uint8_t> cells = describer->Cells();
     walk.frame_bytes = cells.size();
     walk.cells.insert(walk.cells.end(), cells.begin(), cells.end());
   }
-  walk.sequences = CutIntoSequences(descriptors, rng);
+  walk.sequences = CutIntoSequences(walk.descriptors, rng);
   DepthEye depth(world.render_scene(), data);
   FindCovisible(poses, &depth, &walk);
   return walk;

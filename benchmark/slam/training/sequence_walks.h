@@ -16,10 +16,11 @@ namespace bulletnav::bench {
 /// A walk through a scene as a network sees it, of which descriptors of sequences are learned.
 struct SequenceWalk {
   int frames = 0;
-  std::size_t frame_bytes = 0;             // [cells, channels]
-  std::vector<std::uint8_t> cells;         // [frames, frame_bytes]; see PictureDescriber::Cells
-  std::vector<agent::Sequence> sequences;  // of one cluster each
-  std::vector<std::uint8_t> is_covisible;  // [frames, frames] 0 or 1: kSamePlace or more
+  std::size_t frame_bytes = 0;      // [cells, channels]
+  std::vector<std::uint8_t> cells;  // [frames, frame_bytes]; see PictureDescriber::Cells
+  std::vector<agent::PictureDescriptor> descriptors;  // [frames]
+  std::vector<agent::Sequence> sequences;             // of one cluster each
+  std::vector<std::uint8_t> is_covisible;             // [frames, frames] 0 or 1: kSamePlace or more
 
   std::span<const std::uint8_t> Frames(int first, int count) const {
     return std::span(cells).subspan(static_cast<std::size_t>(first) * frame_bytes,

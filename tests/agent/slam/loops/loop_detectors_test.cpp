@@ -91,6 +91,25 @@ std::shared_ptr<const Vocabulary> SomeVocabulary() {
   return std::make_shared<const Vocabulary>(pictures, VocabularySpec{.branches = 5, .levels = 4});
 }
 
+/// The sum of the last pictures with some weights.
+class WeighedPictures final : public SequenceFilter {
+ public:
+  explicit WeighedPictures(std::vector<int> weights) : weights_(std::move(weights)) {}
+  int length() const override { return static_cast<int>(weights_.size()); }
+  int size() const override { return kDescriptorSize; }
+  PictureDescriptor Describe(std::span<const PictureDescriptor> pictures) const override {
+    std::vector<std::int64_t> sum(kDescriptorSize, 0);
+    for (std::size_t k = 0; k < pictures.size(); ++k) {
+      const int weight = weights_[weights_.size() - pictures.size() + k];
+      for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += weight * pictures[k][i];
+    }
+    return DirectionOf(sum);
+  }
+
+ private:
+  std::vector<int> weights_;
+};
+
 bool NeedsDescriptors(const std::string& name) {
   return name.starts_with("gem_") || name.starts_with("hut") || name.starts_with("seqnet");
 }
@@ -101,7 +120,10 @@ std::string NeedsLikeness(const std::string& name) {
                                  : "{least_frame: 0.95}";
 }
 
-std::unique_ptr<LoopDetector> Make(const std::string& name, const std::string& other) {
+std::unique_ptr<LoopDetector> Make(
+    const std::string& name, const std::string& other,
+    std::shared_ptr<const SequenceFilter> filter = std::make_shared<WeighedPictures>(std::vector{
+        1, 1, 1, 1, 1})) {
   // Frames are half like their neighbours here, less than in drives, to which likeness is compared.
   std::optional<sim::YamlNode> parameters;
   if (name == "words_hierarchy") parameters = sim::ParseYaml("{least_frame: 1.0}", "test");
@@ -112,14 +134,12 @@ std::unique_ptr<LoopDetector> Make(const std::string& name, const std::string& o
   // Pictures are too small here for corners.
   if (name == "rtabmap_like") parameters = sim::ParseYaml("{own_corners: false}", "test");
   if (!other.empty()) parameters = sim::ParseYaml(other, "test");
-  return ConfigureLoopDetector(sim::ParseYaml(name, "test"),
-                               parameters)({SomeVocabulary(), kDescriptorSize, nullptr});
+  return ConfigureLoopDetector(sim::ParseYaml(name, "test"), parameters)(
+      {SomeVocabulary(), kDescriptorSize, nullptr, std::move(filter)});
 }
 
-/// Places in turn, twice, or each only once; `parameters`, if there are any, instead of usual ones.
-std::vector<LoopCandidate> Drive(const std::string& name, bool is_twice,
-                                 const std::string& parameters = {}) {
-  const auto detector = Make(name, parameters);
+/// Places in turn, twice, or each only once.
+std::vector<LoopCandidate> DriveWith(LoopDetector* detector, bool is_twice) {
   std::vector<LoopCandidate> all;
   const int frames = is_twice ? 2 * kPlaces : kPlaces;
   for (int i = 0; i < frames; ++i) {
@@ -139,6 +159,12 @@ std::vector<LoopCandidate> Drive(const std::string& name, bool is_twice,
   const auto late = detector->Finish();
   all.insert(all.end(), late.begin(), late.end());
   return all;
+}
+
+/// `parameters`, if there are any, instead of usual ones.
+std::vector<LoopCandidate> Drive(const std::string& name, bool is_twice,
+                                 const std::string& parameters = {}) {
+  return DriveWith(Make(name, parameters).get(), is_twice);
 }
 
 class AllDetectors : public ::testing::TestWithParam<std::string> {};
@@ -267,6 +293,41 @@ TEST(SeqNetEven, OrdersTheSequencesMostAlikeByTheirPictures) {
     }
     EXPECT_THAT(named[later], ::testing::UnorderedElementsAreArray(most)) << later;
   }
+}
+
+/// Weighing all pictures alike it is seqnet_even; else the filter chooses other sequences.
+TEST(SeqNet, AsksItsFilterWhichSequencesAreAlike) {
+  const std::string few = "{shortlist: 3}";
+  const auto even = Drive("seqnet_even", true, few);
+  const auto same = Drive("seqnet", true, few);
+  ASSERT_EQ(same.size(), even.size());
+  for (std::size_t i = 0; i < same.size(); ++i) {
+    EXPECT_EQ(same[i].earlier, even[i].earlier);
+    EXPECT_EQ(same[i].score, even[i].score);
+  }
+  const auto last = std::make_shared<WeighedPictures>(std::vector{0, 0, 0, 0, 1});
+  const auto others = DriveWith(Make("seqnet", few, last).get(), true);
+  EXPECT_NE(std::count_if(others.begin(), others.end(),
+                          [&](const LoopCandidate& pair) {
+                            return std::none_of(even.begin(), even.end(), [&](const auto& other) {
+                              return other.later == pair.later && other.earlier == pair.earlier;
+                            });
+                          }),
+            0);
+}
+
+TEST(SeqNet, AFilterThatIsMissingOrOfOtherDescriptorsIsToldOf) {
+  EXPECT_THAT(
+      [] {
+        Make("seqnet", "", nullptr);
+      },
+      ThrowsMessage<sim::Error>(AllOf(HasSubstr("'filter'"), HasSubstr("seqnet_even"))));
+  EXPECT_THAT(
+      [] {
+        ConfigureLoopDetector(sim::ParseYaml("seqnet", "test"), std::nullopt)(
+            {nullptr, 32, nullptr, std::make_shared<WeighedPictures>(std::vector{1})});
+      },
+      ThrowsMessage<sim::Error>(HasSubstr("64 numbers, and 'descriptors' have 32")));
 }
 
 TEST(LoopRegistry, DetectorsThatNeedAVocabularySaySo) {

@@ -13,6 +13,7 @@
 #include "sim/base/files.h"
 #include "sim/config/yaml_reader.h"
 #include "sim/math/rng.h"
+#include "tests/benchmark/slam/training/random_walk.h"
 #include "tests/benchmark/training/supervised/watchers.h"
 #include "tests/support/temporary_folder.h"
 
@@ -21,35 +22,10 @@ namespace {
 
 namespace fs = std::filesystem;
 using tests::Killed;
+using tests::RandomWalk;
 using tests::Watcher;
 
-constexpr int kChannels = 16;
-constexpr int kCells = 4;
-constexpr int kRoom = 15;  // frames
-
-/// Rooms in turn, twice round; frames of one room see the same, a little off.
-SequenceWalk RandomWalk(std::uint64_t seed) {
-  constexpr int kRooms = 6;
-  SequenceWalk walk;
-  walk.frames = 2 * kRooms * kRoom;
-  walk.frame_bytes = kCells * kChannels;
-  sim::Rng noise(seed, "noise");
-  for (int frame = 0; frame < walk.frames; ++frame) {
-    sim::Rng room(seed + static_cast<std::uint64_t>(frame / kRoom % kRooms), "room");
-    for (std::size_t i = 0; i < walk.frame_bytes; ++i) {
-      walk.cells.push_back(static_cast<std::uint8_t>(room.Between(0, 200) + noise.Between(0, 50)));
-    }
-  }
-  for (int first = 0; first < walk.frames; first += kRoom) {
-    walk.sequences.push_back({first, first + kRoom - 1, first / kRoom % kRooms});
-  }
-  for (int a = 0; a < walk.frames; ++a) {
-    for (int b = 0; b < walk.frames; ++b) {
-      walk.is_covisible.push_back(a / kRoom % kRooms == b / kRoom % kRooms ? 1 : 0);
-    }
-  }
-  return walk;
-}
+constexpr int kChannels = tests::kWalkChannels;
 
 SeqVladTrainConfig TinyConfig(const fs::path& out) {
   SeqVladTrainConfig config;
