@@ -110,10 +110,10 @@ function rowElement(row, place) {
   element.dataset.number = row.number;
   const mark = document.createElement("i");
   if (row.ok) mark.className = "ok";
-  const who = filter.agent < 0 ? titleOf(row.agent) + " · " : "";
+  const who = filter.agent < 0 ? " · " + titleOf(row.agent) : "";  // last: long names are cut
   const why = row.ok ? "reached" : row.why;
   element.append(mark, cell("", row.episode), ...(variety.length ? [cell("variant", variantOf(row))] : []),
-                 cell("why", who + why), cell("num", numbered(row.spl, 2)),
+                 cell("why", why + who), cell("num", numbered(row.spl, 2)),
                  cell("num", row.steps), cell("num", numbered(row.distance_to_goal, 1)));
   if (filter.other >= 0) {
     const gain = gainOf(row);

@@ -20,6 +20,11 @@ std::string TableOf(const CardMeasures& measures) {
   return table;
 }
 
+std::string TimeOf(double seconds) {
+  return seconds < 3600.0 ? fmt::format("{:.1f} min", seconds / 60.0)
+                          : fmt::format("{:.1f} h", seconds / 3600.0);
+}
+
 }  // namespace
 
 std::string ModelCard(const TrainJob& job, int step, double seconds, const CardMeasures& measures) {
@@ -35,10 +40,10 @@ std::string ModelCard(const TrainJob& job, int step, double seconds, const CardM
   card += fmt::format(
       "| seed | {} |\n"
       "| steps | {} of {}, {} {} in all |\n"
-      "| time | {:.1f} h |\n"
+      "| time | {} |\n"
       "\nOn {}:\n\n",
       job.plan.seed, step, job.plan.steps, training.FramesAfter(step), training.frames_are(),
-      seconds / 3600.0, training.validated_on());
+      TimeOf(seconds), training.validated_on());
   card += TableOf(measures);
   card += "\nMade by `bulletnav train` from:\n\n```yaml\n" + job.config + "```\n";
   return card;
