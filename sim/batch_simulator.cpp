@@ -277,11 +277,6 @@ void BatchSimulator::Step(std::span<const Action> actions, std::span<Sensors> se
 }
 
 void BatchSimulator::Step(std::span<const int> lanes, std::span<const Action> actions,
-                          std::span<Sensors> sensors, const BatchObservations& out) {
-  Step(lanes, actions, sensors, out, {});
-}
-
-void BatchSimulator::Step(std::span<const int> lanes, std::span<const Action> actions,
                           std::span<Sensors> sensors, const BatchObservations& out,
                           const AfterMotion& after) {
   constexpr const char* kCall = "BatchSimulator::Step";

@@ -63,12 +63,10 @@ class BatchSimulator {
   void Step(std::span<const Action> actions, std::span<Sensors> sensors,
             const BatchObservations& out);
   /// The same for some lanes, in rising order: actions and sensors in their order, `out` still of
-  /// all lanes. Empty spans in `out`: nothing is drawn.
+  /// all lanes. Empty spans in `out`: nothing is drawn. `after`: what the caller has to do for each
+  /// lane that has moved; it may throw.
   void Step(std::span<const int> lanes, std::span<const Action> actions, std::span<Sensors> sensors,
-            const BatchObservations& out);
-  /// And with what the caller has to do for each lane that has moved; it may throw.
-  void Step(std::span<const int> lanes, std::span<const Action> actions, std::span<Sensors> sensors,
-            const BatchObservations& out, const AfterMotion& after);
+            const BatchObservations& out, const AfterMotion& after = {});
   /// The observations alone, after resets: of all lanes, or of some.
   void Observe(const BatchObservations& out);
   void Observe(std::span<const int> lanes, const BatchObservations& out);
