@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <set>
 #include <string_view>
 
 #include "sim/base/error.h"
@@ -53,6 +54,7 @@ class IncludeWalk {
 
   /// Throws FileError where a model includes itself.
   void Follow(const fs::path& model) {
+    if (!followed_.insert(model).second) return;
     above_.push_back(model);
     for (const fs::path& file : FilesOf(model)) {
       for (const std::string& uri : IncludesOf(file)) FollowUri(file, uri);
@@ -72,6 +74,7 @@ class IncludeWalk {
 
   const std::vector<fs::path>& folders_;
   std::vector<fs::path> above_;
+  std::set<fs::path> followed_;  // a world includes the same models again and again
 };
 
 }  // namespace
