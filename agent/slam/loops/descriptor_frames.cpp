@@ -2,7 +2,6 @@
 #include "agent/slam/loops/descriptor_frames.h"
 
 #include <algorithm>
-#include <span>
 #include <string>
 
 #include "sim/base/error.h"
@@ -32,9 +31,9 @@ std::vector<std::uint8_t> DescriptorFrames::Cells(int first, int last) const {
   return cells;
 }
 
-PictureDescriptor MeanOfLast(const DescriptorFrames& frames, int length) {
-  const std::span<const PictureDescriptor> all(frames.descriptors());
-  return MeanDirection(all.last(std::min(all.size(), static_cast<std::size_t>(length))));
+std::span<const PictureDescriptor> DescriptorFrames::Last(int length) const {
+  const std::span<const PictureDescriptor> all(descriptors_);
+  return all.last(std::min(all.size(), static_cast<std::size_t>(length)));
 }
 
 double OrderedCosine(const DescriptorFrames& frames, int later, int earlier, int length) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstddef>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -22,6 +23,8 @@ class DescriptorFrames {
   const PictureDescriptor& descriptor(int frame) const {
     return descriptors_[static_cast<std::size_t>(frame)];
   }
+  /// Of the last `length` frames, or of all while they are fewer.
+  std::span<const PictureDescriptor> Last(int length) const;
   int comparable(int frame) const { return comparable_[static_cast<std::size_t>(frame)]; }
   /// Of frames `first` to `last`, one after the other.
   std::vector<std::uint8_t> Cells(int first, int last) const;
@@ -37,10 +40,6 @@ class DescriptorFrames {
 /// of fewer at the start of the drive. That of their descriptors one after the other, as one.
 /// Expects: earlier <= later.
 double OrderedCosine(const DescriptorFrames& frames, int later, int earlier, int length);
-
-/// One descriptor of the last `length` frames, or of all while they are fewer: their MeanDirection.
-/// Expects: a frame.
-PictureDescriptor MeanOfLast(const DescriptorFrames& frames, int length);
 
 /// Takes the best of the candidates from position `first` on for a loop, if it scores `least`.
 void ProposeBest(std::size_t first, double least, std::vector<LoopCandidate>* candidates);

@@ -20,7 +20,7 @@ SeqNetHierarchy::SeqNetHierarchy(std::string_view name, const SeqNetSpec& spec, 
 std::vector<LoopCandidate> SeqNetHierarchy::Add(const LoopFrame& frame) {
   constexpr double kNone = 2.0;  // no sequence is a loop by itself
   frames_.Add(frame);
-  sequences_.push_back(DescribeLast(frames_));
+  sequences_.push_back(DescribeSequence(frames_.Last(length_)));
   std::vector<LoopCandidate> candidates =
       CompareWithAll(frame.number, frame.comparable, sequences_, kNone);
   Shorten(&candidates);

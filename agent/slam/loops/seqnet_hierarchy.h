@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -32,8 +33,8 @@ class SeqNetHierarchy : public LoopDetector {
   /// `length`: frames of a sequence.
   SeqNetHierarchy(std::string_view name, const SeqNetSpec& spec, int length,
                   const LoopContext& context);
-  /// Of the sequence that ends with the last frame.
-  virtual PictureDescriptor DescribeLast(const DescriptorFrames& frames) const = 0;
+  /// Of a sequence, or of what there is of it where the drive begins.
+  virtual PictureDescriptor DescribeSequence(std::span<const PictureDescriptor> frames) const = 0;
 
  private:
   void Shorten(std::vector<LoopCandidate>* candidates) const;

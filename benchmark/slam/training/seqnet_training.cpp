@@ -7,13 +7,12 @@
 #include "agent/models/safetensors.h"
 #include "agent/perception/one_thread.h"
 #include "agent/perception/weights.h"
+#include "benchmark/slam/training/seqvlad_net.h"
 #include "sim/base/error.h"
 #include "sim/config/yaml_writer.h"
 
 namespace bulletnav::bench {
 namespace {
-
-constexpr double kLeastLength = 1e-6;
 
 /// Numbers of a picture's descriptor, one for all walks.
 int SizeOf(const std::vector<SequenceWalk>& walks) {
@@ -40,8 +39,7 @@ SeqNetNet::SeqNetNet(const agent::SeqNetConfig& config, int size) {
 }
 
 torch::Tensor SeqNetNet::forward(const torch::Tensor& descriptors) const {
-  const torch::Tensor sums = at::addmm(bias_, descriptors.flatten(1), filter_.flatten(1).t());
-  return sums / sums.norm(2, {-1}, true).clamp_min(kLeastLength);
+  return Directions(at::addmm(bias_, descriptors.flatten(1), filter_.flatten(1).t()));
 }
 
 void SaveSeqNet(const SeqNetNet& net, const agent::SeqNetConfig& config,
@@ -56,15 +54,11 @@ void SaveSeqNet(const SeqNetNet& net, const agent::SeqNetConfig& config,
 SeqNetTraining::SeqNetTraining(const Config& config, const TrainContext& context)
     : SeqNetTraining(config, MakeWalks(config, context)) {}
 
-SeqNetTraining::SeqNetTraining(const Config& config, std::vector<SequenceWalk> train,
-                               std::vector<SequenceWalk> validation)
-    : SeqNetTraining(config, Walks{std::move(train), std::move(validation)}) {}
-
-SeqNetTraining::SeqNetTraining(const Config& config, Walks walks)
+SeqNetTraining::SeqNetTraining(const Config& config, SequenceWalks walks)
     : SequenceTraining(config, {config.model.length, config.model.length}, std::string(kName),
                        std::move(walks)),
       config_(config),
-      net_(config.model, SizeOf(SequenceTraining::train())) {}
+      net_(config.model, SizeOf(SequenceTraining::walks().train)) {}
 
 torch::Tensor SeqNetTraining::DescribeWindows(const SequenceWalk& walk,
                                               std::span<const Window> windows) {

@@ -52,8 +52,7 @@ class SeqNetTraining final : public SequenceTraining {
   using Config = SeqNetTrainConfig;
 
   SeqNetTraining(const Config& config, const TrainContext& context);
-  SeqNetTraining(const Config& config, std::vector<SequenceWalk> train,
-                 std::vector<SequenceWalk> validation);
+  SeqNetTraining(const Config& config, SequenceWalks walks);
 
   torch::nn::Module& net() override { return net_; }
   void Save(std::map<std::string, std::string> notes,
@@ -62,7 +61,6 @@ class SeqNetTraining final : public SequenceTraining {
   std::string title() const override { return "SeqNet's filter over time"; }
 
  private:
-  SeqNetTraining(const Config& config, Walks walks);
   torch::Tensor DescribeWindows(const SequenceWalk& walk, std::span<const Window> windows) override;
 
   Config config_;

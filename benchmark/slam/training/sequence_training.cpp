@@ -63,8 +63,7 @@ void SequencePlan::Validate() const {
   if (!(margin > 0.0)) throw sim::KeyError("margin", "margin must be positive");
 }
 
-SequenceTraining::Walks SequenceTraining::MakeWalks(const SequencePlan& plan,
-                                                    const TrainContext& context) {
+SequenceWalks SequenceTraining::MakeWalks(const SequencePlan& plan, const TrainContext& context) {
   if (!plan.data) {
     throw sim::KeyError("data", "there is no block 'data'; see configs/train/seqvlad.yaml");
   }
@@ -73,7 +72,7 @@ SequenceTraining::Walks SequenceTraining::MakeWalks(const SequencePlan& plan,
 }
 
 SequenceTraining::SequenceTraining(const SequencePlan& plan, const SequenceLengths& lengths,
-                                   std::string name, Walks walks)
+                                   std::string name, SequenceWalks walks)
     : plan_(plan), lengths_(lengths), name_(std::move(name)), walks_(std::move(walks)) {
   for (const auto* some : {&walks_.train, &walks_.validation}) {
     if (some->empty()) throw sim::Error("there is no walk to learn from");

@@ -61,6 +61,11 @@ struct SequenceLengths {
   int longest = 5;
 };
 
+struct SequenceWalks {
+  std::vector<SequenceWalk> train;
+  std::vector<SequenceWalk> validation;
+};
+
 /// A training of a descriptor of sequences on what a trained network sees on walks: sequences whose
 /// frames are covisible are to lie nearer than those that share nothing, by a margin. One thread;
 /// the same bits each time.
@@ -75,17 +80,13 @@ class SequenceTraining : public Training {
   std::string validated_on() const override { return "sequences of walks in validation scenes"; }
 
  protected:
-  struct Walks {
-    std::vector<SequenceWalk> train;
-    std::vector<SequenceWalk> validation;
-  };
   /// Walks through the plan's scenes. Throws Error.
-  static Walks MakeWalks(const SequencePlan& plan, const TrainContext& context);
+  static SequenceWalks MakeWalks(const SequencePlan& plan, const TrainContext& context);
 
   /// `name`: of the training, of whose random numbers it is a part. Throws Error for walks that are
   /// not there or too short.
   SequenceTraining(const SequencePlan& plan, const SequenceLengths& lengths, std::string name,
-                   Walks walks);
+                   SequenceWalks walks);
 
   /// Windows of one length of a walk as the net describes them: [n, size] of length 1.
   virtual torch::Tensor DescribeWindows(const SequenceWalk& walk,
@@ -95,7 +96,7 @@ class SequenceTraining : public Training {
       std::function<agent::PictureDescriptor(const SequenceWalk& walk, const Window& window)>;
   Measures MeasuresOf(const InIntegers& describe) const;
 
-  const std::vector<SequenceWalk>& train() const { return walks_.train; }
+  const SequenceWalks& walks() const { return walks_; }
   /// A window of a length that is learned from.
   Window DrawWindow(const SequenceWalk& walk, sim::Rng* rng) const;
 
@@ -109,7 +110,7 @@ class SequenceTraining : public Training {
   SequencePlan plan_;
   SequenceLengths lengths_;
   std::string name_;
-  Walks walks_;
+  SequenceWalks walks_;
 };
 
 }  // namespace bulletnav::bench

@@ -21,11 +21,11 @@ constexpr double kLeastLength = 1e-6;
 /// NetVLAD's released code.
 constexpr double kNearestShare = 100.0;
 
+}  // namespace
+
 torch::Tensor Directions(const torch::Tensor& x) {
   return x / x.norm(2, {-1}, true).clamp_min(kLeastLength);
 }
-
-}  // namespace
 
 SeqVladNet::SeqVladNet(const agent::SequenceConfig& config, std::uint64_t seed) : config_(config) {
   sim::Rng rng(seed, "seqvlad_net");
@@ -57,7 +57,7 @@ void SeqVladNet::StartFrom(const Eigen::MatrixXf& cells, sim::Rng* rng) {
   assign_.copy_(2.0 * alpha * centres_);
 }
 
-torch::Tensor SeqVladNet::forward(const torch::Tensor& cells) {
+torch::Tensor SeqVladNet::forward(const torch::Tensor& cells) const {
   const torch::Tensor shares = at::softmax(at::matmul(cells, assign_.t()), 2);
   const torch::Tensor sums = at::matmul(shares.transpose(1, 2), cells);
   const torch::Tensor off = sums - shares.sum(1).unsqueeze(2) * centres_;

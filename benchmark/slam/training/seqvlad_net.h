@@ -26,13 +26,16 @@ class SeqVladNet : public torch::nn::Module {
   void StartFrom(const Eigen::MatrixXf& cells, sim::Rng* rng);
 
   /// From [n, cells, channels] of length 1 each to [n, clusters * channels] of length 1.
-  torch::Tensor forward(const torch::Tensor& cells);
+  torch::Tensor forward(const torch::Tensor& cells) const;
 
  private:
   agent::SequenceConfig config_;
   torch::Tensor assign_;
   torch::Tensor centres_;
 };
+
+/// Vectors along the last axis, each made length 1; those of no length stay so.
+torch::Tensor Directions(const torch::Tensor& x);
 
 /// [n, cells, channels] of length 1 from bytes [n, cells, channels].
 torch::Tensor CellDirections(std::span<const std::uint8_t> bytes, int n, int channels);

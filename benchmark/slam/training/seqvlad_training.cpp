@@ -27,18 +27,17 @@ void SeqVladTrainConfig::Validate() const {
 SeqVladTraining::SeqVladTraining(const Config& config, const TrainContext& context)
     : SeqVladTraining(config, MakeWalks(config, context)) {}
 
-SeqVladTraining::SeqVladTraining(const Config& config, std::vector<SequenceWalk> train,
-                                 std::vector<SequenceWalk> validation)
-    : SeqVladTraining(config, Walks{std::move(train), std::move(validation)}) {}
-
-SeqVladTraining::SeqVladTraining(const Config& config, Walks walks)
+SeqVladTraining::SeqVladTraining(const Config& config, SequenceWalks walks)
     : SequenceTraining(config, {config.shortest, config.longest}, std::string(kName),
                        std::move(walks)),
       config_(config),
       net_(config.model, config.seed) {
-  for (const SequenceWalk& walk : SequenceTraining::train()) {
-    if (walk.frame_bytes % static_cast<std::size_t>(config.model.channels) == 0) continue;
-    throw sim::KeyError("model", "the model's channels are not those of the descriptor's cells");
+  const SequenceWalks& all = SequenceTraining::walks();
+  for (const auto* some : {&all.train, &all.validation}) {
+    for (const SequenceWalk& walk : *some) {
+      if (walk.frame_bytes % static_cast<std::size_t>(config.model.channels) == 0) continue;
+      throw sim::KeyError("model", "the model's channels are not those of the descriptor's cells");
+    }
   }
   sim::Rng rng(config.seed, "seqvlad start");
   net_.StartFrom(SomeCells(&rng), &rng);
@@ -49,7 +48,7 @@ Eigen::MatrixXf SeqVladTraining::SomeCells(sim::Rng* rng) const {
   Eigen::MatrixXf cells(kStartCells, config_.model.channels);
   const auto channels = static_cast<std::size_t>(config_.model.channels);
   for (int row = 0; row < kStartCells; ++row) {
-    const SequenceWalk& walk = rng->Pick(train());
+    const SequenceWalk& walk = rng->Pick(walks().train);
     const auto count = static_cast<int>(walk.cells.size() / channels);
     const auto at = static_cast<std::size_t>(rng->Below(count)) * channels;
     for (std::size_t i = 0; i < channels; ++i) {
@@ -79,7 +78,7 @@ MainDirections SeqVladTraining::Directions() const {
   sim::Rng rng(config_.seed, "seqvlad directions");
   std::vector<torch::Tensor> rows;
   for (int i = 0; i < kDirectionWindows; ++i) {
-    const SequenceWalk& walk = rng.Pick(train());
+    const SequenceWalk& walk = rng.Pick(walks().train);
     const Window window = DrawWindow(walk, &rng);
     rows.push_back(net_.forward(CellsOf(walk, {&window, 1})));
   }

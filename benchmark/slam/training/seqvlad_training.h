@@ -40,8 +40,7 @@ class SeqVladTraining final : public SequenceTraining {
   using Config = SeqVladTrainConfig;
 
   SeqVladTraining(const Config& config, const TrainContext& context);
-  SeqVladTraining(const Config& config, std::vector<SequenceWalk> train,
-                  std::vector<SequenceWalk> validation);
+  SeqVladTraining(const Config& config, SequenceWalks walks);
 
   torch::nn::Module& net() override { return net_; }
   void Save(std::map<std::string, std::string> notes,
@@ -50,14 +49,13 @@ class SeqVladTraining final : public SequenceTraining {
   std::string title() const override { return "The descriptor of sequences"; }
 
  private:
-  SeqVladTraining(const Config& config, Walks walks);
   torch::Tensor DescribeWindows(const SequenceWalk& walk, std::span<const Window> windows) override;
   torch::Tensor CellsOf(const SequenceWalk& walk, std::span<const Window> windows) const;
   Eigen::MatrixXf SomeCells(sim::Rng* rng) const;
   MainDirections Directions() const;
 
   Config config_;
-  mutable SeqVladNet net_;  // to be asked it is not changed
+  SeqVladNet net_;
 };
 
 }  // namespace bulletnav::bench

@@ -35,7 +35,7 @@ class GemMean final : public LoopDetector {
 
   std::vector<LoopCandidate> Add(const LoopFrame& frame) override {
     frames_.Add(frame);
-    means_.push_back(MeanOfLast(frames_, config_.length));
+    means_.push_back(MeanDirection(frames_.Last(config_.length)));
     return CompareWithAll(frame.number, frame.comparable, means_, config_.least_frame);
   }
 

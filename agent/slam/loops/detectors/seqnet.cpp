@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <cstddef>
 #include <memory>
 #include <span>
 #include <string>
@@ -39,10 +37,8 @@ class SeqNet final : public SeqNetHierarchy {
     return context.filter->length();
   }
 
-  PictureDescriptor DescribeLast(const DescriptorFrames& frames) const override {
-    const std::span<const PictureDescriptor> all(frames.descriptors());
-    return filter_->Describe(
-        all.last(std::min(all.size(), static_cast<std::size_t>(filter_->length()))));
+  PictureDescriptor DescribeSequence(std::span<const PictureDescriptor> frames) const override {
+    return filter_->Describe(frames);
   }
 
   std::shared_ptr<const SequenceFilter> filter_;

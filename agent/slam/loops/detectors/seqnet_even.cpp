@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <span>
+
 #include "agent/slam/loops/loop_registry.h"
 #include "agent/slam/loops/seqnet_hierarchy.h"
 #include "sim/base/error.h"
@@ -27,14 +29,12 @@ class SeqNetEven final : public SeqNetHierarchy {
   };
 
   SeqNetEven(const Config& config, const LoopContext& context)
-      : SeqNetHierarchy(kName, config, config.length, context), length_(config.length) {}
+      : SeqNetHierarchy(kName, config, config.length, context) {}
 
  private:
-  PictureDescriptor DescribeLast(const DescriptorFrames& frames) const override {
-    return MeanOfLast(frames, length_);
+  PictureDescriptor DescribeSequence(std::span<const PictureDescriptor> frames) const override {
+    return MeanDirection(frames);
   }
-
-  int length_;
 };
 
 const LoopDetectorRegistration<SeqNetEven> registration;

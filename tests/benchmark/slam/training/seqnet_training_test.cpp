@@ -34,8 +34,7 @@ SeqNetTrainConfig TinyConfig(const fs::path& out) {
 
 void Train(const SeqNetTrainConfig& config, TrainObserver* observer) {
   auto training = std::make_unique<SeqNetTraining>(
-      config, std::vector<SequenceWalk>{RandomWalk(1), RandomWalk(20)},
-      std::vector<SequenceWalk>{RandomWalk(40)});
+      config, SequenceWalks{{RandomWalk(1), RandomWalk(20)}, {RandomWalk(40)}});
   RunTraining(TrainJob::Of<SeqNetTraining>(config, std::move(training)), observer);
 }
 

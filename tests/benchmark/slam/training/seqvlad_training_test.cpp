@@ -67,8 +67,7 @@ TEST(MainDirections, AreOrthonormalAndHoldMostOfWhatDiffers) {
 
 void Train(const SeqVladTrainConfig& config, TrainObserver* observer) {
   auto training = std::make_unique<SeqVladTraining>(
-      config, std::vector<SequenceWalk>{RandomWalk(1), RandomWalk(20)},
-      std::vector<SequenceWalk>{RandomWalk(40)});
+      config, SequenceWalks{{RandomWalk(1), RandomWalk(20)}, {RandomWalk(40)}});
   RunTraining(TrainJob::Of<SeqVladTraining>(config, std::move(training)), observer);
 }
 
