@@ -6,23 +6,20 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "agent/models/safetensors.h"
 #include "agent/slam/descriptors/picture_describer.h"
 #include "benchmark/slam/training/place_loss.h"
 #include "sim/base/error.h"
 #include "sim/base/files.h"
 #include "sim/config/yaml_reader.h"
 #include "tests/benchmark/slam/training/random_views.h"
-#include "tests/benchmark/training/supervised/watchers.h"
+#include "tests/benchmark/slam/training/resumes.h"
 #include "tests/support/temporary_folder.h"
 
 namespace bulletnav::bench {
 namespace {
 
 namespace fs = std::filesystem;
-using tests::Killed;
 using tests::RandomViews;
-using tests::Watcher;
 
 /// The formula, one view after the other.
 double LossPlainly(const torch::Tensor& cosines, const torch::Tensor& covisibility,
@@ -106,17 +103,7 @@ void Train(const PlaceTrainConfig& config, TrainObserver* observer) {
 
 TEST(PlaceTraining, ResumedIsTheSameAsUninterruptedBitForBit) {
   const tests::TemporaryFolder folder;
-  PlaceTrainConfig config = TinyConfig(folder.path() / "whole");
-  Watcher whole;
-  Train(config, &whole);
-  const auto weights = agent::ReadTensorFile(folder.path() / "whole/weights.safetensors").tensors;
-  config.out = (folder.path() / "parts").string();
-  Watcher killed(5);
-  EXPECT_THROW(Train(config, &killed), Killed);
-  Watcher rest;
-  Train(config, &rest);
-  EXPECT_EQ(rest.resumed(), 4);
-  EXPECT_EQ(agent::ReadTensorFile(folder.path() / "parts/weights.safetensors").tensors, weights);
+  tests::ExpectResumesToTheSameBits(TinyConfig("unused"), folder.path(), Train);
   EXPECT_EQ(sim::ReadTextFile(folder.path() / "parts/curves.csv"),
             sim::ReadTextFile(folder.path() / "whole/curves.csv"));
   // What was written describes pictures.

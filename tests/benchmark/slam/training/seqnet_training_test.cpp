@@ -4,19 +4,17 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "agent/models/safetensors.h"
 #include "sim/base/error.h"
 #include "sim/base/files.h"
 #include "sim/config/yaml_reader.h"
 #include "tests/benchmark/slam/training/random_walk.h"
-#include "tests/benchmark/training/supervised/watchers.h"
+#include "tests/benchmark/slam/training/resumes.h"
 #include "tests/support/temporary_folder.h"
 
 namespace bulletnav::bench {
 namespace {
 
 namespace fs = std::filesystem;
-using tests::Killed;
 using tests::RandomWalk;
 using tests::Watcher;
 
@@ -40,18 +38,9 @@ void Train(const SeqNetTrainConfig& config, TrainObserver* observer) {
 
 TEST(SeqNetTraining, ResumedIsTheSameAsUninterruptedBitForBit) {
   const tests::TemporaryFolder folder;
-  SeqNetTrainConfig config = TinyConfig(folder.path() / "whole");
-  Watcher whole;
-  Train(config, &whole);
-  EXPECT_GT(whole.measures().at("ap"), 0.9);
-  const auto weights = agent::ReadTensorFile(folder.path() / "whole/weights.safetensors").tensors;
-  config.out = (folder.path() / "parts").string();
-  Watcher killed(5);
-  EXPECT_THROW(Train(config, &killed), Killed);
-  Watcher rest;
-  Train(config, &rest);
-  EXPECT_EQ(rest.resumed(), 4);
-  EXPECT_EQ(agent::ReadTensorFile(folder.path() / "parts/weights.safetensors").tensors, weights);
+  const Measures whole =
+      tests::ExpectResumesToTheSameBits(TinyConfig("unused"), folder.path(), Train);
+  EXPECT_GT(whole.at("ap"), 0.9);
 }
 
 TEST(SeqNetTraining, BeginsAsTheMeanAndMovesOn) {

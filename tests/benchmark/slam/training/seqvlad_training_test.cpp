@@ -6,7 +6,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "agent/models/safetensors.h"
 #include "agent/slam/descriptors/seqvlad.h"
 #include "benchmark/slam/training/seqvlad_net.h"
 #include "sim/base/error.h"
@@ -14,16 +13,14 @@
 #include "sim/config/yaml_reader.h"
 #include "sim/math/rng.h"
 #include "tests/benchmark/slam/training/random_walk.h"
-#include "tests/benchmark/training/supervised/watchers.h"
+#include "tests/benchmark/slam/training/resumes.h"
 #include "tests/support/temporary_folder.h"
 
 namespace bulletnav::bench {
 namespace {
 
 namespace fs = std::filesystem;
-using tests::Killed;
 using tests::RandomWalk;
-using tests::Watcher;
 
 constexpr int kChannels = tests::kWalkChannels;
 
@@ -73,18 +70,9 @@ void Train(const SeqVladTrainConfig& config, TrainObserver* observer) {
 
 TEST(SeqVladTraining, ResumedIsTheSameAsUninterruptedBitForBit) {
   const tests::TemporaryFolder folder;
-  SeqVladTrainConfig config = TinyConfig(folder.path() / "whole");
-  Watcher whole;
-  Train(config, &whole);
-  EXPECT_GT(whole.measures().at("ap"), 0.9);
-  const auto weights = agent::ReadTensorFile(folder.path() / "whole/weights.safetensors").tensors;
-  config.out = (folder.path() / "parts").string();
-  Watcher killed(5);
-  EXPECT_THROW(Train(config, &killed), Killed);
-  Watcher rest;
-  Train(config, &rest);
-  EXPECT_EQ(rest.resumed(), 4);
-  EXPECT_EQ(agent::ReadTensorFile(folder.path() / "parts/weights.safetensors").tensors, weights);
+  const Measures whole =
+      tests::ExpectResumesToTheSameBits(TinyConfig("unused"), folder.path(), Train);
+  EXPECT_GT(whole.at("ap"), 0.9);
 }
 
 /// All directions are kept here, so that integers say what the network says.
