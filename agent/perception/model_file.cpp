@@ -3,30 +3,16 @@
 
 #include <string>
 
+#include "agent/models/config_in_weights.h"
 #include "sim/base/error.h"
-#include "sim/config/yaml_reader.h"
 
 namespace bulletnav::agent {
-namespace {
-
-template <class Config>
-Config ConfigOf(const TensorFile& weights, const char* key, const std::filesystem::path& file) {
-  const auto found = weights.metadata.find(key);
-  if (found == weights.metadata.end()) {
-    throw sim::FileError(file, "",
-                         std::string("does not hold the weights of a ") + key + "; train it again");
-  }
-  return sim::LoadYamlText<Config>(found->second, file);
-}
-
-}  // namespace
-
 ModelConfig ModelConfigOf(const TensorFile& weights, const std::filesystem::path& file) {
-  return ConfigOf<ModelConfig>(weights, kModelKey, file);
+  return ConfigInWeights<ModelConfig>(weights, kModelKey, file, "a model; train it again");
 }
 
 MapperConfig MapperConfigOf(const TensorFile& weights, const std::filesystem::path& file) {
-  return ConfigOf<MapperConfig>(weights, kMapperKey, file);
+  return ConfigInWeights<MapperConfig>(weights, kMapperKey, file, "a mapper; train it again");
 }
 
 void RequireRig(const Rig& rig, const ModelConfig& config, const std::filesystem::path& file) {

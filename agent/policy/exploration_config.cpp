@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "agent/policy/exploration_config.h"
 
+#include "agent/models/config_in_weights.h"
 #include "sim/base/error.h"
-#include "sim/config/yaml_reader.h"
 
 namespace bulletnav::agent {
 
@@ -17,11 +17,8 @@ void ExplorationConfig::Validate() const {
 
 ExplorationConfig ExplorationConfigOf(const TensorFile& weights,
                                       const std::filesystem::path& file) {
-  const auto found = weights.metadata.find(kExplorationKey);
-  if (found == weights.metadata.end()) {
-    throw sim::FileError(file, "", "does not hold the weights of an exploration policy; train one");
-  }
-  return sim::LoadYamlText<ExplorationConfig>(found->second, file);
+  return ConfigInWeights<ExplorationConfig>(weights, kExplorationKey, file,
+                                            "an exploration policy; train one");
 }
 
 }  // namespace bulletnav::agent

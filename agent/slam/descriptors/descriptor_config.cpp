@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "agent/slam/descriptors/descriptor_config.h"
 
+#include "agent/models/config_in_weights.h"
 #include "sim/base/error.h"
 #include "sim/config/yaml_reader.h"
 
@@ -17,13 +18,9 @@ void DescriptorConfig::Validate() const {
 }
 
 DescriptorConfig DescriptorConfigOf(const TensorFile& weights, const std::filesystem::path& file) {
-  const auto found = weights.metadata.find(kDescriptorKey);
-  if (found == weights.metadata.end()) {
-    throw sim::FileError(file, "",
-                         "does not hold the weights of a descriptor of pictures; train one with "
-                         "configs/train/place.yaml");
-  }
-  return sim::LoadYamlText<DescriptorConfig>(found->second, file);
+  return ConfigInWeights<DescriptorConfig>(weights, kDescriptorKey, file,
+                                           "a descriptor of pictures; train one with "
+                                           "configs/train/place.yaml");
 }
 
 }  // namespace bulletnav::agent

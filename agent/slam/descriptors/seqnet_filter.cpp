@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "agent/models/config_in_weights.h"
 #include "agent/slam/descriptors/weight_steps.h"
 #include "sim/base/check.h"
 #include "sim/base/error.h"
@@ -16,13 +17,9 @@ constexpr int kSteps = 1 << 14;
 constexpr int kLargestSize = 1024;  // that DirectionOf takes
 
 SeqNetConfig ConfigOf(const TensorFile& weights, const std::filesystem::path& file) {
-  const auto found = weights.metadata.find(kSeqNetKey);
-  if (found == weights.metadata.end()) {
-    throw sim::FileError(file, "",
-                         "does not hold the weights of SeqNet's filter; train one with "
-                         "configs/train/seqnet.yaml");
-  }
-  return sim::LoadYamlText<SeqNetConfig>(found->second, file);
+  return ConfigInWeights<SeqNetConfig>(weights, kSeqNetKey, file,
+                                       "SeqNet's filter; train one with "
+                                       "configs/train/seqnet.yaml");
 }
 
 int SizeOf(const TensorFile& weights, const std::filesystem::path& file) {

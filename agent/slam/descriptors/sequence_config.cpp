@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "agent/slam/descriptors/sequence_config.h"
 
+#include "agent/models/config_in_weights.h"
 #include "sim/base/error.h"
 #include "sim/config/yaml_reader.h"
 
@@ -19,13 +20,9 @@ void SequenceConfig::Validate() const {
 }
 
 SequenceConfig SequenceConfigOf(const TensorFile& weights, const std::filesystem::path& file) {
-  const auto found = weights.metadata.find(kSequenceKey);
-  if (found == weights.metadata.end()) {
-    throw sim::FileError(file, "",
-                         "does not hold the weights of a descriptor of sequences; train one with "
-                         "configs/train/seqvlad.yaml");
-  }
-  return sim::LoadYamlText<SequenceConfig>(found->second, file);
+  return ConfigInWeights<SequenceConfig>(weights, kSequenceKey, file,
+                                         "a descriptor of sequences; train one with "
+                                         "configs/train/seqvlad.yaml");
 }
 
 }  // namespace bulletnav::agent
