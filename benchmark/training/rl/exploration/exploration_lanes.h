@@ -10,16 +10,16 @@
 
 namespace bulletnav::bench {
 
-inline constexpr double kRewardPerArea = 0.02;  // for a m2 seen for the first time
+inline constexpr double kRewardPerArea = 0.02;  // for a m2 seen for the first time, or its worth
 
 /// Goals as actions of a PolicyTask, and back.
 int ActionOf(const agent::GoalSteps& goal);
 agent::GoalSteps GoalOf(int action);
 
 /// Exploring scenes by long-term goals: an action is a goal for some steps, a reward
-/// kRewardPerArea for each m2 that is new on the true map. Episodes end with their steps. An
-/// episode's score is the m2 that it saw. Source of the reward: the released code of Active Neural
-/// SLAM.
+/// kRewardPerArea for what each m2 is worth that is new on the true map. Episodes end with their
+/// steps. An episode's score is the m2 that it saw. Source of the reward: the released code of
+/// Active Neural SLAM.
 class ExplorationLanes final : public PolicyTask {
  public:
   /// `scenes` and `pool` must outlive it.

@@ -146,11 +146,12 @@ class ExplorationTraining final : public PpoTraining {
   std::string title() const override { return "An exploration policy of Active Neural SLAM"; }
   std::string Describe(const Measures& measures) const override {
     return fmt::format(
-        "explored {:.1f} m2 (goals at random {:.1f}, frontiers {:.1f}), sigma {:.2f}, entropy "
-        "{:.2f}, KL {:.4f}, "
+        "explored {:.1f} m2 (goals at random {:.1f}, frontiers {:.1f}), early {:.1f} ({:.1f}, "
+        "{:.1f}), sigma {:.2f}, entropy {:.2f}, KL {:.4f}, "
         "explained variance {:.2f}",
         measures.at("explored"), measures.at("explored_at_random"),
-        measures.at("explored_by_frontiers"), measures.at("deviation"), measures.at("entropy"),
+        measures.at("explored_by_frontiers"), measures.at("early"), measures.at("early_at_random"),
+        measures.at("early_by_frontiers"), measures.at("deviation"), measures.at("entropy"),
         measures.at("kl"), measures.at("explained_variance"));
   }
   std::string curves_label() const override { return "m2 explored, validation"; }
@@ -196,6 +197,9 @@ class ExplorationTraining final : public PpoTraining {
     measures("explored", result.explored);
     measures("explored_at_random", at_random_->explored);
     measures("explored_by_frontiers", by_frontiers_->explored);
+    measures("early", result.early);
+    measures("early_at_random", at_random_->early);
+    measures("early_by_frontiers", by_frontiers_->early);
     measures("collisions", result.collisions);
     measures("deviation", sim::Exp(goal_net().policy()->log_deviation().mean().item<double>()));
     AppendReport(&measures);

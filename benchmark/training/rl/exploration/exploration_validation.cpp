@@ -17,8 +17,12 @@ ExplorationValidation::Result ExplorationValidation::Play(int number, const Walk
   MapSimulator simulator(spec_);
   simulator.Begin(*drawn.scene, drawn.start, drawn.seed);
   sim::Rng rng = sim::Rng(drawn.seed, "validation").Fork("episode", episode);
-  while (!simulator.is_over()) walk(&simulator, &rng);
-  return {simulator.explored(), static_cast<double>(simulator.collisions())};
+  double early = 0.0;
+  while (!simulator.is_over()) {
+    walk(&simulator, &rng);
+    if (4 * simulator.steps() <= spec_.episode_steps) early = simulator.worth();
+  }
+  return {simulator.explored(), early, static_cast<double>(simulator.collisions())};
 }
 
 ExplorationValidation::Result ExplorationValidation::MeanOf(const std::function<Walk()>& make,
@@ -30,6 +34,7 @@ ExplorationValidation::Result ExplorationValidation::MeanOf(const std::function<
   Result mean;
   for (const Result& result : results) {
     mean.explored += result.explored / episodes_;
+    mean.early += result.early / episodes_;
     mean.collisions += result.collisions / episodes_;
   }
   return mean;

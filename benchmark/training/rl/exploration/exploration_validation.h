@@ -22,6 +22,7 @@ class ExplorationValidation {
 
   struct Result {
     double explored = 0.0;    // m2 of an episode, on the true map
+    double early = 0.0;       // what was seen by a quarter of its steps is worth, m2
     double collisions = 0.0;  // of an episode
   };
   /// Makes a policy, once an episode, in any thread.

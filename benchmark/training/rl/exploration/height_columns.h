@@ -21,6 +21,7 @@ class HeightColumns {
   HeightColumns(const sim::SceneMesh& mesh, double floor);
 
   int width() const { return width_; }
+  int depth() const { return depth_; }
   /// In cells from the corner of least x and z.
   double AlongX(double x) const { return (x - low_x_) / kCell; }
   double AlongZ(double z) const { return (z - low_z_) / kCell; }

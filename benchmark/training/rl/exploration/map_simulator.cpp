@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/training/rl/exploration/map_simulator.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "agent/policy/exploration_view.h"
@@ -15,6 +16,29 @@ agent::NavigatorSpec Navigator() {
   return {};
 }
 
+/// What each cell is worth; see MapSimulatorSpec::near_start.
+std::vector<float> WeightsAround(const HeightColumns& columns, const Eigen::Vector3d& start,
+                                 double near_start) {
+  const double x = columns.AlongX(start.x());
+  const double z = columns.AlongZ(start.z());
+  const double near = near_start / HeightColumns::kCell;
+  std::vector<float> weights;
+  weights.reserve(columns.values().size());
+  for (int row = 0; row < columns.depth(); ++row) {
+    for (int i = 0; i < columns.width(); ++i) {
+      const double off_x = i + 0.5 - x;
+      const double off_z = row + 0.5 - z;
+      const double squared = off_x * off_x + off_z * off_z;
+      weights.push_back(static_cast<float>(std::min(1.0, near * near / squared)));
+    }
+  }
+  return weights;
+}
+
+double SquareMetres(double cells) {
+  return cells * HeightColumns::kCell * HeightColumns::kCell;
+}
+
 }  // namespace
 
 void MapSimulatorSpec::Validate() const {
@@ -24,6 +48,9 @@ void MapSimulatorSpec::Validate() const {
   }
   if (!(odometry_kept >= 0.0 && odometry_kept <= 1.0)) {
     throw sim::KeyError("odometry_kept", "odometry_kept must be in [0, 1]");
+  }
+  if (near_start && !(*near_start > 0.0)) {
+    throw sim::KeyError("near_start", "near_start must be positive");
   }
 }
 
@@ -48,25 +75,29 @@ void MapSimulator::Begin(const ExplorationScene& scene, const sim::BodyPose& sta
   was_hindered_ = false;
   seen_.cells.assign(scene.columns->values().size(), 0);
   seen_.count = 0;
+  seen_.weight = 0.0;
+  if (spec_.near_start) {
+    seen_.weights = WeightsAround(*scene.columns, start.position, *spec_.near_start);
+  }
   navigator_.Reset();
   view_->Place(scene.columns.get(), body_->pose(), &seen_);
   navigator_.Observe({});
 }
 
 double MapSimulator::Walk(const agent::GoalSteps& goal) {
-  const double before = explored();
+  const double before = worth();
   const agent::Point point =
       agent::GoalAt(navigator_.map(), navigator_.pose(), agent::SharesOf(goal));
   for (int i = 0; i < spec_.goal_steps; ++i) {
     Step(Choose(point, i % kPlanEvery == 0 || was_hindered_));
   }
-  return explored() - before;
+  return worth() - before;
 }
 
 double MapSimulator::WalkToFrontiers() {
-  const double before = explored();
+  const double before = worth();
   for (int i = 0; i < spec_.goal_steps; ++i) Step(ChooseByFrontier());
-  return explored() - before;
+  return worth() - before;
 }
 
 sim::Action MapSimulator::ChooseByFrontier() {
@@ -116,7 +147,11 @@ int MapSimulator::heading() const {
 }
 
 double MapSimulator::explored() const {
-  return static_cast<double>(seen_.count) * HeightColumns::kCell * HeightColumns::kCell;
+  return SquareMetres(static_cast<double>(seen_.count));
+}
+
+double MapSimulator::worth() const {
+  return SquareMetres(seen_.weight);
 }
 
 }  // namespace bulletnav::bench

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,6 +24,10 @@ struct MapSimulatorSpec {
   /// in three furnished houses, .03 to .10 of it after 100 steps.
   double odometry_kept = 0.1;
   sim::NoiseMode noise = sim::NoiseMode::kAnsReleased;
+  /// Metres. A m2 of floor at a distance d from the start that is farther than this is worth
+  /// (near_start / d)^2 of one, as image goals are: bands of distance hold as many each, and the
+  /// farther ones are spread over more floor. Absent: all floor is worth the same.
+  std::optional<double> near_start;
 
   template <class V>
   void Visit(V& v) {
@@ -30,6 +35,7 @@ struct MapSimulatorSpec {
     v("episode_steps", episode_steps);
     v("odometry_kept", odometry_kept);
     v("noise", noise);
+    v("near_start", near_start);
   }
   /// Throws Error.
   void Validate() const;
@@ -48,8 +54,8 @@ class MapSimulator {
   /// the episode.
   void Begin(const ExplorationScene& scene, const sim::BodyPose& start, std::uint64_t seed);
 
-  /// Walks towards a goal in the present window for goal_steps steps. Returns m2 seen for the first
-  /// time, on the true map. A goal that has been reached is waited at.
+  /// Walks towards a goal in the present window for goal_steps steps. Returns what the floor is
+  /// worth that was seen for the first time. A goal that has been reached is waited at.
   double Walk(const agent::GoalSteps& goal);
   /// The same by the nearest frontiers, as metric_map_fbe explores; to compare with.
   double WalkToFrontiers();
@@ -62,6 +68,8 @@ class MapSimulator {
   bool is_over() const { return steps_ >= spec_.episode_steps; }
   /// m2 seen since Begin, on the true map.
   double explored() const;
+  /// The same, of floor near the start: see MapSimulatorSpec::near_start.
+  double worth() const;
   int collisions() const { return collisions_; }
   const agent::MapNavigator& navigator() const { return navigator_; }
   const sim::BodyPose& true_pose() const { return body_->pose(); }

@@ -87,8 +87,10 @@ void Viewshed::Project(const agent::Panorama& /*panorama*/, double x, double y, 
 
 void Viewshed::See(std::size_t ground) {
   std::uint8_t& cell = ground_->cells[ground];
-  ground_->count += 1 - cell;
+  if (cell != 0) return;
   cell = 1;
+  ++ground_->count;
+  ground_->weight += ground_->weights.empty() ? 1.0 : double{ground_->weights[ground]};
 }
 
 void Viewshed::Look(const Ray& ray, float map_x, float map_y) {

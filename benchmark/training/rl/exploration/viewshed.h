@@ -15,6 +15,8 @@ namespace bulletnav::bench {
 struct SeenGround {
   std::vector<std::uint8_t> cells;
   std::int64_t count = 0;
+  std::vector<float> weights;  // of all cells; empty: each counts 1
+  double weight = 0.0;         // of those seen
 };
 
 /// A panorama of depth that is not drawn: what DepthRing would make of it, from the columns of a

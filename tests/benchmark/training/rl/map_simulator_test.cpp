@@ -62,6 +62,26 @@ TEST_F(MapSimulatorTest, WalksToGoalsAndSeesMore) {
   EXPECT_LT(std::hypot(truth.x - believed.x, truth.y - believed.y), 0.5);
 }
 
+TEST_F(MapSimulatorTest, FloorFarFromTheStartIsWorthLess) {
+  const ExplorationScenes::Drawn drawn = scenes_->Draw(0, 0);
+  const auto walk = [&](std::optional<double> near_start) {
+    MapSimulatorSpec spec = Spec();
+    spec.near_start = near_start;
+    auto simulator = std::make_unique<MapSimulator>(spec);
+    simulator->Begin(*drawn.scene, drawn.start, drawn.seed);
+    for (int i = 0; i < 4; ++i) simulator->Walk({500, i % 2 == 0 ? 300 : -300});
+    return simulator;
+  };
+  const auto alike = walk(std::nullopt);
+  EXPECT_DOUBLE_EQ(alike->worth(), alike->explored());
+  const auto all_is_near = walk(100.0);
+  EXPECT_NEAR(all_is_near->worth(), alike->explored(), 1e-6);
+  const auto near = walk(2.0);
+  EXPECT_DOUBLE_EQ(near->explored(), alike->explored());
+  EXPECT_LT(near->worth(), 0.95 * near->explored());
+  EXPECT_GT(near->worth(), 0.3 * near->explored());
+}
+
 TEST_F(MapSimulatorTest, IsAFunctionOfStartSeedAndGoals) {
   std::vector<std::vector<std::uint8_t>> views;
   MapSimulator used(Spec());
@@ -136,6 +156,12 @@ TEST_F(MapSimulatorTest, ValidationIsTheSameForAnyNumberOfThreads) {
   EXPECT_GT(result.explored, 5.0);
   EXPECT_GT(validation.MeasureFrontiers(&two).explored, 5.0);
   EXPECT_EQ(validation.MeasureRandomGoals(&two).explored, result.explored);
+}
+
+TEST(MapSimulatorSpec, RefusesANearnessOfNothing) {
+  MapSimulatorSpec spec;
+  spec.near_start = 0.0;
+  EXPECT_THROW(spec.Validate(), sim::Error);
 }
 
 TEST(MapSimulatorSpec, RefusesEpisodesThatGoalsDoNotFill) {
