@@ -30,6 +30,8 @@ constexpr int kActions = 4;
 constexpr double kPolicyGain = 0.01;
 constexpr double kMemoryGain = 0.7;  // variance 1 / inputs
 constexpr double kStopAtFirst = 0.02;
+constexpr const char* kMap = "map";
+constexpr const char* kJoined = "joined";
 
 constexpr float kMiddle = 127.0f;  // see IntegerInput and PrepareInput
 constexpr float kColorStep = 2.0f / 127.0f;
@@ -43,6 +45,20 @@ torch::Tensor Turns() {
       indices.push_back(i * kDirections + (i + r) % kDirections);
   }
   return torch::tensor(indices, torch::kInt64);
+}
+
+/// Weights of a policy that is shown no map, as those of one that is: its own branch for the map,
+/// to which the layer after it does not listen yet.
+void AddMap(const PolicyNet& net, TensorFile* weights) {
+  TensorFile own;
+  AppendWeights(net, "", &own);
+  for (const auto& [name, tensor] : own.tensors) {
+    if (name.starts_with(kMap + std::string("."))) weights->tensors[name] = tensor;
+  }
+  const auto joined = weights->tensors.find(kJoined + std::string(".weight"));
+  if (joined == weights->tensors.end()) return;  // SetWeights complains
+  const torch::Tensor narrow = FromStored(joined->second);
+  joined->second = ToStored(at::cat({narrow, torch::zeros({narrow.size(0), kMapFeatures})}, 1));
 }
 
 }  // namespace
@@ -76,10 +92,10 @@ PolicyNet::PolicyNet(const PolicyConfig& config, std::uint64_t seed) : config_(c
     parts += features;
   }
   if (config.map) {
-    map_ = register_module("map", std::make_shared<MapBranch>(&rng));
+    map_ = register_module(kMap, std::make_shared<MapBranch>(&rng));
     parts += kMapFeatures;
   }
-  joined_ = add("joined", parts, features);
+  joined_ = add(kJoined, parts, features);
   gru_in_ = add("gru_in", features, 3 * config.memory, kMemoryGain);
   gru_memory_ = add("gru_memory", config.memory, 3 * config.memory, kMemoryGain);
   policy_ = add("policy_head", config.memory, kActions, kPolicyGain);
@@ -199,6 +215,21 @@ std::shared_ptr<PolicyNet> LoadPolicy(const std::filesystem::path& file) {
   SetWeights(content, "", file, net.get());
   if (!net->config().own_encoder) TakeIntegerEncoder(file, net.get());
   return net;
+}
+
+void TakePolicy(const std::filesystem::path& weights, PolicyNet* net) {
+  TensorFile content = ReadTensorFile(weights);
+  const PolicyConfig theirs = PolicyConfigOf(content, weights);
+  if (net->config().map && !theirs.map) AddMap(*net, &content);
+  SetWeights(content, "", weights, net);
+  if (!net->sight() || theirs.own_encoder) return;
+  const IntegerSight sight(ReadQuantised(content, weights), theirs.rows);
+  if (sight.net() != net->sight()->net()) {
+    throw sim::FileError(weights, kIntegerPrefix,
+                         "holds another encoder than the one to see with; name this file as the "
+                         "encoder, too: encoder: " +
+                             weights.string());
+  }
 }
 
 void TakeIntegerEncoder(const std::filesystem::path& weights, PolicyNet* net) {

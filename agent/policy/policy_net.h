@@ -85,6 +85,10 @@ void SavePolicy(const PolicyNet& net, std::map<std::string, std::string> notes, 
                 const std::filesystem::path& file);
 /// Throws FileError, also if the configuration is missing or bad.
 std::shared_ptr<PolicyNet> LoadPolicy(const std::filesystem::path& file);
+/// Takes the weights of a trained policy of the same shape, to go on from. A policy that is shown a
+/// map may take one's that is not: its map counts for nothing at first. Throws FileError if the
+/// policy is of another shape, or saw with another encoder in integers.
+void TakePolicy(const std::filesystem::path& weights, PolicyNet* net);
 /// Takes the encoder of a semantic model of the same width and rows. Throws FileError if it is of
 /// another shape.
 void TakeEncoder(const std::filesystem::path& weights, PolicyNet* net);

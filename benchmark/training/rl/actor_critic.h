@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <span>
+#include <string>
 
 #include "agent/perception/torch.h"
 #include "sim/math/rng.h"
@@ -33,6 +34,8 @@ class ActorCritic : public torch::nn::Module {
   virtual Output Run(const Seen& seen, const torch::Tensor& starts,
                      const torch::Tensor& hidden) = 0;
   virtual torch::Tensor NoMemory(int lanes) const = 0;
+  /// Whether a parameter of this name makes the value of what was made before, and nothing else.
+  static bool IsOfValue(const std::string& name) { return name.find("value") != name.npos; }
 
   // The distribution of actions, by default the one of log_probabilities.
 

@@ -84,6 +84,14 @@ torch::Tensor LossOf(const Rollout& rollout, const Targets& targets, const torch
   return -gain.mean() + spec.value * 0.5 * value_error - spec.entropy * entropy;
 }
 
+/// Without a gradient, parameters stay as they are.
+void KeepValueGradients(ActorCritic* net) {
+  for (const auto& parameter : net->named_parameters()) {
+    torch::Tensor& gradient = parameter.value().mutable_grad();
+    if (gradient.defined() && !ActorCritic::IsOfValue(parameter.key())) gradient.zero_();
+  }
+}
+
 constexpr std::size_t kNumbers = 4;  // of a group's report
 
 std::array<double, kNumbers> NumbersOf(const PpoReport& report) {
@@ -132,6 +140,7 @@ void PpoSpec::Validate() const {
   if (!(gradient_norm > 0.0)) {
     throw sim::KeyError("gradient_norm", "gradient_norm must be positive");
   }
+  if (value_first < 0) throw sim::KeyError("value_first", "value_first must not be negative");
 }
 
 PpoReport LearnFrom(const Rollout& rollout, const PpoSpec& spec, const PpoStep& step,
@@ -160,6 +169,7 @@ PpoReport LearnFrom(const Rollout& rollout, const PpoSpec& spec, const PpoStep& 
       numbers.insert(numbers.end(), of_group.begin(), of_group.end());
     }
     const PpoReport report = MeanOf(groups->Gather(numbers), losses);
+    if (step.value_alone) KeepValueGradients(net);
     LimitGradients(*net, spec.gradient_norm);
     step.optimiser->Step(step.rate);
     mean.loss += report.loss / updates;

@@ -20,6 +20,9 @@ struct PpoSpec {
   double entropy = 0.01;
   double value = 0.5;
   double gradient_norm = 0.2;
+  /// Rollouts at the beginning from which the value alone is learned: a policy that begins with the
+  /// weights of an imitator would else be spoilt by values that know nothing yet.
+  int value_first = 0;
   GaeSpec gae;
 
   template <class V>
@@ -33,6 +36,7 @@ struct PpoSpec {
     v("entropy", entropy);
     v("value", value);
     v("gradient_norm", gradient_norm);
+    v("value_first", value_first);
     v("gae", gae);
   }
   /// Throws Error.
@@ -54,7 +58,8 @@ struct PpoReport {
 struct PpoStep {
   Optimiser* optimiser = nullptr;
   double rate = 0.0;
-  std::uint64_t seed = 0;  // of the order of groups
+  std::uint64_t seed = 0;    // of the order of groups
+  bool value_alone = false;  // see PpoSpec::value_first
 };
 
 /// Learns from a rollout: minibatches of whole groups, each played again from its hidden state.

@@ -48,8 +48,8 @@ double PpoTraining::Learn(const TrainStep& step) {
   task_->StartRollout(1.0 * step.step / plan_.steps);
   const Rollout rollout = actor_->Play(play, moments_);
   const std::uint64_t seed = sim::MixSeed(plan_.seed, static_cast<std::uint64_t>(step.step));
-  report_ = LearnFrom(rollout, plan_.ppo, {step.optimiser, step.rate, seed}, &groups_, net_.get(),
-                      &moments_);
+  const PpoStep update = {step.optimiser, step.rate, seed, step.step < plan_.ppo.value_first};
+  report_ = LearnFrom(rollout, plan_.ppo, update, &groups_, net_.get(), &moments_);
   return report_.loss;
 }
 

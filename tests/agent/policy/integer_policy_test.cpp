@@ -22,8 +22,8 @@ using tests::SmallPolicy;
 using tests::SomePanoramas;
 
 /// A net whose answers differ: heads as they begin hardly look.
-std::shared_ptr<PolicyNet> Decided(const PolicyConfig& config) {
-  auto net = std::make_shared<PolicyNet>(config, 4);
+std::shared_ptr<PolicyNet> Decided(const PolicyConfig& config, std::uint64_t seed = 4) {
+  auto net = std::make_shared<PolicyNet>(config, seed);
   const torch::NoGradGuard no_grad;
   net->named_parameters()["policy_head.weight"].mul_(100.0);
   net->eval();
@@ -128,6 +128,14 @@ TEST_P(IntegerPolicyTest, SeesWithAnEncoderThatWasNotTrained) {
   EXPECT_TRUE(at::equal(again->Encode(pictures), net.Encode(pictures)));
   AddQuantised(QuantisedOf(again.get()), file, file);
   EXPECT_TRUE(HoldsIntegers(ReadTensorFile(file)));
+
+  // It is gone on from with the same encoder alone.
+  PolicyNet next(config, 5);
+  TakeIntegerEncoder(file, &next);
+  EXPECT_NO_THROW(TakePolicy(file, &next));
+  const std::shared_ptr<PolicyNet> stranger = Decided(GetParam(), 8);
+  next.SeeWith(std::make_shared<IntegerSight>(QuantisedOf(stranger.get()), config.rows));
+  EXPECT_THROW(TakePolicy(file, &next), sim::FileError);
 }
 
 TEST(IntegerPolicy, WithAMapNeedsDepth) {

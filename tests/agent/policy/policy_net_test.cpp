@@ -160,5 +160,28 @@ TEST(PolicyEncoder, BeginsWithThatOfASemanticModel) {
   EXPECT_THROW(TakeIntegerEncoder(file, &net), sim::FileError);
 }
 
+TEST(TakePolicy, APolicyWithAMapBeginsAsOneWithout) {
+  const torch::NoGradGuard no_grad;
+  const tests::TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "policy.safetensors";
+  PolicyNet plain(SmallPolicy(Fusion::kLate), 3);
+  SavePolicy(plain, {}, StoredType::kFloat32, file);
+  PolicyNet mapping(tests::SmallMapPolicy(), 9);
+  TakePolicy(file, &mapping);
+  const torch::Tensor bytes = BytesOf(SomePanoramas(1, 2), 32);
+  const auto logits = [](PolicyNet* net, const torch::Tensor& pictures) {
+    const torch::Tensor codes = net->Encode(pictures).view({1, 2, -1});
+    return net
+        ->Run({codes, codes, torch::zeros({1, 2, kPolicyNumbers})}, torch::ones({1, 2}),
+              torch::zeros({2, 32}))
+        .logits;
+  };
+  EXPECT_LT(
+      (logits(&plain, bytes) - logits(&mapping, tests::WithMaps(bytes))).abs().max().item<float>(),
+      1e-6f);
+  PolicyNet other(SmallPolicy(Fusion::kCorrelation), 9);
+  EXPECT_THROW(TakePolicy(file, &other), sim::FileError);
+}
+
 }  // namespace
 }  // namespace bulletnav::agent

@@ -8,7 +8,6 @@
 
 #include "agent/integer/quantised_file.h"
 #include "agent/perception/quantise.h"
-#include "agent/perception/weights.h"
 #include "agent/policy/integer_policy.h"
 #include "agent/policy/learned_policy.h"
 #include "benchmark/base/program_version.h"
@@ -79,9 +78,7 @@ NavigationSpec NavigationPlan::Lanes(const LaneShare& share, bool teaches) const
 
 std::unique_ptr<PictureNet> NavigationPlan::MakeNet(std::uint64_t seed) const {
   auto net = std::make_unique<PictureNet>(model, encoder, seed);
-  if (!policy_start) return net;
-  const agent::TensorFile content = agent::ReadTensorFile(*policy_start);
-  agent::SetWeights(content, "", *policy_start, net->policy().get());
+  if (policy_start) agent::TakePolicy(*policy_start, net->policy().get());
   return net;
 }
 

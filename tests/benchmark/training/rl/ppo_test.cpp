@@ -130,6 +130,24 @@ TEST(Ppo, GradientsAreTheSameForAnyNumberOfThreads) {
   EXPECT_TRUE(at::equal(gradients[0], gradients[1]));
 }
 
+TEST(Ppo, ValueAloneLeavesThePolicyWithoutGradients) {
+  Played played;
+  RunningMoments moments;
+  NoOptimiser optimiser;
+  PpoSpec spec;
+  spec.lanes = 4;
+  spec.group = 2;
+  const Rollout rollout = played.Play(12);
+  LearnFrom(rollout, spec, {&optimiser, 0.0, 1, true}, &played.groups, &played.net, &moments);
+  int of_value = 0;
+  for (const auto& parameter : played.net.named_parameters()) {
+    const bool has_gradient = parameter.value().grad().abs().sum().item<double>() > 0.0;
+    EXPECT_EQ(has_gradient, ActorCritic::IsOfValue(parameter.key())) << parameter.key();
+    of_value += has_gradient ? 1 : 0;
+  }
+  EXPECT_EQ(of_value, 2);  // weight and bias
+}
+
 TEST(Ppo, ActionsAreAFunctionOfTheirKeyWithTheProbabilitiesAsked) {
   const NumberNet net({}, 1, 2, 0);
   const std::array<float, 2> log_probabilities = {std::log(0.25F), std::log(0.75F)};
