@@ -45,4 +45,10 @@ struct OrbSpec {
 OrbFeatures FindOrb(std::span<const std::uint8_t> rgb, int width_px, int height_px,
                     const OrbSpec& spec);
 
+/// The same of a whole panorama, whose ends meet: corners there are found, too. Panoramas are
+/// small, and next to an edge there are no corners: they are looked for in a picture twice as
+/// large.
+OrbFeatures FindOrbAround(std::span<const std::uint8_t> rgb, int width_px, int height_px,
+                          const OrbSpec& spec);
+
 }  // namespace bulletnav::agent

@@ -2,16 +2,21 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "agent/models/semantic_model.h"
 #include "agent/slam/features/orb.h"
 #include "agent/slam/retrieval/sequence_filter.h"
 #include "agent/slam/retrieval/sequence_model.h"
 #include "agent/slam/retrieval/vocabulary.h"
 #include "agent/slam/topology/sequences.h"
 #include "agent/slam/verify/pinhole.h"
+#include "sim/base/error.h"
 #include "sim/math/pose.h"
 
 namespace bulletnav::agent {
@@ -27,13 +32,21 @@ struct LoopFrame {
   /// Of the picture as a whole, see PictureDescriber; empty where the config names none.
   std::span<const std::int16_t> descriptor;
   std::span<const std::uint8_t> cells;  // of the same network; see PictureDescriber::Cells
-  std::span<const float>
-      depth;  // [height, width] metres along the camera's axis, 0: none; or empty
-  Pinhole camera;
-  sim::PlanarPose odometry;  // from the first frame's body
+  const PanoramaCode* code = nullptr;   // of a panorama, by LoopContext::places; or null
+  /// [height, width] metres along the camera's axis, of panoramas level; 0: none. Or empty.
+  std::span<const float> depth;
+  std::optional<Pinhole> camera;  // none: pictures are panoramas
+  sim::PlanarPose odometry;       // from the first frame's body
   /// How many of the first frames are so far back, by travel as odometry has it, that they are
   /// asked about.
   int comparable = 0;
+
+  /// For what works with flat pictures alone. Throws sim::Error for panoramas.
+  const Pinhole& flat_camera(std::string_view who) const {
+    if (camera) return *camera;
+    throw sim::Error(std::string(who) +
+                     " works with flat pictures; leave 'panorama' out of the config, or it");
+  }
 };
 
 /// Two frames that may show the same place.
@@ -50,6 +63,7 @@ struct LoopContext {
   int descriptor_size = 0;                         // of LoopFrame::descriptor; 0: there is none
   std::shared_ptr<const SequenceModel> sequences;  // of LoopFrame::cells
   std::shared_ptr<const SequenceFilter> filter;    // of LoopFrame::descriptor
+  std::shared_ptr<SemanticModel> places;           // of panoramas; made LoopFrame::code
 };
 
 /// How a detector that works with sequences of frames saw the drive, for pictures.

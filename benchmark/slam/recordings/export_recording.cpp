@@ -66,7 +66,13 @@ Chosen Choose(const ExportSpec& spec) {
 int WriteFrames(const ExportSpec& spec, const Chosen& chosen,
                 const std::function<void(int)>& advance) {
   const DriveSource source(chosen.config, chosen.drive);
-  const auto writer = MakeRecordingWriter(spec.format, spec.out, source.intrinsics());
+  const CameraLens lens = source.lens();
+  if (!std::holds_alternative<Intrinsics>(lens)) {
+    throw sim::FileError(spec.source, "",
+                         "has drives with panoramas; recordings are of flat pictures, so export a "
+                         "run whose config has no 'panorama'");
+  }
+  const auto writer = MakeRecordingWriter(spec.format, spec.out, std::get<Intrinsics>(lens));
   const double height = chosen.config.body.camera_height;
   source.ForEach([&](const DriveFrame& frame) {
     RecordedFrame record;

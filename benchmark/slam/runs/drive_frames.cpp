@@ -23,10 +23,18 @@ TraversalSpec TraversalOf(const SlamConfig& config, int actions, std::uint64_t s
   TraversalSpec traversal;
   traversal.body = config.body;
   traversal.camera = config.camera;
+  traversal.panorama = config.panorama;
   traversal.noise = config.noise;
   traversal.actions = actions;
   traversal.seed = seed;
   return traversal;
+}
+
+CameraLens LensOf(const TraversalSpec& traversal) {
+  if (const auto& panorama = traversal.panorama) {
+    return agent::PanoramaLens::Of(panorama->rows, panorama->cols);
+  }
+  return IntrinsicsOf(traversal.camera);
 }
 
 sim::WorldOptions WorldOptionsOf(const SlamConfig& config) {
@@ -83,8 +91,8 @@ DriveSource::Recording DriveSource::Read(const fs::path& folder) {
   return recording;
 }
 
-Intrinsics DriveSource::intrinsics() const {
-  return recording_ ? recording_->folder.intrinsics : IntrinsicsOf(traversal_.camera);
+CameraLens DriveSource::lens() const {
+  return recording_ ? recording_->folder.intrinsics : LensOf(traversal_);
 }
 
 bool DriveSource::has_truth() const {
@@ -97,8 +105,8 @@ bool DriveSource::has_truth() const {
 void DriveSource::ForEach(const std::function<void(const DriveFrame&)>& take) const {
   if (!recording_) {
     Traverse(world_, changed_, traversal_, [&](const TraversalFrame& frame) {
-      take({frame.step / kFramesASecond, frame.color, frame.depth, frame.dead_reckoned,
-            frame.true_pose});
+      take({frame.step / kFramesASecond, frame.color, frame.depth, frame.ranges,
+            frame.dead_reckoned, frame.true_pose});
     });
     return;
   }

@@ -6,6 +6,7 @@
 
 #include "benchmark/slam/io/tum.h"
 #include "benchmark/slam/runs/slam_config.h"
+#include "benchmark/slam/truth/camera_lens.h"
 #include "sim/image/image.h"
 #include "sim/world.h"
 
@@ -15,7 +16,8 @@ namespace bulletnav::bench {
 struct DriveFrame {
   double time = 0.0;                   // seconds
   sim::Image color;                    // RGB
-  DepthPicture depth;                  // along the camera's axis
+  DepthPicture depth;                  // along the camera's axis; of panoramas level
+  std::vector<float> ranges;           // of panoramas: along the rays
   sim::PlanarPose odometry;            // added up, from the first frame's body
   std::optional<sim::BodyPose> truth;  // where it is known; for measuring only
 };
@@ -27,7 +29,7 @@ class DriveSource {
   /// without odometry.txt, or whose odometry or truth lacks the time of a frame.
   DriveSource(const SlamConfig& config, const Drive& drive);
 
-  Intrinsics intrinsics() const;
+  CameraLens lens() const;
   /// Null for a recording.
   const sim::World* world() const { return world_.get(); }
   bool has_truth() const;
@@ -50,6 +52,7 @@ class DriveSource {
 
 /// The drive of a config through a scene.
 TraversalSpec TraversalOf(const SlamConfig& config, int actions, std::uint64_t seed);
+CameraLens LensOf(const TraversalSpec& traversal);
 sim::WorldOptions WorldOptionsOf(const SlamConfig& config);
 
 }  // namespace bulletnav::bench

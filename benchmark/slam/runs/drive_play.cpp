@@ -8,13 +8,13 @@
 #include <filesystem>
 #include <utility>
 
-#include "agent/slam/descriptors/picture_describer.h"
 #include "agent/slam/descriptors/seqnet_filter.h"
 #include "agent/slam/descriptors/seqvlad.h"
 #include "benchmark/base/shipped_file.h"
 #include "benchmark/privileged/visibility.h"
 #include "benchmark/slam/runs/drive_frames.h"
 #include "benchmark/slam/runs/drive_traces.h"
+#include "benchmark/slam/runs/frame_eye.h"
 #include "benchmark/slam/runs/measure_drive.h"
 #include "sim/base/error.h"
 
@@ -26,12 +26,6 @@ using Clock = std::chrono::steady_clock;
 double MillisecondsSince(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
-
-/// What of a frame is needed until the end of the drive.
-struct KeptFrame {
-  agent::OrbFeatures features;
-  std::vector<float> corner_depths;
-};
 
 /// How far the body has come, as odometry has it, and which frames are far back.
 class Travel {
@@ -81,10 +75,10 @@ class DrivePlay {
  public:
   DrivePlay(const SlamConfig& config, const Drive& drive,
             const std::shared_ptr<const agent::Vocabulary>& vocabulary)
-      : config_(config), source_(config, drive), travel_(config.apart_m) {
-    if (config.descriptors) {
-      describer_ = agent::LoadPictureDescriber(WeightsOf(*config.descriptors));
-    }
+      : config_(config),
+        source_(config, drive),
+        eye_(config, source_.lens()),
+        travel_(config.apart_m) {
     if (config.sequences) sequences_ = agent::LoadSeqVlad(WeightsOf(*config.sequences));
     if (config.filter) filter_ = agent::LoadSeqNetFilter(WeightsOf(*config.filter));
     played_.result.drive = drive.name;
@@ -94,7 +88,10 @@ class DrivePlay {
       const sim::YamlNode name = sim::ParseYaml(entry.detector, "detectors");
       const auto make = agent::ConfigureLoopDetector(name, entry.parameters);
       detectors_.push_back(
-          {entry.name, make({vocabulary, descriptor_size(), sequences_, filter_}), {}, {}});
+          {entry.name,
+           make({vocabulary, eye_.descriptor_size(), sequences_, filter_, eye_.places()}),
+           {},
+           {}});
     }
   }
 
@@ -112,50 +109,39 @@ class DrivePlay {
     for (const RunningDetector& running : detectors_) Close(running);
     if (truth_) CloseWithTruth();
     played_.times["corners"] = TimesOf(corners_ms_);
-    if (describer_) played_.times["descriptors"] = TimesOf(descriptors_ms_);
+    if (eye_.describes()) played_.times["descriptors"] = TimesOf(descriptors_ms_);
     played_.times["verification of a pair"] = TimesOf(verify_ms_);
     return std::move(played_);
   }
 
  private:
-  int descriptor_size() const { return describer_ ? describer_->config().size : 0; }
-
   void Take(const DriveFrame& frame) {
     auto start = Clock::now();
-    KeptFrame kept;
-    kept.features =
-        agent::FindOrb(frame.color.pixels, frame.color.width, frame.color.height, config_.orb);
+    FrameCorners corners = eye_.Corners(frame);
     corners_ms_.push_back(MillisecondsSince(start));
-    kept.corner_depths =
-        agent::DepthsAt(frame.depth.metres, frame.depth.width, frame.depth.height, kept.features);
+    start = Clock::now();
+    const FrameDescription description = eye_.Describe(frame);
+    if (eye_.describes()) descriptors_ms_.push_back(MillisecondsSince(start));
     agent::LoopFrame seen;
     seen.number = static_cast<int>(kept_.size());
     seen.width_px = frame.color.width;
     seen.height_px = frame.color.height;
     seen.color = frame.color.pixels;
-    seen.features = &kept.features;
-    agent::PictureDescriptor descriptor;
-    if (describer_) {
-      start = Clock::now();
-      descriptor = describer_->Describe(frame.color.pixels, frame.color.width, frame.color.height);
-      descriptors_ms_.push_back(MillisecondsSince(start));
-    }
-    const std::vector<std::uint8_t> cells =
-        sequences_ ? describer_->Cells() : std::vector<std::uint8_t>();
-    seen.descriptor = descriptor;
-    seen.cells = cells;
+    seen.features = &corners.features;
+    seen.descriptor = description.descriptor;
+    seen.cells = description.cells;
+    seen.code = &description.code;
     seen.depth = frame.depth.metres;
-    seen.camera = source_.intrinsics();
+    if (const auto* pinhole = std::get_if<Intrinsics>(&eye_.lens())) seen.camera = *pinhole;
     seen.odometry = frame.odometry;
     seen.comparable = travel_.Next(frame.odometry);
     for (RunningDetector& running : detectors_) running.Take(seen);
     played_.odometry.push_back(frame.odometry);
     if (frame.truth) {
-      truth_frames_.push_back(
-          {*frame.truth, Coarsened(frame.depth, source_.intrinsics()), seen.comparable});
+      truth_frames_.push_back({*frame.truth, Coarsened(frame.depth, eye_.lens()), seen.comparable});
       played_.truth.push_back(*frame.truth);
     }
-    kept_.push_back(std::move(kept));
+    kept_.push_back(std::move(corners));
   }
 
   void Measure() {
@@ -192,16 +178,11 @@ class DrivePlay {
 
   void Verify(LoopRecord* record) {
     const auto start = Clock::now();
-    const KeptFrame& a = kept_[static_cast<std::size_t>(record->earlier)];
-    const KeptFrame& b = kept_[static_cast<std::size_t>(record->later)];
-    const auto motion =
-        agent::FindMotion({&a.features, a.corner_depths}, {&b.features, b.corner_depths},
-                          source_.intrinsics(), config_.verify);
+    const auto motion = eye_.Motion(kept_[static_cast<std::size_t>(record->earlier)],
+                                    kept_[static_cast<std::size_t>(record->later)]);
     if (motion) {
-      if (const auto level = agent::LevelMotion(motion->X_AB, config_.verify)) {
-        record->inliers = motion->inliers;
-        record->motion = *level;
-      }
+      record->inliers = motion->inliers;
+      record->motion = motion->X_AB;
     }
     verify_ms_.push_back(MillisecondsSince(start));
   }
@@ -255,12 +236,12 @@ class DrivePlay {
 
   const SlamConfig& config_;
   DriveSource source_;
+  FrameEye eye_;
   Travel travel_;
-  std::unique_ptr<agent::PictureDescriber> describer_;  // null: frames are not described
   std::shared_ptr<const agent::SequenceModel> sequences_;
   std::shared_ptr<const agent::SequenceFilter> filter_;
   std::vector<RunningDetector> detectors_;
-  std::vector<KeptFrame> kept_;
+  std::vector<FrameCorners> kept_;  // until the end of the drive
   std::vector<TruthFrame> truth_frames_;
   std::optional<LoopTruth> truth_;
   std::vector<double> corners_ms_;

@@ -91,6 +91,16 @@ void SlamConfig::Validate() const {
   if (filter && !descriptors) {
     throw sim::KeyError("filter", "'filter' needs 'descriptors', the network that it is of");
   }
+  if (panorama && panorama->projection != sim::Projection::kCylindrical) {
+    throw sim::KeyError("panorama", "'panorama' must be cylindrical");
+  }
+  if (panorama && (sequences || filter)) {
+    throw sim::KeyError(sequences ? "sequences" : "filter",
+                        "is trained on flat pictures; leave it or 'panorama' out");
+  }
+  if (places && !panorama) {
+    throw sim::KeyError("places", "'places' needs 'panorama': {} for the task's own");
+  }
   if (!(apart_m > 0.0)) throw sim::KeyError("apart_m", "apart_m must be positive");
   if (camera.pitch_deg != 0.0)
     throw sim::KeyError("camera", "the camera must be level: pitch_deg 0");

@@ -135,13 +135,17 @@ struct SlamConfig {
   ImportSpec import;
   sim::BodySpec body;
   sim::PinholeSpec camera = {.rows = 240, .cols = 320};
+  std::optional<sim::PanoramaSpec> panorama;  // seen instead, in scenes; cylindrical
   sim::NoiseMode noise = sim::NoiseMode::kAnsReleased;
   std::optional<ChangeSpec> changed;  // of scenes, not of recordings
   std::vector<int> actions = {700};
   std::vector<std::uint64_t> seeds = {0};
   std::optional<VocabularySource> vocabulary;
-  /// File of weights of a PictureDescriber; absent: frames have no descriptors.
+  /// File of weights of a PictureDescriber, or, for panoramas, of a PanoramaDescriber; absent:
+  /// frames have no descriptors.
   std::optional<std::string> descriptors;
+  /// Of a semantic model, which tells whether two panoramas are of one node.
+  std::optional<std::string> places;
   std::optional<std::string> sequences;  // likewise of SeqVLAD, trained on what that sees
   std::optional<std::string> filter;     // and of SeqNet's filter, trained on what that describes
   agent::OrbSpec orb;
@@ -161,12 +165,14 @@ struct SlamConfig {
     v("import", import);
     v("body", body);
     v("camera", camera);
+    v("panorama", panorama);
     v("noise", noise);
     v("changed", changed);
     v("actions", actions);
     v("seeds", seeds);
     v("vocabulary", vocabulary);
     v("descriptors", descriptors);
+    v("places", places);
     v("sequences", sequences);
     v("filter", filter);
     v("orb", orb);

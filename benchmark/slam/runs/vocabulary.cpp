@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "benchmark/slam/runs/drive_frames.h"
+#include "benchmark/slam/runs/frame_eye.h"
 #include "sim/base/check.h"
 #include "sim/threads/worker_pool.h"
 
@@ -19,13 +20,12 @@ Pictures PicturesOf(const SlamConfig& config, const std::filesystem::path& house
   const VocabularySource& source = *config.vocabulary;
   Pictures pictures;
   const auto world = sim::World::Load(house, WorldOptionsOf(config));
-  Traverse(
-      world, TraversalOf(config, source.actions, source.seed), [&](const TraversalFrame& frame) {
-        if (frame.step % source.every != 0) return;
-        pictures.push_back(
-            agent::FindOrb(frame.color.pixels, frame.color.width, frame.color.height, config.orb)
-                .descriptors);
-      });
+  const TraversalSpec traversal = TraversalOf(config, source.actions, source.seed);
+  const CameraLens lens = LensOf(traversal);
+  Traverse(world, traversal, [&](const TraversalFrame& frame) {
+    if (frame.step % source.every != 0) return;
+    pictures.push_back(CornersOf(frame.color, lens, config.orb).descriptors);
+  });
   return pictures;
 }
 

@@ -22,6 +22,12 @@ sim::SimulatorSpec SimulatorSpecOf(const TraversalSpec& spec) {
   sim::SimulatorSpec of;
   of.body = spec.body;
   of.noise = spec.noise;
+  if (spec.panorama) {
+    sim::PanoramaSensorConfig panorama;
+    panorama.panorama = *spec.panorama;
+    of.sensors.Add(kCamera, sim::PanoramaSensor(panorama));
+    return of;
+  }
   sim::PinholeSensorConfig camera;
   camera.camera = spec.camera;
   of.sensors.Add(kCamera, sim::PinholeSensor(camera));
@@ -69,10 +75,17 @@ class Driver {
 
 TraversalFrame FrameOf(const sim::Observation& seen, const TraversalSpec& spec) {
   TraversalFrame frame;
-  frame.color = sim::Image(spec.camera.cols, spec.camera.rows, 3);
+  const auto [rows, cols] = spec.panorama ? sim::SizeOf(*spec.panorama) : sim::SizeOf(spec.camera);
+  frame.color = sim::Image(cols, rows, 3);
   const auto color = seen.values<std::uint8_t>("camera.color");
   frame.color.pixels.assign(color.begin(), color.end());
-  frame.depth = AlongAxis(seen.values<float>("camera.depth"), spec.camera);
+  const auto ranges = seen.values<float>("camera.depth");
+  if (spec.panorama) {
+    frame.depth = Levelled(ranges, *spec.panorama);
+    frame.ranges.assign(ranges.begin(), ranges.end());
+  } else {
+    frame.depth = AlongAxis(ranges, spec.camera);
+  }
   return frame;
 }
 
@@ -119,6 +132,12 @@ void TraversalSpec::Validate() const {
   body.Validate();
   camera.Validate();
   if (camera.pitch_deg != 0.0) throw sim::Error("a traversal's camera must be level: pitch_deg 0");
+  if (panorama) {
+    panorama->Validate();
+    if (panorama->projection != sim::Projection::kCylindrical) {
+      throw sim::Error("a traversal's panorama must be cylindrical");
+    }
+  }
   if (actions < 1) throw sim::Error("a traversal needs at least one action");
 }
 
@@ -173,6 +192,22 @@ DepthPicture AlongAxis(std::span<const float> ranges, const sim::PinholeSpec& ca
       const double length = std::hypot((col - k.cx) / k.fx, (row - k.cy) / k.fy, 1.0);
       depth.metres.push_back(range < camera.max_depth_m ? static_cast<float>(range / length)
                                                         : 0.0f);
+    }
+  }
+  return depth;
+}
+
+DepthPicture Levelled(std::span<const float> ranges, const sim::PanoramaSpec& panorama) {
+  BULLETNAV_CHECK(ranges.size() == panorama.pixels());
+  DepthPicture depth{panorama.cols, panorama.rows, {}};
+  depth.metres.reserve(ranges.size());
+  for (int row = 0; row < panorama.rows; ++row) {
+    const double slope = 1.0 - (row + 0.5) * 2.0 / panorama.rows;
+    const double length = std::hypot(1.0, slope);
+    for (int col = 0; col < panorama.cols; ++col) {
+      const float range = ranges[depth.metres.size()];
+      depth.metres.push_back(range < panorama.max_depth_m ? static_cast<float>(range / length)
+                                                          : 0.0f);
     }
   }
   return depth;

@@ -3,7 +3,9 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "benchmark/slam/io/tum.h"
 #include "sim/image/image.h"
@@ -19,11 +21,13 @@ namespace bulletnav::bench {
 struct TraversalSpec {
   sim::BodySpec body;
   sim::PinholeSpec camera;
+  std::optional<sim::PanoramaSpec> panorama;            // seen instead of the camera; cylindrical
   sim::NoiseMode noise = sim::NoiseMode::kAnsReleased;  // of motion and odometry
   int actions = 700;
   std::uint64_t seed = 1;
 
-  /// Throws sim::Error for bad cameras, a camera that is not level, and no actions.
+  /// Throws sim::Error for bad cameras, a camera that is not level, other panoramas, and no
+  /// actions.
   void Validate() const;
 };
 
@@ -38,6 +42,7 @@ struct TraversalFrame {
   int step = 0;  // actions taken before it
   sim::Image color;
   DepthPicture depth;             // along the camera's axis; 0 from the camera's limit on
+  std::vector<float> ranges;      // of panoramas, whose `depth` is level: along the rays
   sim::BodyPose true_pose;        // for measuring only
   sim::PlanarPose dead_reckoned;  // odometry added up, from the first frame's body
 };
@@ -62,5 +67,7 @@ Intrinsics IntrinsicsOf(const sim::PinholeSpec& camera);
 /// Turns distances along rays into depth along the camera's axis; what lies at the camera's limit
 /// or beyond becomes 0, none. Expects: as many values as pixels (checked).
 DepthPicture AlongAxis(std::span<const float> ranges, const sim::PinholeSpec& camera);
+/// Likewise of a cylindrical panorama: into level distances.
+DepthPicture Levelled(std::span<const float> ranges, const sim::PanoramaSpec& panorama);
 
 }  // namespace bulletnav::bench

@@ -19,6 +19,7 @@ constexpr float kOffMetres = 0.05f;
 /// How far behind a surface a camera may seem to be that sees its front: bodies keep farther from
 /// walls, and planes through few pixels are not exact.
 constexpr float kBehind = 0.1f;
+constexpr float kNearest = 0.05f;  // metres; points before a camera are seen from there on
 
 float DepthAt(const DepthPicture& depth, int col, int row) {
   return depth.metres[static_cast<std::size_t>(row) * static_cast<std::size_t>(depth.width) +
@@ -57,27 +58,156 @@ Eigen::Vector3f Facing(const DepthPicture& depth, const Intrinsics& k, int col, 
   return Eigen::Vector3f(-by_ahead, by_u, by_v).normalized();
 }
 
-void FindPoints(DepthThumbnail* thumbnail) {
+Eigen::Vector3f PointAt(const DepthPicture& depth, const Intrinsics& k, int col, int row) {
+  const float ahead = DepthAt(depth, col, row);
+  const auto right = static_cast<float>((col - k.cx) / k.fx);
+  const auto down = static_cast<float>((row - k.cy) / k.fy);
+  return {ahead, -right * ahead, -down * ahead};
+}
+
+Eigen::Vector3f PointAt(const DepthPicture& depth, const agent::PanoramaLens& lens, int col,
+                        int row) {
+  return lens.PointAt({double(col), double(row), DepthAt(depth, col, row)}).cast<float>();
+}
+
+/// From a pixel's point to that of the neighbour whose depth is more like it, along a row or a
+/// column, as if it were the next one. Nothing without neighbours.
+std::optional<Eigen::Vector3f> StepOnSurface(const DepthPicture& depth,
+                                             const agent::PanoramaLens& lens, int col, int row,
+                                             bool is_along_row) {
+  const Eigen::Vector3f here = PointAt(depth, lens, col, row);
+  std::optional<Eigen::Vector3f> step;
+  float off = 0.0f;
+  for (const int side : {-1, 1}) {
+    // A panorama's ends meet.
+    const int c = is_along_row ? (col + side + depth.width) % depth.width : col;
+    const int r = is_along_row ? row : row + side;
+    if (r < 0 || r >= depth.height) continue;
+    const float there = DepthAt(depth, c, r);
+    if (!(there > 0.0f)) continue;
+    const float apart = std::abs(there - DepthAt(depth, col, row));
+    if (step && apart >= off) continue;
+    step = (PointAt(depth, lens, c, r) - here) * static_cast<float>(side);
+    off = apart;
+  }
+  return step;
+}
+
+Eigen::Vector3f Facing(const DepthPicture& depth, const agent::PanoramaLens& lens, int col,
+                       int row) {
+  const auto along = StepOnSurface(depth, lens, col, row, true);
+  const auto down = StepOnSurface(depth, lens, col, row, false);
+  if (!along || !down) return Eigen::Vector3f::Zero();
+  const Eigen::Vector3f normal = along->cross(*down).normalized();
+  // Towards the camera.
+  return normal.dot(PointAt(depth, lens, col, row)) > 0.0f ? Eigen::Vector3f(-normal) : normal;
+}
+
+template <class Lens>
+void FindPoints(const Lens& lens, DepthThumbnail* thumbnail) {
   const DepthPicture& depth = thumbnail->depth;
-  const Intrinsics& k = thumbnail->intrinsics;
   const std::size_t most = depth.metres.size() / (std::size_t{kPointEvery} * kPointEvery) + 1;
   thumbnail->points.reserve(most);
   thumbnail->facing.reserve(most);
   for (int row = kPointEvery / 2; row < depth.height; row += kPointEvery) {
     for (int col = kPointEvery / 2; col < depth.width; col += kPointEvery) {
-      const float ahead = DepthAt(depth, col, row);
-      if (!(ahead > 0.0f)) continue;
-      const auto right = static_cast<float>((col - k.cx) / k.fx);
-      const auto down = static_cast<float>((row - k.cy) / k.fy);
-      thumbnail->points.emplace_back(ahead, -right * ahead, -down * ahead);
-      thumbnail->facing.push_back(Facing(depth, k, col, row));
+      if (!(DepthAt(depth, col, row) > 0.0f)) continue;
+      thumbnail->points.push_back(PointAt(depth, lens, col, row));
+      thumbnail->facing.push_back(Facing(depth, lens, col, row));
     }
   }
 }
 
+/// A pixel, and how deep in its picture a point is.
+struct Place {
+  float col = 0.0f;
+  float row = 0.0f;
+  float depth = 0.0f;
+};
+
+/// Places of points in pictures of a pinhole; numbers of it as floats.
+class PinholePlaces {
+ public:
+  explicit PinholePlaces(const Intrinsics& k)
+      : fx_(static_cast<float>(k.fx)),
+        fy_(static_cast<float>(k.fy)),
+        cx_(static_cast<float>(k.cx)),
+        cy_(static_cast<float>(k.cy)) {}
+
+  std::optional<Place> Of(float ahead, float left, float up) const {
+    if (ahead < kNearest) return std::nullopt;
+    return Place{std::floor(cx_ - fx_ * left / ahead + 0.5f),
+                 std::floor(cy_ - fy_ * up / ahead + 0.5f), ahead};
+  }
+
+ private:
+  float fx_, fy_, cx_, cy_;
+};
+
+class PanoramaPlaces {
+ public:
+  explicit PanoramaPlaces(const agent::PanoramaLens& lens) : lens_(lens) {}
+
+  std::optional<Place> Of(float ahead, float left, float up) const {
+    if (std::hypot(ahead, left) < kNearest) return std::nullopt;
+    const agent::PicturePoint place =
+        lens_.PlaceOf(Eigen::Vector3f(ahead, left, up).cast<double>());
+    return Place{static_cast<float>(std::floor(place.col + 0.5)),
+                 static_cast<float>(std::floor(place.row + 0.5)),
+                 static_cast<float>(place.level_m)};
+  }
+
+ private:
+  agent::PanoramaLens lens_;
+};
+
+PinholePlaces PlacesOf(const Intrinsics& k) {
+  return PinholePlaces(k);
+}
+PanoramaPlaces PlacesOf(const agent::PanoramaLens& lens) {
+  return PanoramaPlaces(lens);
+}
+
+template <class Places>
+double ShareSeenAt(const DepthThumbnail& a, const DepthThumbnail& b, const Places& places,
+                   const sim::PlanarPose& X_AB) {
+  const auto cosine = static_cast<float>(std::cos(X_AB.yaw));
+  const auto sine = static_cast<float>(std::sin(X_AB.yaw));
+  const auto x = static_cast<float>(X_AB.x);
+  const auto y = static_cast<float>(X_AB.y);
+  int seen = 0;
+  for (std::size_t i = 0; i < a.points.size(); ++i) {
+    const Eigen::Vector3f& point = a.points[i];
+    const float dx = point.x() - x;
+    const float dy = point.y() - y;
+    if (a.facing[i].dot(Eigen::Vector3f(-dx, -dy, -point.z())) < -kBehind) continue;
+    const float ahead = cosine * dx + sine * dy;
+    const float left = cosine * dy - sine * dx;
+    const std::optional<Place> place = places.Of(ahead, left, point.z());
+    if (!place) continue;
+    const bool is_inside = place->col >= 0.0f && place->row >= 0.0f &&
+                           place->col < static_cast<float>(b.depth.width) &&
+                           place->row < static_cast<float>(b.depth.height);
+    if (!is_inside) continue;
+    const float depth =
+        DepthAt(b.depth, static_cast<int>(place->col), static_cast<int>(place->row));
+    if (depth > 0.0f && std::abs(depth - place->depth) <= kOffShare * place->depth + kOffMetres) {
+      ++seen;
+    }
+  }
+  return static_cast<double>(seen) / static_cast<double>(a.points.size());
+}
+
+CameraLens Every(const Intrinsics& k, int n, int offset_x, int offset_y) {
+  return Intrinsics{k.fx / n, k.fy / n, (k.cx - offset_x) / n, (k.cy - offset_y) / n};
+}
+CameraLens Every(const agent::PanoramaLens& lens, int n, int offset_x, int offset_y) {
+  return lens.Every(n, offset_x, offset_y);
+}
+
 }  // namespace
 
-DepthThumbnail Coarsened(const DepthPicture& depth, const Intrinsics& intrinsics) {
+DepthThumbnail Coarsened(const DepthPicture& depth, const CameraLens& lens) {
   BULLETNAV_CHECK(depth.width > 0 && depth.height > 0 &&
                   depth.metres.size() == static_cast<std::size_t>(depth.width) *
                                              static_cast<std::size_t>(depth.height));
@@ -93,46 +223,30 @@ DepthThumbnail Coarsened(const DepthPicture& depth, const Intrinsics& intrinsics
       coarse.metres.push_back(DepthAt(depth, col * kCoarse + offset_x, row * kCoarse + offset_y));
     }
   }
-  return ThumbnailOf(std::move(coarse),
-                     {intrinsics.fx / kCoarse, intrinsics.fy / kCoarse,
-                      (intrinsics.cx - offset_x) / kCoarse, (intrinsics.cy - offset_y) / kCoarse});
+  return ThumbnailOf(std::move(coarse), std::visit(
+                                            [&](const auto& of) {
+                                              return Every(of, kCoarse, offset_x, offset_y);
+                                            },
+                                            lens));
 }
 
-DepthThumbnail ThumbnailOf(DepthPicture coarse, const Intrinsics& intrinsics) {
-  DepthThumbnail thumbnail{std::move(coarse), intrinsics, {}, {}};
-  FindPoints(&thumbnail);
+DepthThumbnail ThumbnailOf(DepthPicture coarse, const CameraLens& lens) {
+  DepthThumbnail thumbnail{std::move(coarse), lens, {}, {}};
+  std::visit(
+      [&thumbnail](const auto& of) {
+        FindPoints(of, &thumbnail);
+      },
+      lens);
   return thumbnail;
 }
 
 double ShareSeen(const DepthThumbnail& a, const DepthThumbnail& b, const sim::PlanarPose& X_AB) {
   if (a.points.empty()) return 0.0;
-  const auto cosine = static_cast<float>(std::cos(X_AB.yaw));
-  const auto sine = static_cast<float>(std::sin(X_AB.yaw));
-  const auto x = static_cast<float>(X_AB.x);
-  const auto y = static_cast<float>(X_AB.y);
-  const auto fx = static_cast<float>(b.intrinsics.fx);
-  const auto fy = static_cast<float>(b.intrinsics.fy);
-  const auto cx = static_cast<float>(b.intrinsics.cx);
-  const auto cy = static_cast<float>(b.intrinsics.cy);
-  int seen = 0;
-  for (std::size_t i = 0; i < a.points.size(); ++i) {
-    const Eigen::Vector3f& point = a.points[i];
-    const float dx = point.x() - x;
-    const float dy = point.y() - y;
-    if (a.facing[i].dot(Eigen::Vector3f(-dx, -dy, -point.z())) < -kBehind) continue;
-    const float ahead = cosine * dx + sine * dy;
-    const float left = cosine * dy - sine * dx;
-    constexpr float kNear = 0.05f;
-    if (ahead < kNear) continue;
-    const float u = std::floor(cx - fx * left / ahead + 0.5f);
-    const float v = std::floor(cy - fy * point.z() / ahead + 0.5f);
-    const bool is_inside = u >= 0.0f && v >= 0.0f && u < static_cast<float>(b.depth.width) &&
-                           v < static_cast<float>(b.depth.height);
-    if (!is_inside) continue;
-    const float depth = DepthAt(b.depth, static_cast<int>(u), static_cast<int>(v));
-    if (depth > 0.0f && std::abs(depth - ahead) <= kOffShare * ahead + kOffMetres) ++seen;
-  }
-  return static_cast<double>(seen) / static_cast<double>(a.points.size());
+  return std::visit(
+      [&](const auto& lens) {
+        return ShareSeenAt(a, b, PlacesOf(lens), X_AB);
+      },
+      b.lens);
 }
 
 double Covisibility(const DepthThumbnail& a, const DepthThumbnail& b, const sim::PlanarPose& X_AB) {

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "benchmark/slam/io/tum.h"
+#include "benchmark/slam/truth/camera_lens.h"
 #include "sim/math/pose.h"
 
 namespace bulletnav::bench {
@@ -13,17 +14,17 @@ namespace bulletnav::bench {
 /// and points of it.
 struct DepthThumbnail {
   DepthPicture depth;                   // of every `kCoarse`-th pixel
-  Intrinsics intrinsics;                // of the coarse picture
+  CameraLens lens;                      // of the coarse picture
   std::vector<Eigen::Vector3f> points;  // seen from the body: metres ahead, to the left, up from
                                         // the camera
   std::vector<Eigen::Vector3f> facing;  // of each point: where its surface faces, or zero
 };
 
 /// Expects: a picture of at least one pixel, with as many values as its size says (checked).
-DepthThumbnail Coarsened(const DepthPicture& depth, const Intrinsics& intrinsics);
+DepthThumbnail Coarsened(const DepthPicture& depth, const CameraLens& lens);
 
 /// Of a depth picture that is as coarse already.
-DepthThumbnail ThumbnailOf(DepthPicture coarse, const Intrinsics& intrinsics);
+DepthThumbnail ThumbnailOf(DepthPicture coarse, const CameraLens& lens);
 
 /// The share of points of `a` that fall into the picture of `b` where nothing hides them: depth
 /// there differs from theirs by at most 5% and 5 cm, and `b` is not behind the surface that they

@@ -92,10 +92,11 @@ class OrbslamLike final : public LoopDetector {
     std::vector<int> chosen;
     if (least > 0.0) chosen = BestOfGroups(candidates, least);
     const std::set<int> agreed = Agreeing(chosen);
+    const Pinhole* gate =
+        config_.native_gates ? &frame.flat_camera("'native_gates' of 'orbslam_like'") : nullptr;
     for (LoopCandidate& candidate : candidates) {
-      candidate.is_proposed =
-          agreed.contains(candidate.earlier) &&
-          (!config_.native_gates || PassesGates(candidate.earlier, frame.camera));
+      candidate.is_proposed = agreed.contains(candidate.earlier) &&
+                              (gate == nullptr || PassesGates(candidate.earlier, *gate));
     }
     return candidates;
   }

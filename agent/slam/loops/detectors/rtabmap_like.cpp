@@ -191,14 +191,15 @@ class RtabmapLike final : public LoopDetector {
   }
 
   void DropUnverified(const LoopFrame& frame, std::vector<LoopCandidate>* candidates) const {
+    const Pinhole& camera = frame.flat_camera("'native_gates' of 'rtabmap_like'");
     const Place& now = places_.back();
     for (LoopCandidate& candidate : *candidates) {
       if (!candidate.is_proposed) continue;
       const Place& then = places_[static_cast<std::size_t>(candidate.earlier)];
-      candidate.is_proposed = !now.depths.empty() &&
-                              FindMotion({&then.features, then.depths}, {&now.features, now.depths},
-                                         frame.camera, GatesOf(config_))
-                                  .has_value();
+      candidate.is_proposed =
+          !now.depths.empty() && FindMotion({&then.features, then.depths},
+                                            {&now.features, now.depths}, camera, GatesOf(config_))
+                                     .has_value();
     }
   }
 

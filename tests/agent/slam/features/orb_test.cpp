@@ -127,5 +127,38 @@ TEST(FindGftt, FindsCornersApart) {
   EXPECT_THROW(FindGftt(picture.rgb, kWidth, kHeight, bad), sim::Error);
 }
 
+/// The same rectangles all around, begun at another column: corners are the same, moved along.
+TEST(Orb, PanoramasHaveNoEnds) {
+  const Picture picture = Rectangles(0, 0);
+  constexpr int kTurn = 90;  // puts what was in the middle across the ends
+  Picture turned = picture;
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      std::copy_n(picture.rgb.begin() + 3 * (y * kWidth + x), 3,
+                  turned.at((x + kTurn) % kWidth, y));
+    }
+  }
+  OrbSpec spec;
+  spec.levels = 1;
+  spec.features = 5000;
+  const OrbFeatures here = FindOrbAround(picture.rgb, kWidth, kHeight, spec);
+  const OrbFeatures there = FindOrbAround(turned.rgb, kWidth, kHeight, spec);
+  ASSERT_GT(here.corners.size(), 50u);
+  ASSERT_EQ(here.corners.size(), here.descriptors.size());
+  int found = 0;
+  for (std::size_t i = 0; i < here.corners.size(); ++i) {
+    for (std::size_t k = 0; k < there.corners.size(); ++k) {
+      const float off = there.corners[k].x - here.corners[i].x - kTurn;
+      if (std::abs(std::remainder(off, float{kWidth})) < 0.01f &&
+          std::abs(there.corners[k].y - here.corners[i].y) < 0.01f &&
+          Distance(there.descriptors[k], here.descriptors[i]) == 0) {
+        ++found;
+        break;
+      }
+    }
+  }
+  EXPECT_GT(found, 0.9 * static_cast<double>(here.corners.size()));
+}
+
 }  // namespace
 }  // namespace bulletnav::agent

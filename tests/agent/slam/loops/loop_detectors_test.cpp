@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include <gmock/gmock.h>
@@ -110,6 +111,24 @@ class WeighedPictures final : public SequenceFilter {
   std::vector<int> weights_;
 };
 
+/// Takes panoramas for of one node by the cosine of their codes, which are descriptors here.
+class CosineModel final : public SemanticModel {
+ public:
+  std::vector<PanoramaCode> Encode(std::span<const Panorama> panoramas) override {
+    return std::vector<PanoramaCode>(panoramas.size());
+  }
+  std::array<float, kDirections> Explorable(const PanoramaCode& /*source*/) override { return {}; }
+  std::vector<PairPrediction> Compare(std::span<const PanoramaCode* const> sources,
+                                      const PanoramaCode& goal) override {
+    std::vector<PairPrediction> said(sources.size());
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+      const double cosine = std::inner_product(goal.begin(), goal.end(), sources[i]->begin(), 0.0);
+      said[i].same_node = static_cast<float>(cosine / (1.0 * kDescriptorUnit * kDescriptorUnit));
+    }
+    return said;
+  }
+};
+
 bool NeedsDescriptors(const std::string& name) {
   return name.starts_with("gem_") || name.starts_with("hut") || name.starts_with("seqnet");
 }
@@ -130,12 +149,14 @@ std::unique_ptr<LoopDetector> Make(
   if (NeedsDescriptors(name)) {
     parameters = sim::ParseYaml(NeedsLikeness(name), "test");
   }
+  if (name == "same_node") parameters = sim::ParseYaml("{least: 0.95}", "test");
   if (name == "orbslam_like") parameters = sim::ParseYaml("{common_words: 10}", "test");
   // Pictures are too small here for corners.
   if (name == "rtabmap_like") parameters = sim::ParseYaml("{own_corners: false}", "test");
   if (!other.empty()) parameters = sim::ParseYaml(other, "test");
-  return ConfigureLoopDetector(sim::ParseYaml(name, "test"), parameters)(
-      {SomeVocabulary(), kDescriptorSize, nullptr, std::move(filter)});
+  return ConfigureLoopDetector(sim::ParseYaml(name, "test"),
+                               parameters)({SomeVocabulary(), kDescriptorSize, nullptr,
+                                            std::move(filter), std::make_shared<CosineModel>()});
 }
 
 /// Places in turn, twice, or each only once.
@@ -151,6 +172,8 @@ std::vector<LoopCandidate> DriveWith(LoopDetector* detector, bool is_twice) {
     frame.color = seen.color;
     frame.features = &seen.features;
     frame.descriptor = seen.descriptor;
+    const PanoramaCode code(seen.descriptor.begin(), seen.descriptor.end());
+    frame.code = &code;
     frame.odometry = {5.0 * (i % kPlaces), 0.0, 0.0};
     frame.comparable = std::max(0, i - kApart);
     const auto found = detector->Add(frame);
@@ -217,6 +240,27 @@ INSTANTIATE_TEST_SUITE_P(LoopDetectors, AllDetectors, ::testing::ValuesIn(LoopDe
                          [](const auto& detector) {
                            return detector.param;
                          });
+
+TEST(SameNode, NeedsAModelOfPlaces) {
+  EXPECT_THAT(
+      [] {
+        ConfigureLoopDetector(sim::ParseYaml("same_node", "test"), std::nullopt)({});
+      },
+      ThrowsMessage<sim::Error>(HasSubstr("'places'")));
+}
+
+TEST(LoopFrame, WhatNeedsAFlatCameraSaysSoOfPanoramas) {
+  const auto detector = Make("orbslam_like", "{native_gates: true}");
+  const Seen seen = See(1, 1);
+  LoopFrame frame;
+  frame.color = seen.color;
+  frame.features = &seen.features;
+  EXPECT_THAT(
+      [&] {
+        detector->Add(frame);
+      },
+      ThrowsMessage<sim::Error>(AllOf(HasSubstr("native_gates"), HasSubstr("panorama"))));
+}
 
 TEST(LoopRegistry, AnUnknownDetectorIsToldWithTheKnownOnes) {
   const auto configure = [] {
@@ -325,7 +369,7 @@ TEST(SeqNet, AFilterThatIsMissingOrOfOtherDescriptorsIsToldOf) {
   EXPECT_THAT(
       [] {
         ConfigureLoopDetector(sim::ParseYaml("seqnet", "test"), std::nullopt)(
-            {nullptr, 32, nullptr, std::make_shared<WeighedPictures>(std::vector{1})});
+            {nullptr, 32, nullptr, std::make_shared<WeighedPictures>(std::vector{1}), nullptr});
       },
       ThrowsMessage<sim::Error>(HasSubstr("64 numbers, and 'descriptors' have 32")));
 }

@@ -125,12 +125,35 @@ TEST_F(SlamRunner, PlaysARecording) {
       ThrowsMessage<sim::FileError>(AllOf(HasSubstr("odometry.txt"), HasSubstr("write"))));
 }
 
+/// Panoramas know a place whichever way the body looks.
+TEST_F(SlamRunner, DrivesWithPanoramas) {
+  const std::string scene = path("room.obj").string();
+  const std::string head = "scenes: [" + scene + "]\nactions: [60]\napart_m: 1\n";
+  const SlamConfig around = LoadSlamConfig(
+      folder_.Write("around.yaml", head + "panorama: {}\ndetectors: [{detector: seqslam}]\n"));
+  const DriveResult result = RunSlam(around, path("around"), {}).front();
+  EXPECT_EQ(result.frames, 61);
+  ASSERT_TRUE(result.true_loops.has_value());
+  // Nearly all pairs of an empty room are covisible, in flat pictures few.
+  const auto covisible = [](const DriveResult& of) {
+    return of.detectors[0].rankings.at("covisible").figures.guessing;
+  };
+  EXPECT_GT(covisible(result), 0.9);
+  const SlamConfig flat = LoadSlamConfig(folder_.Write(
+      "flat.yaml", head + "camera: {rows: 24, cols: 32}\ndetectors: [{detector: seqslam}]\n"));
+  EXPECT_LT(covisible(RunSlam(flat, path("flat"), {}).front()), 0.7);
+}
+
 TEST_F(SlamRunner, ABadConfigIsToldWithItsPlace) {
   const auto load = [this](const std::string& text) {
     return [this, text] {
       LoadSlamConfig(folder_.Write("bad.yaml", text));
     };
   };
+  EXPECT_THAT(load("places: some.safetensors\ndetectors: [{detector: seqslam}]\n"),
+              ThrowsMessage<sim::FileError>(HasSubstr("needs 'panorama'")));
+  EXPECT_THAT(load("panorama: {projection: cube_strip}\ndetectors: [{detector: seqslam}]\n"),
+              ThrowsMessage<sim::FileError>(HasSubstr("must be cylindrical")));
   EXPECT_THAT(load("detectors: []\n"), ThrowsMessage<sim::FileError>(HasSubstr("no entry")));
   EXPECT_THAT(load("detectors:\n  - {detector: bwo}\n"),
               ThrowsMessage<sim::FileError>(AllOf(HasSubstr("bad.yaml:2"), HasSubstr("bow"))));

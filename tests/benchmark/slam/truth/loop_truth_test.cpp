@@ -134,6 +134,47 @@ TEST(Covisibility, WhereSurfacesFaceChangesNothingInOneRoom) {
   }
 }
 
+/// The same room as a panorama of 128 x 512 shows it.
+DepthThumbnail Around(const Box& box, const sim::PlanarPose& pose) {
+  const agent::PanoramaLens lens = agent::PanoramaLens::Of(128, 512);
+  DepthPicture picture{512, 128, {}};
+  for (int row = 0; row < picture.height; ++row) {
+    for (int col = 0; col < picture.width; ++col) {
+      const Eigen::Vector3d ray = lens.PointAt({double(col), double(row), 1.0});
+      const double x = std::cos(pose.yaw) * ray.x() - std::sin(pose.yaw) * ray.y();
+      const double y = std::sin(pose.yaw) * ray.x() + std::cos(pose.yaw) * ray.y();
+      const double along_x = (x > 0.0 ? box.x1 - pose.x : box.x0 - pose.x) / x;
+      const double along_y = (y > 0.0 ? box.y1 - pose.y : box.y0 - pose.y) / y;
+      const double upright = (ray.z() > 0.0 ? box.up : -box.down) / ray.z();
+      picture.metres.push_back(static_cast<float>(std::min({along_x, along_y, upright})));
+    }
+  }
+  return Coarsened(picture, lens);
+}
+
+TEST(Covisibility, PanoramasOfARoomSeeAllOfItFromAnywhere) {
+  const Box room = {0.0, 4.0, 0.0, 3.0};
+  sim::Rng rng(5, "panoramas");
+  for (int i = 0; i < 40; ++i) {
+    const sim::PlanarPose at_a = Somewhere(room, &rng);
+    const sim::PlanarPose turned = {at_a.x, at_a.y, at_a.yaw + rng.Uniform(-3.0, 3.0)};
+    EXPECT_GT(Shared(Around(room, at_a), at_a, Around(room, turned), turned), 0.93) << i;
+    const sim::PlanarPose at_b = Somewhere(room, &rng);
+    EXPECT_GT(Shared(Around(room, at_a), at_a, Around(room, at_b), at_b), 0.6) << i;
+  }
+}
+
+TEST(Covisibility, PanoramasDoNotSeeThroughThinWalls) {
+  const Box here = {0.0, 4.0, 0.0, 3.0};
+  const Box beside = {4.08, 8.0, 0.0, 3.0, here.up, here.down};
+  sim::Rng rng(6, "panoramas");
+  for (int i = 0; i < 40; ++i) {
+    const sim::PlanarPose at_a = Somewhere(here, &rng);
+    const sim::PlanarPose at_b = Somewhere(beside, &rng);
+    EXPECT_LT(Shared(Around(here, at_a), at_a, Around(beside, at_b), at_b), 0.25) << i;
+  }
+}
+
 TEST(HeadingBin, TurnsCountToEitherSide) {
   EXPECT_EQ(HeadingBinOf(0.1), HeadingBin::kAlong);
   EXPECT_EQ(HeadingBinOf(-1.0), HeadingBin::kAside);
