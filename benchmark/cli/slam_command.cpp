@@ -108,6 +108,7 @@ void AddSlamCommand(CLI::App* program) {
   AddSlamRunCommand(slam);
   AddSlamTableCommand(slam);
   AddSlamPlotCommand(slam);
+  AddSlamScaleCommand(slam);
 }
 
 }  // namespace bulletnav::bench

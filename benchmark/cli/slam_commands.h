@@ -19,5 +19,7 @@ void AddSlamPlotCommand(CLI::App* slam);
 /// Adds "run" and "table".
 void AddSlamRunCommand(CLI::App* slam);
 void AddSlamTableCommand(CLI::App* slam);
+/// Adds "scale".
+void AddSlamScaleCommand(CLI::App* slam);
 
 }  // namespace bulletnav::bench

@@ -16,6 +16,7 @@
 #include "benchmark/slam/runs/drive_traces.h"
 #include "benchmark/slam/runs/frame_eye.h"
 #include "benchmark/slam/runs/measure_drive.h"
+#include "benchmark/slam/runs/travel.h"
 #include "sim/base/error.h"
 
 namespace bulletnav::bench {
@@ -26,30 +27,6 @@ using Clock = std::chrono::steady_clock;
 double MillisecondsSince(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
-
-/// How far the body has come, as odometry has it, and which frames are far back.
-class Travel {
- public:
-  explicit Travel(double apart_m) : apart_m_(apart_m) {}
-
-  /// Takes the next frame's odometry; how many of the first frames are `apart_m` back.
-  int Next(const sim::PlanarPose& odometry) {
-    if (!travelled_.empty()) {
-      metres_ += std::hypot(odometry.x - last_.x, odometry.y - last_.y);
-    }
-    travelled_.push_back(metres_);
-    last_ = odometry;
-    const auto end = std::upper_bound(travelled_.begin(), travelled_.end(), metres_ - apart_m_);
-    return static_cast<int>(end - travelled_.begin());
-  }
-  double metres() const { return metres_; }
-
- private:
-  double apart_m_;
-  double metres_ = 0.0;
-  std::vector<double> travelled_;  // rises
-  sim::PlanarPose last_;
-};
 
 /// A detector at work.
 struct RunningDetector {

@@ -38,6 +38,7 @@ class SameNode final : public LoopDetector {
 
   std::vector<LoopCandidate> Add(const LoopFrame& frame) override {
     std::vector<const PanoramaCode*> earlier;
+    earlier.reserve(static_cast<std::size_t>(frame.comparable));
     for (int i = 0; i < frame.comparable; ++i) {
       earlier.push_back(&codes_[static_cast<std::size_t>(i)]);
     }

@@ -182,6 +182,7 @@ TEST_F(SlamRunner, WeightsThatAreMissingAreTold) {
 TEST(SlamConfig, EveryShippedOneLoads) {
   int count = 0;
   for (const auto& entry : fs::directory_iterator(fs::path(BULLETNAV_CONFIGS) / "slam")) {
+    if (entry.path().filename() == "scale.yaml") continue;  // of another command
     const SlamConfig config = LoadSlamConfig(entry.path());
     EXPECT_FALSE(config.detectors.empty()) << entry.path();
     ++count;
