@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <string>
 
 #include <fmt/core.h>
 
@@ -72,9 +73,11 @@ class Panel {
 
   void Axes() const {
     for (int i = 0; i <= 5; ++i) {
-      const double y = 0.2 * i;
+      const double y = chart_.top * i / 5.0;
       canvas_->Line(At(low_, y), At(high_, y), 0.8, kGrid);
-      canvas_->Text(At(low_, y) - Point(6.0, 0.0), fmt::format("{:.1f}", y),
+      const std::string label =
+          chart_.top > 1.0 ? fmt::format("{:g}", y) : fmt::format("{:.1f}", y);
+      canvas_->Text(At(low_, y) - Point(6.0, 0.0), label,
                     {.size = kTick, .paint = kInk, .align = Align::kRight});
     }
     for (const Chart::Tick& tick : Ticks()) {
@@ -83,10 +86,10 @@ class Panel {
       canvas_->Text(at + Point(0.0, 13.0), tick.text, {.size = kTick, .paint = kInk});
     }
     canvas_->Line(At(low_, 0.0), At(high_, 0.0), 1.0, kInk);
-    canvas_->Line(At(low_, 0.0), At(low_, 1.0), 1.0, kInk);
+    canvas_->Line(At(low_, 0.0), At(low_, chart_.top), 1.0, kInk);
     canvas_->Text(At(0.5 * (low_ + high_), 0.0) + Point(0.0, 32.0), chart_.x_label,
                   {.size = kLabel, .paint = kInk});
-    canvas_->Text(At(low_, 0.5) - Point(38.0, 0.0), chart_.y_label,
+    canvas_->Text(At(low_, 0.5 * chart_.top) - Point(38.0, 0.0), chart_.y_label,
                   {.size = kLabel, .paint = kInk, .upwards = true});
   }
 
@@ -125,7 +128,7 @@ class Panel {
 
   Point At(double x, double y) const {
     return corner_ + Point(kLeft + kPanelWidth * (x - low_) / (high_ - low_),
-                           kTop + kPanelHeight * (1.0 - y));
+                           kTop + kPanelHeight * (1.0 - y / chart_.top));
   }
 
   const Chart& chart_;
@@ -146,6 +149,17 @@ void DrawLegend(const Chart& chart, double top, Canvas* canvas) {
 }
 
 }  // namespace
+
+double RoundTop(double value) {
+  if (value <= 1.0) return 1.0;
+  double unit = 1.0;
+  while (unit < value) unit *= 10.0;
+  double top = unit;
+  for (const double share : {0.5, 0.25, 0.2}) {
+    if (share * unit >= value) top = share * unit;
+  }
+  return top;
+}
 
 Figure ChartFigure(std::span<const Chart> charts) {
   const auto shared = std::make_shared<const std::vector<Chart>>(charts.begin(), charts.end());

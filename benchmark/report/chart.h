@@ -10,7 +10,7 @@
 namespace bulletnav::bench {
 
 /// Shares, all in [0, 1], against something countable, with their confidence, or a curve of one
-/// share against another.
+/// share against another; or other numbers from 0 on, with a higher `top`.
 struct Chart {
   struct Value {
     double x = 0.0;
@@ -30,8 +30,12 @@ struct Chart {
   std::vector<Series> series;    // as many, in the same order, in all charts of a figure
   std::vector<Tick> ticks = {};  // of x, which reaches so far at least; whole numbers if empty
   double margin = 0.5;           // of x beyond values and ticks
+  double top = 1.0;              // of y
   bool has_marks = true;         // on each value
 };
+
+/// The least round number that is not below a value nor below 1 and whose fifth is round, too.
+double RoundTop(double value);
 
 /// Charts side by side under a common legend: a line with marks a series and a band for its
 /// intervals. Expects: as many series in each (checked). With no chart or no series the figure says

@@ -183,22 +183,21 @@ Truths TruthsOf(const std::vector<KnownDrive>& drives, sim::WorkerPool* pool) {
   return truths;
 }
 
+void AddQueries(const KnownDrive& drive, const LoopTruth& truth, int every,
+                std::vector<Query>* queries) {
+  for (int frame = 0; frame < truth.frames(); frame += every) {
+    if (truth.HasLoop(LoopKind::kCovisible, frame)) queries->push_back({&drive, &truth, frame});
+  }
+}
+
 std::vector<Query> QueriesOf(const std::vector<KnownDrive>& drives, const Truths& truths,
                              int every) {
   std::vector<Query> queries;
   for (std::size_t i = 0; i < drives.size(); ++i) {
-    for (int frame = 0; frame < truths[i]->frames(); frame += every) {
-      if (truths[i]->HasLoop(LoopKind::kCovisible, frame)) {
-        queries.push_back({&drives[i], truths[i].get(), frame});
-      }
-    }
+    AddQueries(drives[i], *truths[i], every, &queries);
   }
   return queries;
 }
-
-}  // namespace
-
-namespace {
 
 void RequireFrames(const ScaleConfig& config, std::size_t houses) {
   const std::size_t frames = houses * (static_cast<std::size_t>(config.other_actions) + 1);

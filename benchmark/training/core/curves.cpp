@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/training/core/curves.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <optional>
@@ -106,6 +107,7 @@ Figure CurvesFigure(const std::vector<CurvePoint>& points, const std::vector<Cur
     Chart::Series series{line.title, {}};
     for (const CurvePoint& point : points) {
       const double y = point.validation.at(line.measure);
+      chart.top = std::max(chart.top, RoundTop(y));
       series.values.push_back({static_cast<double>(point.step) / unit, y, {y, y}});
     }
     chart.series.push_back(series);

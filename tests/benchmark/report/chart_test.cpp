@@ -70,6 +70,26 @@ TEST(Chart, ValuesLieWhereTheAxesSay) {
   EXPECT_EQ(image.at(52 + 300 / 4 + 3, 14 + 65)[0], 255);
 }
 
+TEST(Chart, LargerNumbersLieUnderARoundTop) {
+  Chart chart{"steps", "m2", {}};
+  chart.series.push_back({"a", {{1, 60.0, {60.0, 60.0}}, {2, 90.0, {90.0, 90.0}}}});
+  chart.top = RoundTop(90.0);
+  EXPECT_EQ(chart.top, 100.0);
+  const sim::Image image = ToImage(ChartFigure({&chart, 1}), 1.0);
+  const std::uint8_t* p = image.at(52 + 300 / 4, 14 + 84);  // 60 of 100
+  EXPECT_NEAR(p[0], 255.0 * kLineColors[0].red, 2.0);
+  EXPECT_NEAR(p[2], 255.0 * kLineColors[0].blue, 2.0);
+}
+
+TEST(Chart, ARoundTopIsTheNextOne) {
+  EXPECT_EQ(RoundTop(0.3), 1.0);
+  EXPECT_EQ(RoundTop(1.0), 1.0);
+  EXPECT_EQ(RoundTop(1.1), 2.0);
+  EXPECT_EQ(RoundTop(2.2), 2.5);
+  EXPECT_EQ(RoundTop(110.4), 200.0);
+  EXPECT_EQ(RoundTop(510.0), 1000.0);
+}
+
 TEST(Chart, SvgIsSoundAndTheSameEachTime) {
   const std::string svg = ToSvg(ChartFigure(TwoCharts()));
   EXPECT_EQ(tests::SvgProblem(svg), "");
