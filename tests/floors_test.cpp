@@ -57,6 +57,7 @@ const std::vector<std::vector<std::string>> kFloors = {
     {"benchmark/slam/traversal/"},
     {"benchmark/slam/truth/"},
     {"benchmark/slam/runs/", "benchmark/slam/training/"},
+    {"benchmark/slam/scale/"},
     {"benchmark/slam/plots/", "benchmark/slam/recordings/"},
     {"python/"},
     {"benchmark/cli/"},

@@ -21,4 +21,8 @@ std::optional<fs::path> FindShipped(const fs::path& file) {
   return std::nullopt;
 }
 
+std::filesystem::path ShippedOr(const std::filesystem::path& file) {
+  return FindShipped(file).value_or(file);
+}
+
 }  // namespace bulletnav::bench

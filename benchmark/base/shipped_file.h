@@ -10,5 +10,7 @@ namespace bulletnav::bench {
 /// checkout, or in share/bulletnav of one, where the program has been installed. Absent if there is
 /// no such file.
 std::optional<std::filesystem::path> FindShipped(const std::filesystem::path& file);
+/// The same, or `file` as it is, so that who reads it says that it is not there.
+std::filesystem::path ShippedOr(const std::filesystem::path& file);
 
 }  // namespace bulletnav::bench

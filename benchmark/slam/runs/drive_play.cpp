@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
-#include <filesystem>
 #include <utility>
 
 #include "agent/slam/descriptors/seqnet_filter.h"
@@ -43,10 +42,6 @@ struct RunningDetector {
   }
 };
 
-std::filesystem::path WeightsOf(const std::string& file) {
-  return FindShipped(file).value_or(file);
-}
-
 /// A drive while it is played.
 class DrivePlay {
  public:
@@ -56,8 +51,8 @@ class DrivePlay {
         source_(config, drive),
         eye_(config, source_.lens()),
         travel_(config.apart_m) {
-    if (config.sequences) sequences_ = agent::LoadSeqVlad(WeightsOf(*config.sequences));
-    if (config.filter) filter_ = agent::LoadSeqNetFilter(WeightsOf(*config.filter));
+    if (config.sequences) sequences_ = agent::LoadSeqVlad(ShippedOr(*config.sequences));
+    if (config.filter) filter_ = agent::LoadSeqNetFilter(ShippedOr(*config.filter));
     played_.result.drive = drive.name;
     played_.result.actions = drive.actions;
     detectors_.reserve(config.detectors.size());

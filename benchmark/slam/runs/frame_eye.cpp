@@ -14,10 +14,6 @@ namespace {
 
 using agent::PanoramaLens;
 
-std::filesystem::path WeightsOf(const std::string& file) {
-  return FindShipped(file).value_or(file);
-}
-
 /// Throws sim::FileError.
 std::shared_ptr<agent::SemanticModel> LoadPlaces(const std::filesystem::path& file,
                                                  const SlamConfig& config) {
@@ -46,11 +42,11 @@ FrameEye::FrameEye(const SlamConfig& config, const CameraLens& lens)
     : lens_(lens), orb_(config.orb), verify_(config.verify), keeps_cells_(config.sequences) {
   const bool is_panorama = std::holds_alternative<PanoramaLens>(lens);
   if (config.descriptors && is_panorama) {
-    panorama_describer_ = agent::LoadPanoramaDescriber(WeightsOf(*config.descriptors));
+    panorama_describer_ = agent::LoadPanoramaDescriber(ShippedOr(*config.descriptors));
   } else if (config.descriptors) {
-    describer_ = agent::LoadPictureDescriber(WeightsOf(*config.descriptors));
+    describer_ = agent::LoadPictureDescriber(ShippedOr(*config.descriptors));
   }
-  if (config.places && is_panorama) places_ = LoadPlaces(WeightsOf(*config.places), config);
+  if (config.places && is_panorama) places_ = LoadPlaces(ShippedOr(*config.places), config);
 }
 
 int FrameEye::descriptor_size() const {

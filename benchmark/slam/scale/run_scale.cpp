@@ -43,7 +43,7 @@ class Driving {
  public:
   explicit Driving(const ScaleConfig& config)
       : config_(config),
-        weights_(FindShipped(config.descriptors).value_or(config.descriptors)),
+        weights_(ShippedOr(config.descriptors)),
         size_(agent::LoadPictureDescriber(weights_)->config().size) {}
 
   int descriptor_size() const { return size_; }

@@ -58,7 +58,7 @@ std::vector<PlaceViews> FirstOf(std::vector<PlaceViews> scenes, int count) {
 std::unique_ptr<agent::DescriptorNet> MakeNet(const PlaceTrainConfig& config) {
   auto net = std::make_unique<agent::DescriptorNet>(config.model, config.seed);
   if (!config.start_from.empty()) {
-    net->StartFrom(FindShipped(config.start_from).value_or(config.start_from));
+    net->StartFrom(ShippedOr(config.start_from));
   }
   return net;
 }

@@ -34,7 +34,7 @@ std::vector<SequenceWalk> WalksThrough(const PlaceDataConfig& data, int scenes, 
   MakeHousesOf(data, context.start);
   const auto all = static_cast<int>(ScenesOf(data).size());
   const int count = scenes == 0 ? all : std::min(scenes, all);
-  const auto weights = FindShipped(plan.descriptor).value_or(plan.descriptor);
+  const auto weights = ShippedOr(plan.descriptor);
   return MakeSequenceWalks(data, count, walks, plan.frames, weights,
                            context.start("walking through scenes", count));
 }

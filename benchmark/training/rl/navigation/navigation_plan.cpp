@@ -11,6 +11,7 @@
 #include "agent/policy/integer_policy.h"
 #include "agent/policy/learned_policy.h"
 #include "benchmark/base/program_version.h"
+#include "benchmark/base/shipped_file.h"
 #include "benchmark/base/warn_line.h"
 #include "sim/base/error.h"
 #include "sim/sensors/noise/sensor_noise.h"
@@ -77,8 +78,10 @@ NavigationSpec NavigationPlan::Lanes(const LaneShare& share, bool teaches) const
 }
 
 std::unique_ptr<PictureNet> NavigationPlan::MakeNet(std::uint64_t seed) const {
-  auto net = std::make_unique<PictureNet>(model, encoder, seed);
-  if (policy_start) agent::TakePolicy(*policy_start, net->policy().get());
+  std::optional<std::string> seeing;
+  if (encoder) seeing = ShippedOr(*encoder).string();
+  auto net = std::make_unique<PictureNet>(model, seeing, seed);
+  if (policy_start) agent::TakePolicy(ShippedOr(*policy_start), net->policy().get());
   return net;
 }
 

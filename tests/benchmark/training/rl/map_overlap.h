@@ -43,7 +43,8 @@ inline MapOverlap CompareMaps(const sim::SceneMesh& mesh, double floor, int plac
   auto made = std::make_unique<bench::Viewshed>(spec, double{rig.camera_height});
   bench::Viewshed* view = made.get();
   agent::MetricMap simulated(spec, std::move(made), sim::PlanarPose{});
-  bench::SeenGround seen{std::vector<std::uint8_t>(columns.values().size()), 0};
+  bench::SeenGround seen;
+  seen.cells.resize(columns.values().size());
   std::vector<std::uint8_t> color(3 * rig.panorama.pixels());
   std::vector<float> depth(rig.panorama.pixels());
   sim::CapsuleBody body(physics, {});

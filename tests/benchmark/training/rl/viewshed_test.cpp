@@ -51,7 +51,8 @@ TEST(Viewshed, MapsAGeneratedHouseAsRenderedDepthDoes) {
 TEST(Viewshed, CountsOnTheTrueMapWhatIsNewAlone) {
   const HeightColumns columns(tests::BoxRoom(4, 2.6f, 4), 0.0);
   Viewshed view(agent::MapSpec{}, 1.25);
-  SeenGround seen{std::vector<std::uint8_t>(columns.values().size()), 0};
+  SeenGround seen;
+  seen.cells.resize(columns.values().size());
   const sim::BodyPose pose{{2, 0, -2}, 0.4};
   view.Place(&columns, pose, &seen);
   view.Project({}, 0.5, 0.5, 0.0);
