@@ -23,10 +23,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double MillisecondsSince(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
 /// A detector at work.
 struct RunningDetector {
   std::string name;
@@ -102,7 +98,7 @@ class DrivePlay {
     seen.features = &corners.features;
     seen.descriptor = description.descriptor;
     seen.cells = description.cells;
-    seen.code = &description.code;
+    if (eye_.places()) seen.code = &description.code;
     seen.depth = frame.depth.metres;
     if (const auto* pinhole = std::get_if<Intrinsics>(&eye_.lens())) seen.camera = *pinhole;
     seen.odometry = frame.odometry;

@@ -120,6 +120,11 @@ std::vector<MeasuredLoop> TrueLoops(std::span<const TruthFrame> frames, const Lo
   return loops;
 }
 
+double MillisecondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+      .count();
+}
+
 StageTimes TimesOf(std::vector<double> milliseconds) {
   if (milliseconds.empty()) return {};
   std::sort(milliseconds.begin(), milliseconds.end());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <chrono>
 #include <optional>
 #include <span>
 #include <vector>
@@ -25,6 +26,7 @@ bool IsOff(const MeasuredLoop& loop, std::span<const sim::BodyPose> truth);
 /// What a perfect front end would find: for every tenth frame the first covisible one before it.
 std::vector<MeasuredLoop> TrueLoops(std::span<const TruthFrame> frames, const LoopTruth& truth);
 
+double MillisecondsSince(std::chrono::steady_clock::time_point start);
 /// Median and 95th percentile; zeros of nothing.
 StageTimes TimesOf(std::vector<double> milliseconds);
 

@@ -28,10 +28,6 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int kFound = 10;
 
-double MillisecondsSince(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
 /// A drive as it is remembered.
 struct KnownDrive {
   std::vector<agent::PictureDescriptor> descriptors;  // by frame

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "agent/slam/verify/panorama_lens.h"
 #include "benchmark/privileged/shortest_path.h"
 #include "benchmark/slam/traversal/route.h"
 #include "sim/base/check.h"
@@ -201,9 +202,9 @@ DepthPicture Levelled(std::span<const float> ranges, const sim::PanoramaSpec& pa
   BULLETNAV_CHECK(ranges.size() == panorama.pixels());
   DepthPicture depth{panorama.cols, panorama.rows, {}};
   depth.metres.reserve(ranges.size());
+  const auto lens = agent::PanoramaLens::Of(panorama.rows, panorama.cols);
   for (int row = 0; row < panorama.rows; ++row) {
-    const double slope = 1.0 - (row + 0.5) * 2.0 / panorama.rows;
-    const double length = std::hypot(1.0, slope);
+    const double length = std::hypot(1.0, lens.first_slope - row * lens.row);
     for (int col = 0; col < panorama.cols; ++col) {
       const float range = ranges[depth.metres.size()];
       depth.metres.push_back(range < panorama.max_depth_m ? static_cast<float>(range / length)
