@@ -86,7 +86,7 @@ std::size_t DrawFrames(const SlamConfig& config, const fs::path& place, const fs
 /// The plans of scenes; all drives of one come one after the other.
 class ScenePlans {
  public:
-  explicit ScenePlans(const SlamConfig& config) : options_(WorldOptionsOf(config)) {}
+  explicit ScenePlans(const SlamConfig& config) : options_(WorldOptionsOf(config.import)) {}
 
   /// None of a recording, or where the scene is gone. Good until the next call.
   const std::optional<SceneMap>& Of(const Drive& drive) {

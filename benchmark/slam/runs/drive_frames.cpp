@@ -37,10 +37,10 @@ CameraLens LensOf(const TraversalSpec& traversal) {
   return IntrinsicsOf(traversal.camera);
 }
 
-sim::WorldOptions WorldOptionsOf(const SlamConfig& config) {
+sim::WorldOptions WorldOptionsOf(const ImportSpec& import) {
   sim::WorldOptions options;
-  options.import = config.import.options();
-  options.backend = sim::Backend::kEmbree;  // the same pictures with and without a GPU
+  options.import = import.options();
+  options.backend = sim::Backend::kEmbree;
   return options;
 }
 
@@ -49,9 +49,9 @@ DriveSource::DriveSource(const SlamConfig& config, const Drive& drive) {
     recording_ = Read(drive.source);
   } else {
     traversal_ = TraversalOf(config, drive.actions, drive.seed);
-    world_ = sim::World::Load(drive.source, WorldOptionsOf(config));
+    world_ = sim::World::Load(drive.source, WorldOptionsOf(config.import));
     if (config.changed) {
-      sim::WorldOptions options = WorldOptionsOf(config);
+      sim::WorldOptions options = WorldOptionsOf(config.import);
       options.import.finish = config.changed->finish;
       changed_.world = sim::World::Load(drive.source, options);
       changed_.from_step = static_cast<int>(config.changed->from * drive.actions);

@@ -53,6 +53,7 @@ class DriveSource {
 /// The drive of a config through a scene.
 TraversalSpec TraversalOf(const SlamConfig& config, int actions, std::uint64_t seed);
 CameraLens LensOf(const TraversalSpec& traversal);
-sim::WorldOptions WorldOptionsOf(const SlamConfig& config);
+/// Of a scene that is driven through: the same pictures with and without a GPU.
+sim::WorldOptions WorldOptionsOf(const ImportSpec& import);
 
 }  // namespace bulletnav::bench

@@ -19,7 +19,7 @@ using Pictures = std::vector<std::vector<agent::BinaryDescriptor>>;
 Pictures PicturesOf(const SlamConfig& config, const std::filesystem::path& house) {
   const VocabularySource& source = *config.vocabulary;
   Pictures pictures;
-  const auto world = sim::World::Load(house, WorldOptionsOf(config));
+  const auto world = sim::World::Load(house, WorldOptionsOf(config.import));
   const TraversalSpec traversal = TraversalOf(config, source.actions, source.seed);
   const CameraLens lens = LensOf(traversal);
   Traverse(world, traversal, [&](const TraversalFrame& frame) {

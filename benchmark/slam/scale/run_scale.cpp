@@ -14,6 +14,7 @@
 #include "agent/slam/retrieval/descriptor_index.h"
 #include "benchmark/base/program_version.h"
 #include "benchmark/base/shipped_file.h"
+#include "benchmark/slam/runs/drive_frames.h"
 #include "benchmark/slam/runs/measure_drive.h"
 #include "benchmark/slam/runs/travel.h"
 #include "benchmark/slam/truth/loop_truth.h"
@@ -45,9 +46,6 @@ class Driving {
   int descriptor_size() const { return size_; }
 
   KnownDrive Through(const fs::path& house, int actions, bool has_queries) const {
-    sim::WorldOptions options;
-    options.import = config_.import.options();
-    options.backend = sim::Backend::kEmbree;  // the same pictures with and without a GPU
     TraversalSpec traversal;
     traversal.body = config_.body;
     traversal.camera = config_.camera;
@@ -58,15 +56,16 @@ class Driving {
     const Intrinsics camera = IntrinsicsOf(config_.camera);
     Travel travel(config_.apart_m);
     KnownDrive drive;
-    Traverse(sim::World::Load(house, options), traversal, [&](const TraversalFrame& frame) {
-      const auto start = Clock::now();
-      drive.descriptors.push_back(
-          describer->Describe(frame.color.pixels, frame.color.width, frame.color.height));
-      drive.describing_ms.push_back(MillisecondsSince(start));
-      if (!has_queries) return;
-      drive.truth.push_back(
-          {frame.true_pose, Coarsened(frame.depth, camera), travel.Next(frame.dead_reckoned)});
-    });
+    Traverse(sim::World::Load(house, WorldOptionsOf(config_.import)), traversal,
+             [&](const TraversalFrame& frame) {
+               const auto start = Clock::now();
+               drive.descriptors.push_back(
+                   describer->Describe(frame.color.pixels, frame.color.width, frame.color.height));
+               drive.describing_ms.push_back(MillisecondsSince(start));
+               if (!has_queries) return;
+               drive.truth.push_back({frame.true_pose, Coarsened(frame.depth, camera),
+                                      travel.Next(frame.dead_reckoned)});
+             });
     return drive;
   }
 
