@@ -138,11 +138,25 @@ void SetQuantised(const QuantisedNet& net, TensorFile* content) {
 }
 
 void AddQuantised(const QuantisedNet& net, const std::filesystem::path& file,
-                  const std::filesystem::path& out) {
+                  const std::filesystem::path& out, std::span<const std::string> without) {
   TensorFile content = ReadTensorFile(file);
   const StoredType type = TypeOf(content);
   SetQuantised(net, &content);
+  for (const std::string& name : without) content.tensors.erase(name);
   content.metadata.erase(kIntegerPart);
+  WriteTensorFile(out, content, type);
+}
+
+void KeepIntegersAlone(const std::filesystem::path& file, const std::filesystem::path& out) {
+  TensorFile content = ReadTensorFile(file);
+  if (!HoldsIntegers(content)) {
+    throw sim::FileError(file, "", "holds no whole network in integers; quantise it first");
+  }
+  const StoredType type = TypeOf(content);
+  std::erase_if(content.tensors, [](const auto& entry) {
+    return !entry.first.starts_with(kIntegerPrefix) && entry.second.shape.size() > 1;
+  });
+  content.metadata[kIntegersAlone] = "true";
   WriteTensorFile(out, content, type);
 }
 

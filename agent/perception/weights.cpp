@@ -62,7 +62,12 @@ void SetWeights(const TensorFile& content, const std::string& prefix,
   for (const auto& [name, tensor] : weights) {
     const auto found = content.tensors.find(prefix + name);
     if (found == content.tensors.end()) {
-      throw sim::FileError(file, prefix + name, "is missing: these are weights of another model");
+      throw sim::FileError(
+          file, prefix + name,
+          content.metadata.contains(kIntegersAlone)
+              ? "was left out: the file holds its network in integers alone, which "
+                "acts, but is not trained on"
+              : "is missing: these are weights of another model");
     }
     if (at::IntArrayRef(found->second.shape) != tensor.sizes()) {
       throw sim::FileError(file, prefix + name,

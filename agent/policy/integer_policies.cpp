@@ -16,7 +16,7 @@ const ModelRegistration registration(
       const PolicyConfig config = PolicyConfigOf(content, weights);
       RequirePolicyRig(rig, config, weights);
       const QuantisedNet net = ReadQuantised(content, weights);
-      return MadeOfIntegers(weights, "train the policy again", [&] {
+      return MadeOfIntegers(weights, kTrainPolicyAgain, [&] {
         return std::make_shared<IntegerPolicy>(config, net);
       });
     },

@@ -7,6 +7,7 @@
 
 #include "agent/integer/integer_functions.h"
 #include "agent/models/semantic_model.h"
+#include "agent/policy/policy_map.h"
 #include "sim/base/check.h"
 #include "sim/base/error.h"
 
@@ -17,7 +18,6 @@ constexpr int kCorrelationBits = 40;
 constexpr int kMemoryBits = 20;
 constexpr int kGateShift = 6;  // from steps of 2^-10 to those of logits
 constexpr int kLargestFine = 32767;
-constexpr int kMapFeatures = 128;  // as in MapBranch
 constexpr int kTurns = kPolicyMatches * kDirections * kDirections;
 
 /// x / 2^bits, rounded to the nearest, halves up.

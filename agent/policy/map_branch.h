@@ -7,8 +7,6 @@
 
 namespace bulletnav::agent {
 
-inline constexpr int kMapFeatures = 128;  // of both crops together
-
 /// What a policy makes of its map: three convolutions of stride 2, the same for both crops, and a
 /// fully connected layer. In float32, without normalisation: a rollout and its update must agree.
 class MapBranch : public torch::nn::Module {

@@ -8,6 +8,9 @@
 
 namespace bulletnav::agent {
 
+/// What is to be done about a file whose integers cannot be used.
+inline constexpr const char* kTrainPolicyAgain = "train the policy again";
+
 /// The configuration of the policy that weights belong to. Throws FileError if it is missing or
 /// bad.
 PolicyConfig PolicyConfigOf(const TensorFile& weights, const std::filesystem::path& file);

@@ -19,6 +19,7 @@ inline constexpr int kMapSide = 64;  // cells of a crop
 inline constexpr int kMapPlanes = 3;
 inline constexpr int kMapCrops = 2;  // of cells of 5 cm, and of 20 cm, which tell of any of 4 x 4
 inline constexpr int kMapCoarse = 4;
+inline constexpr int kMapFeatures = 128;  // that a policy makes of both crops together
 /// Bit [crop, plane, row, col], the lowest bit of a byte first.
 inline constexpr std::size_t kPolicyMapBytes =
     std::size_t{kMapCrops} * kMapPlanes * kMapSide * kMapSide / 8;

@@ -14,6 +14,7 @@
 #include "agent/policy/integer_policy.h"
 #include "agent/policy/policy_file.h"
 #include "agent/policy/policy_input.h"
+#include "agent/policy/restore_policy.h"
 #include "sim/base/check.h"
 #include "sim/base/elementary.h"
 #include "sim/base/error.h"
@@ -210,8 +211,10 @@ void SavePolicy(const PolicyNet& net, std::map<std::string, std::string> notes, 
 }
 
 std::shared_ptr<PolicyNet> LoadPolicy(const std::filesystem::path& file) {
-  const TensorFile content = ReadTensorFile(file);
-  auto net = std::make_shared<PolicyNet>(PolicyConfigOf(content, file), 0);
+  TensorFile content = ReadTensorFile(file);
+  const PolicyConfig config = PolicyConfigOf(content, file);
+  RestorePolicy(config, file, &content);
+  auto net = std::make_shared<PolicyNet>(config, 0);
   SetWeights(content, "", file, net.get());
   if (!net->config().own_encoder) TakeIntegerEncoder(file, net.get());
   return net;
@@ -220,6 +223,7 @@ std::shared_ptr<PolicyNet> LoadPolicy(const std::filesystem::path& file) {
 void TakePolicy(const std::filesystem::path& weights, PolicyNet* net) {
   TensorFile content = ReadTensorFile(weights);
   const PolicyConfig theirs = PolicyConfigOf(content, weights);
+  RestorePolicy(theirs, weights, &content);
   if (net->config().map && !theirs.map) AddMap(*net, &content);
   SetWeights(content, "", weights, net);
   if (!net->sight() || theirs.own_encoder) return;

@@ -80,7 +80,8 @@ class PolicyNet : public torch::nn::Module {
 /// The encoder's input from pictures as of Encode: [n, 4, rows, cols] as of PrepareInput.
 torch::Tensor PolicyInput(const PolicyConfig& config, const torch::Tensor& pictures);
 
-/// A file of weights holds the configuration as YAML in its metadata under "policy".
+/// A file of weights holds the configuration as YAML in its metadata under "policy". Loading takes
+/// files of trained numbers and of integers; see RestorePolicy.
 void SavePolicy(const PolicyNet& net, std::map<std::string, std::string> notes, StoredType type,
                 const std::filesystem::path& file);
 /// Throws FileError, also if the configuration is missing or bad.

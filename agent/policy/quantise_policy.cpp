@@ -8,6 +8,7 @@
 #include "agent/perception/quantise.h"
 #include "agent/perception/quantise_trunk.h"
 #include "agent/policy/integer_policy.h"
+#include "agent/policy/restore_policy.h"
 #include "sim/base/error.h"
 
 namespace bulletnav::agent {
@@ -95,19 +96,14 @@ class PolicyQuantiser {
     }
     quantiser_.Dense16("map.whole", step, kPolicyLargest);
     const torch::Tensor whole = Apply("map.whole", MapBranch::Flat(x)).relu();
-    map_step_ = quantiser_.RoomyScale("map.whole", whole, kPolicyLargest, kRoom);
+    quantiser_.RoomyScale("map.whole", whole, kPolicyLargest, kRoom);
     return whole;
   }
 
   void Join(const std::vector<torch::Tensor>& parts, double step) {
-    torch::Tensor weight = quantiser_.Weight("joined.weight").clone();
-    const std::int64_t features = net_.config().features;
-    weight.narrow(1, 2 * features, features).mul_(PolicyProductStep(step) / step);
-    weight.narrow(1, 3 * features, kPolicyNumbers).mul_(kPolicyNumberStep / step);
-    if (net_.config().map) {
-      weight.narrow(1, weight.size(1) - kMapFeatures, kMapFeatures).mul_(map_step_ / step);
-    }
-    quantiser_.Dense16("joined", step, kPolicyLargest, weight);
+    const torch::Tensor factors = torch::tensor(JoinedFactors(net_.config(), *quantiser_.net()));
+    quantiser_.Dense16("joined", step, kPolicyLargest,
+                       quantiser_.Weight("joined.weight") * factors);
     const torch::Tensor joined = Apply("joined", at::cat(parts, 1)).relu();
     const double out = quantiser_.RoomyScale("joined", joined, kPolicyLargest, kRoom);
     quantiser_.Dense16("gru_in", out, kPolicyLargest);
@@ -116,7 +112,6 @@ class PolicyQuantiser {
   PolicyNet& net_;
   Quantiser quantiser_;
   double code_step_ = 0.0;
-  double map_step_ = 0.0;
 };
 
 }  // namespace

@@ -27,5 +27,7 @@ void AddRunCommand(CLI::App* program);
 void AddScenesCommand(CLI::App* program);
 void AddSlamCommand(CLI::App* program);
 void AddTableCommand(CLI::App* program);
+/// Tells what a file of weights holds.
+void AddWeightsCommand(CLI::App* program);
 
 }  // namespace bulletnav::bench

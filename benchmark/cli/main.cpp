@@ -20,5 +20,6 @@ int main(int argc, char** argv) {
     bulletnav::bench::AddPlotCommand(program);
     bulletnav::bench::AddReplayCommand(program);
     bulletnav::bench::AddBenchCommand(program);
+    bulletnav::bench::AddWeightsCommand(program);
   });
 }

@@ -217,6 +217,19 @@ TEST_F(IntegerModelTest, AFileWithIntegersPlaysInIntegers) {
   EXPECT_THROW(LoadIntegerModel(file, Rig{}), sim::FileError);
 }
 
+TEST_F(IntegerModelTest, IntegersAloneActTheSameAndAreNotTrainedOn) {
+  const auto file = Save(Small());
+  const auto alone = folder_.path() / "alone.safetensors";
+  KeepIntegersAlone(file, alone);
+  EXPECT_LT(std::filesystem::file_size(alone), std::filesystem::file_size(file) / 2);
+  const TensorFile content = ReadTensorFile(alone);
+  EXPECT_EQ(ReadQuantised(content, alone), ReadQuantised(ReadTensorFile(file), file));
+  EXPECT_NE(std::dynamic_pointer_cast<IntegerModel>(LoadModel(alone, Rig{})), nullptr);
+  EXPECT_THROW(LoadNet(alone), sim::FileError);
+  SaveNet(SemanticNet(Small(), 3), {}, StoredType::kFloat32, file);
+  EXPECT_THROW(KeepIntegersAlone(file, alone), sim::FileError);
+}
+
 TEST_F(IntegerModelTest, FilesKeepIntegersAsTheyAre) {
   SemanticNet net(Small(), 3);
   const QuantisedNet quantised = Quantised(net, pictures_);

@@ -9,6 +9,7 @@
 #include "agent/models/model_registry.h"
 #include "agent/policy/learned_policy.h"
 #include "agent/policy/quantise_policy.h"
+#include "agent/policy/restore_policy.h"
 #include "sim/base/error.h"
 #include "tests/agent/policy/small_policies.h"
 #include "tests/support/temporary_folder.h"
@@ -136,6 +137,41 @@ TEST_P(IntegerPolicyTest, SeesWithAnEncoderThatWasNotTrained) {
   const std::shared_ptr<PolicyNet> stranger = Decided(GetParam(), 8);
   next.SeeWith(std::make_shared<IntegerSight>(QuantisedOf(stranger.get()), config.rows));
   EXPECT_THROW(TakePolicy(file, &next), sim::FileError);
+}
+
+TEST_P(IntegerPolicyTest, KeepsEachNumberOnceAndRestoresIt) {
+  const torch::NoGradGuard no_grad;
+  const std::shared_ptr<PolicyNet> net = Decided(GetParam());
+  const QuantisedNet quantised = QuantisedOf(net.get());
+  const std::vector<std::string> once = RestoredNumbers(quantised);
+  const tests::TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "policy.safetensors";
+  SavePolicy(*net, {}, StoredType::kFloat32, file);
+  AddQuantised(quantised, file, file, once);
+  const TensorFile stored = ReadTensorFile(file);
+  for (const std::string& name : once) EXPECT_FALSE(stored.tensors.contains(name)) << name;
+  EXPECT_TRUE(stored.tensors.contains("value_head.weight"));
+
+  const auto expected = net->named_parameters();
+  const std::shared_ptr<PolicyNet> again = LoadPolicy(file);
+  for (const auto& item : again->named_parameters()) {
+    const torch::Tensor trained = expected[item.key()];
+    const float apart = (item.value() - trained).abs().max().item<float>();
+    EXPECT_LE(apart, trained.abs().max().item<float>() / 1000) << item.key();
+  }
+  PolicyNet next(GetParam(), 7);
+  TakePolicy(file, &next);
+  EXPECT_TRUE(at::equal(next.named_parameters()["joined.weight"],
+                        again->named_parameters()["joined.weight"]));
+
+  TensorFile broken = stored;
+  broken.tensors.erase("integer.whole.step");
+  WriteTensorFile(file, broken, StoredType::kFloat32);
+  EXPECT_THROW(LoadPolicy(file), sim::FileError);
+  broken = stored;
+  broken.tensors.erase("integer.gru_in.weight");
+  WriteTensorFile(file, broken, StoredType::kFloat32);
+  EXPECT_THROW(LoadPolicy(file), sim::FileError);
 }
 
 TEST(IntegerPolicy, WithAMapNeedsDepth) {

@@ -173,6 +173,18 @@ TEST_F(CommandsTest, BadInputIsOneLineThatNamesThePlaceAndStatusOne) {
   EXPECT_FALSE(Has("results"));
 }
 
+TEST_F(CommandsTest, WeightsAreToldAndStripped) {
+  const std::string shipped = "assets/weights/seqnet_rgb.safetensors";
+  EXPECT_THAT(Output("weights " + shipped),
+              AllOf(HasSubstr("in integers"), HasSubstr("\ntask              seqnet\n")));
+  EXPECT_THAT(Output("weights " + shipped + " --integers-only alone.safetensors"),
+              HasSubstr("integers_alone    true"));
+  EXPECT_TRUE(Has("alone.safetensors"));
+  ExpectError("weights none.safetensors", kFailed, "none.safetensors: ");
+  Write("text.safetensors", "no weights at all");
+  ExpectError("weights text.safetensors", kFailed, "text.safetensors: ");
+}
+
 TEST_F(CommandsTest, ScenesAreGeneratedInspectedAndDrawn) {
   WriteExperiment();
   EXPECT_THAT(Output("scenes inspect corridor.glb --topdown plan.png"), HasSubstr("walkable"));

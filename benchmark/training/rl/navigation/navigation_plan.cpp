@@ -10,6 +10,7 @@
 #include "agent/perception/quantise.h"
 #include "agent/policy/integer_policy.h"
 #include "agent/policy/learned_policy.h"
+#include "agent/policy/restore_policy.h"
 #include "benchmark/base/program_version.h"
 #include "benchmark/base/shipped_file.h"
 #include "benchmark/base/warn_line.h"
@@ -109,7 +110,9 @@ std::optional<Measures> NavigationWorld::Quantise(agent::PolicyNet* net,
   if (!net->sight() && !agent::HasIntegerForm(net->config().seeing())) return std::nullopt;
   const agent::QuantisedNet quantised =
       agent::Quantise(net, validation_.Calibration(net->config(), setting_ != LaneSetting::kRgb));
-  if (!peers_ || peers_->is_first()) agent::AddQuantised(quantised, file, file);
+  if (!peers_ || peers_->is_first()) {
+    agent::AddQuantised(quantised, file, file, agent::RestoredNumbers(quantised));
+  }
   const agent::PolicyConfig config = net->config();
   return Validate(
       [&quantised, &config] {
