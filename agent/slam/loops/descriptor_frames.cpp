@@ -8,6 +8,10 @@
 
 namespace bulletnav::agent {
 
+void FixedSequences::Validate() const {
+  if (length < 1) throw sim::Error("length must be at least 1");
+}
+
 DescriptorFrames::DescriptorFrames(std::string_view detector, const LoopContext& context)
     : keeps_cells_(context.sequences != nullptr) {
   if (context.descriptor_size > 0) return;

@@ -10,6 +10,20 @@
 
 namespace bulletnav::agent {
 
+/// What detectors that compare sequences of a fixed length are told.
+struct FixedSequences {
+  int length = 5;            // frames
+  double least_frame = 0.5;  // cosine of two sequences that are taken for one place
+
+  template <class V>
+  void Visit(V& v) {
+    v("length", length);
+    v("least_frame", least_frame);
+  }
+  /// Throws sim::Error.
+  void Validate() const;
+};
+
 /// What detectors that go by descriptors of pictures keep of a drive.
 class DescriptorFrames {
  public:

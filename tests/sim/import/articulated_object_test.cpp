@@ -7,6 +7,7 @@
 #include "sim/base/files.h"
 #include "sim/scene/glb_writer.h"
 #include "sim/scene/import.h"
+#include "tests/support/imports.h"
 #include "tests/support/scenes.h"
 #include "tests/support/temporary_folder.h"
 
@@ -18,6 +19,9 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
+using tests::BoxOf;
+using tests::ExpectBox;
+using tests::ImportError;
 using Vec = Eigen::Vector3f;
 
 constexpr auto kQuarter = 1.5707964f;
@@ -78,26 +82,6 @@ class ArticulatedObject : public testing::Test {
     ImportOptions options;
     options.doors = DoorSpec{.state = state};
     return ImportScene(file, options);
-  }
-  static std::string ErrorOf(const std::filesystem::path& file) {
-    try {
-      ImportScene(file);
-    } catch (const Error& e) {
-      return e.what();
-    }
-    return "no error";
-  }
-  static Eigen::AlignedBox3f BoxOf(const SceneMesh& mesh, const std::string& name) {
-    Eigen::AlignedBox3f box;
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-      if (mesh.objects[mesh.triangle_objects[t]].name != name) continue;
-      for (const std::uint32_t v : mesh.triangles[t]) box.extend(mesh.positions[v]);
-    }
-    return box;
-  }
-  static void ExpectBox(const Eigen::AlignedBox3f& box, const Vec& low, const Vec& high) {
-    EXPECT_LT((box.min() - low).norm(), 1e-5f) << box.min().transpose();
-    EXPECT_LT((box.max() - high).norm(), 1e-5f) << box.max().transpose();
   }
 
   tests::TemporaryFolder folder_;
@@ -206,27 +190,28 @@ TEST_F(ArticulatedObject, WhatIsNotDrawnIsCounted) {
 
 TEST_F(ArticulatedObject, WhatIsMissingOrBrokenIsNamedWithItsPlace) {
   const std::string place = "one.scene_instance.json:articulated_object_instances[0]";
-  EXPECT_THAT(ErrorOf(With(R"({"template_name": "sofa"})")),
+  EXPECT_THAT(ImportError(With(R"({"template_name": "sofa"})")),
               AllOf(HasSubstr(place + ".template_name: 'sofa'"),
                     HasSubstr("none of the 1 articulated_objects")));
-  EXPECT_THAT(ErrorOf(With("{}")), HasSubstr(place.substr(24) + ": 'template_name' is missing"));
-  EXPECT_THAT(ErrorOf(With(R"({"template_name": "fridge", "uniform_scale": 0})")),
+  EXPECT_THAT(ImportError(With("{}")),
+              HasSubstr(place.substr(24) + ": 'template_name' is missing"));
+  EXPECT_THAT(ImportError(With(R"({"template_name": "fridge", "uniform_scale": 0})")),
               HasSubstr("uniform_scale"));
-  EXPECT_THAT(ErrorOf(With(R"({"template_name": "fridge", "initial_joint_pose": ["a"]})")),
+  EXPECT_THAT(ImportError(With(R"({"template_name": "fridge", "initial_joint_pose": ["a"]})")),
               HasSubstr("initial_joint_pose[0]"));
   const auto file = With(R"({"template_name": "fridge"})");
   folder_.Write("urdf/fridge/leaf.glb", "nonsense");
-  EXPECT_THAT(ErrorOf(file), AllOf(HasSubstr(place + ", link 'door': its mesh is not read"),
-                                   HasSubstr("leaf.glb")));
+  EXPECT_THAT(ImportError(file), AllOf(HasSubstr(place + ", link 'door': its mesh is not read"),
+                                       HasSubstr("leaf.glb")));
   std::filesystem::remove(folder_.path() / "urdf/fridge/leaf.glb");
-  EXPECT_THAT(ErrorOf(file), AllOf(HasSubstr(place + ": its URDF is not read: "),
-                                   HasSubstr("fridge.urdf:15: the mesh 'leaf.glb'")));
+  EXPECT_THAT(ImportError(file), AllOf(HasSubstr(place + ": its URDF is not read: "),
+                                       HasSubstr("fridge.urdf:15: the mesh 'leaf.glb'")));
   folder_.Write("urdf/fridge/fridge.urdf", "<robot name='fridge'>\n<link name='a'>\n</robot>");
-  EXPECT_THAT(ErrorOf(file),
+  EXPECT_THAT(ImportError(file),
               AllOf(HasSubstr(place + ": its URDF is not read: "),
                     HasSubstr("fridge.urdf:2: is no sound XML"), Not(HasSubstr("\n"))));
   folder_.Write("urdf/y/gone.ao_config.json", "{}");
-  EXPECT_THAT(ErrorOf(With(R"({"template_name": "gone"})")),
+  EXPECT_THAT(ImportError(With(R"({"template_name": "gone"})")),
               AllOf(HasSubstr(place + ": its URDF is not read: "), HasSubstr("gone.urdf")));
 }
 

@@ -4,6 +4,7 @@
 
 #include "sim/base/error.h"
 #include "sim/scene/import.h"
+#include "tests/support/imports.h"
 #include "tests/support/temporary_folder.h"
 
 namespace bulletnav::sim {
@@ -13,6 +14,9 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
+using tests::BoxOf;
+using tests::ExpectBox;
+using tests::ImportError;
 using Vec = Eigen::Vector3f;
 
 /// Worlds whose only model with a mesh is a table of 2 x 1 x 1 m, standing on its origin.
@@ -40,26 +44,6 @@ class GazeboWorld : public testing::Test {
     return "<model name='" + name + "'><pose>" + pose +
            "</pose><link name='l'><visual name='v'><geometry>" + shape +
            "</geometry><material><diffuse>0 0 1 1</diffuse></material></visual></link></model>";
-  }
-  static std::string ErrorOf(const std::filesystem::path& file) {
-    try {
-      ImportScene(file);
-    } catch (const Error& e) {
-      return e.what();
-    }
-    return "no error";
-  }
-  static Eigen::AlignedBox3f BoxOf(const SceneMesh& mesh, const std::string& name) {
-    Eigen::AlignedBox3f box;
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-      if (mesh.objects[mesh.triangle_objects[t]].name != name) continue;
-      for (const std::uint32_t v : mesh.triangles[t]) box.extend(mesh.positions[v]);
-    }
-    return box;
-  }
-  static void ExpectBox(const Eigen::AlignedBox3f& box, const Vec& low, const Vec& high) {
-    EXPECT_TRUE(box.min().isApprox(low, 1e-5f)) << box.min().transpose();
-    EXPECT_TRUE(box.max().isApprox(high, 1e-5f)) << box.max().transpose();
   }
 
   tests::TemporaryFolder folder_;
@@ -172,23 +156,23 @@ TEST_F(GazeboWorld, DoorsOpenToTheirFartherLimitAndAQuarterTurnAtMost) {
 }
 
 TEST_F(GazeboWorld, WhatIsMissingIsNamed) {
-  EXPECT_THAT(ErrorOf(World("<include><uri>model://sofa</uri></include>")),
+  EXPECT_THAT(ImportError(World("<include><uri>model://sofa</uri></include>")),
               AllOf(HasSubstr("one.world:1: "), HasSubstr("model://sofa"),
                     HasSubstr("GZ_SIM_RESOURCE_PATH")));
   const std::string mesh = "<mesh><uri>model://table/meshes/gone.dae</uri></mesh>";
-  EXPECT_THAT(ErrorOf(World(Model("m", "0 0 0 0 0 0", mesh))),
+  EXPECT_THAT(ImportError(World(Model("m", "0 0 0 0 0 0", mesh))),
               AllOf(HasSubstr("visual 'm::l::v'"), HasSubstr("gone.dae' is not found")));
-  EXPECT_THAT(ErrorOf(World("")), HasSubstr("shows nothing"));
-  EXPECT_THAT(ErrorOf(folder_.path() / "none.sdf"), HasSubstr("none.sdf"));
+  EXPECT_THAT(ImportError(World("")), HasSubstr("shows nothing"));
+  EXPECT_THAT(ImportError(folder_.path() / "none.sdf"), HasSubstr("none.sdf"));
 }
 
 TEST_F(GazeboWorld, BadContentIsRefusedInOneLine) {
   for (const std::string text : {"", "<sdf", "hello", "<html></html>", "<sdf version='99'/>"}) {
-    const std::string error = ErrorOf(folder_.Write("bad.sdf", text));
+    const std::string error = ImportError(folder_.Write("bad.sdf", text));
     EXPECT_THAT(error, HasSubstr("bad.sdf")) << text;
     EXPECT_THAT(error, Not(HasSubstr("\n"))) << text;
   }
-  EXPECT_THAT(ErrorOf(folder_.Write("cut.sdf", "<sdf version='1.6'>\n<world name='w'>\n<mod")),
+  EXPECT_THAT(ImportError(folder_.Write("cut.sdf", "<sdf version='1.6'>\n<world name='w'>\n<mod")),
               AllOf(HasSubstr("cut.sdf:3: is no sound XML"), HasSubstr("another copy")));
 }
 
@@ -196,7 +180,7 @@ TEST_F(GazeboWorld, AModelThatIncludesItselfIsRefused) {
   folder_.Write("models/table/model.sdf",
                 "<sdf version='1.6'><model name='table'><include><uri>model://table</uri>"
                 "</include></model></sdf>");
-  EXPECT_THAT(ErrorOf(World("<include><uri>model://table</uri></include>")),
+  EXPECT_THAT(ImportError(World("<include><uri>model://table</uri></include>")),
               HasSubstr("includes itself by 'model://table'"));
 }
 

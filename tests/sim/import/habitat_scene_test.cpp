@@ -4,10 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/base/error.h"
 #include "sim/base/files.h"
 #include "sim/scene/glb_writer.h"
 #include "sim/scene/import.h"
+#include "tests/support/imports.h"
 #include "tests/support/scenes.h"
 #include "tests/support/temporary_folder.h"
 
@@ -17,6 +17,9 @@ namespace {
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using tests::BoxOf;
+using tests::ExpectBox;
+using tests::ImportError;
 using tests::TemporaryFolder;
 using Vec = Eigen::Vector3f;
 
@@ -60,27 +63,6 @@ class HabitatScene : public testing::Test {
   std::filesystem::path With(const std::string& objects, const std::string& more = "") const {
     return Scene(R"({"stage_instance": {"template_name": "stages/room"}, "object_instances": [)" +
                  objects + "]" + more + "}");
-  }
-  static std::string ErrorOf(const std::filesystem::path& file) {
-    try {
-      ImportScene(file);
-    } catch (const Error& e) {
-      return e.what();
-    }
-    return "no error";
-  }
-  /// Around the triangles of the object with that name.
-  static Eigen::AlignedBox3f BoxOf(const SceneMesh& mesh, const std::string& name) {
-    Eigen::AlignedBox3f box;
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-      if (mesh.objects[mesh.triangle_objects[t]].name != name) continue;
-      for (const std::uint32_t v : mesh.triangles[t]) box.extend(mesh.positions[v]);
-    }
-    return box;
-  }
-  static void ExpectBox(const Eigen::AlignedBox3f& box, const Vec& low, const Vec& high) {
-    EXPECT_TRUE(box.min().isApprox(low, 1e-5f)) << box.min().transpose();
-    EXPECT_TRUE(box.max().isApprox(high, 1e-5f)) << box.max().transpose();
   }
 
   TemporaryFolder folder_;
@@ -159,62 +141,63 @@ TEST_F(HabitatScene, PicturesThatMeshesHaveInCommonAreHeldOnce) {
 }
 
 TEST_F(HabitatScene, WhatIsMissingIsNamedWithItsPlace) {
-  EXPECT_THAT(ErrorOf(With(R"({"template_name": "box"}, {"template_name": "sofa"})")),
+  EXPECT_THAT(ImportError(With(R"({"template_name": "box"}, {"template_name": "sofa"})")),
               AllOf(HasSubstr("one.scene_instance.json:object_instances[1].template_name: 'sofa'"),
                     HasSubstr("none of the 4 objects"), HasSubstr("tiny.scene_dataset_config")));
-  EXPECT_THAT(ErrorOf(With(R"({"translation": [0, 0, 0]})")),
+  EXPECT_THAT(ImportError(With(R"({"translation": [0, 0, 0]})")),
               HasSubstr("object_instances[0]: 'template_name' is missing"));
-  EXPECT_THAT(ErrorOf(Scene(R"({"stage_instance": {"template_name": "barn"}})")),
+  EXPECT_THAT(ImportError(Scene(R"({"stage_instance": {"template_name": "barn"}})")),
               HasSubstr("none of the 1 stages"));
-  EXPECT_THAT(ErrorOf(Scene("{}")), HasSubstr("names no stage and no objects"));
+  EXPECT_THAT(ImportError(Scene("{}")), HasSubstr("names no stage and no objects"));
   folder_.Write("objects/a/box.object_config.json", R"({"render_asset": "gone.glb"})");
-  EXPECT_THAT(ErrorOf(With(R"({"template_name": "a/box"})")),
+  EXPECT_THAT(ImportError(With(R"({"template_name": "a/box"})")),
               AllOf(HasSubstr("object_instances[0]: its mesh is not read"), HasSubstr("gone.glb")));
   folder_.Write("objects/a/box.object_config.json", R"({"mass": 3})");
-  EXPECT_THAT(ErrorOf(With(R"({"template_name": "a/box"})")), HasSubstr("'render_asset'"));
+  EXPECT_THAT(ImportError(With(R"({"template_name": "a/box"})")), HasSubstr("'render_asset'"));
 }
 
 TEST_F(HabitatScene, ASceneThatIsItsOwnPartIsRefused) {
   folder_.Write("objects/a/box.object_config.json",
                 R"({"render_asset": "../../scenes/one.scene_instance.json"})");
-  EXPECT_THAT(ErrorOf(With(R"({"template_name": "a/box"})")),
+  EXPECT_THAT(ImportError(With(R"({"template_name": "a/box"})")),
               HasSubstr("is not a .glb, .gltf, .obj, .ply or .dae mesh"));
 }
 
 TEST_F(HabitatScene, NamesThatSeveralHaveAreRefused) {
   folder_.Write("objects/b/box.object_config.json", R"({"render_asset": "crate.glb"})");
-  EXPECT_THAT(ErrorOf(With(R"({"template_name": "box"})")), HasSubstr("write more of the path"));
-  EXPECT_EQ(ErrorOf(With(R"({"template_name": "a/box"})")), "no error");
-  EXPECT_EQ(ErrorOf(With(R"({"template_name": "crat"})")), "no error");  // a part that one has
+  EXPECT_THAT(ImportError(With(R"({"template_name": "box"})")),
+              HasSubstr("write more of the path"));
+  EXPECT_EQ(ImportError(With(R"({"template_name": "a/box"})")), "no error");
+  EXPECT_EQ(ImportError(With(R"({"template_name": "crat"})")), "no error");  // a part that one has
 }
 
 TEST_F(HabitatScene, BadContentIsRefused) {
-  EXPECT_THAT(ErrorOf(Scene("{\"stage_instance\": ")), HasSubstr("cut off"));
-  EXPECT_THAT(ErrorOf(Scene("[]")), HasSubstr("is no scene instance"));
-  EXPECT_THAT(ErrorOf(With(R"({"template_name": "a/box", "rotation": [0, 0, 0, 0]})")),
+  EXPECT_THAT(ImportError(Scene("{\"stage_instance\": ")), HasSubstr("cut off"));
+  EXPECT_THAT(ImportError(Scene("[]")), HasSubstr("is no scene instance"));
+  EXPECT_THAT(ImportError(With(R"({"template_name": "a/box", "rotation": [0, 0, 0, 0]})")),
               HasSubstr("object_instances[0].rotation: is no rotation"));
-  EXPECT_THAT(ErrorOf(With(R"({"template_name": "a/box", "translation": [0, 0]})")),
+  EXPECT_THAT(ImportError(With(R"({"template_name": "a/box", "translation": [0, 0]})")),
               HasSubstr("object_instances[0].translation: expected a list of 3"));
-  EXPECT_THAT(ErrorOf(With(R"({"template_name": "a/box", "uniform_scale": 0})")),
+  EXPECT_THAT(ImportError(With(R"({"template_name": "a/box", "uniform_scale": 0})")),
               HasSubstr("is not above 0"));
   EXPECT_THAT(
-      ErrorOf(With(R"({"template_name": "a/box", "translaton": [0, 0, 1]})")),
+      ImportError(With(R"({"template_name": "a/box", "translaton": [0, 0, 1]})")),
       HasSubstr("object_instances[0]: unknown key 'translaton'; did you mean 'translation'?"));
-  EXPECT_THAT(ErrorOf(With("", R"(, "object_instance": [])")),
+  EXPECT_THAT(ImportError(With("", R"(, "object_instance": [])")),
               HasSubstr("did you mean 'object_instances'?"));
-  EXPECT_EQ(ErrorOf(With(R"({"template_name": "a/box", "owner": "me"})")), "no error");
-  EXPECT_THAT(ErrorOf(With("", R"(, "translation_origin": "middle")")),
+  EXPECT_EQ(ImportError(With(R"({"template_name": "a/box", "owner": "me"})")), "no error");
+  EXPECT_THAT(ImportError(With("", R"(, "translation_origin": "middle")")),
               HasSubstr("is not one of: asset_local, COM"));
   folder_.Write(
       "configs/stages/room.stage_config.json",
       R"({"render_asset": "../../stages/room.glb", "up": [0, 1, 0], "front": [0, 1, 1]})");
-  EXPECT_THAT(ErrorOf(With("")), HasSubstr("right angles"));
+  EXPECT_THAT(ImportError(With("")), HasSubstr("right angles"));
 }
 
 TEST_F(HabitatScene, WithoutItsDataSetItIsRefused) {
   const auto elsewhere =
       folder_.Write("other/one.scene_instance.json", R"({"stage_instance": {}})");
-  EXPECT_THAT(ErrorOf(elsewhere), HasSubstr("is of no data set"));
+  EXPECT_THAT(ImportError(elsewhere), HasSubstr("is of no data set"));
 }
 
 }  // namespace

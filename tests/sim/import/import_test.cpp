@@ -9,10 +9,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/base/error.h"
 #include "sim/base/files.h"
 #include "sim/math/rng.h"
 #include "sim/scene/glb_writer.h"
+#include "tests/support/imports.h"
 #include "tests/support/scenes.h"
 #include "tests/support/temporary_folder.h"
 
@@ -21,6 +21,7 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
+using tests::ImportError;
 using tests::TemporaryFolder;
 using Vec = Eigen::Vector3f;
 
@@ -28,15 +29,6 @@ using Vec = Eigen::Vector3f;
 const std::string kRoomObj =
     "v 0 0 0\nv 4 0 0\nv 4 0 -6\nv 0 0 -6\nv 0 3 0\nv 4 3 0\nv 4 3 -6\nv 0 3 -6\n"
     "f 1 2 3 4\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\nf 5 6 7 8\n";
-
-std::string ErrorOf(const std::filesystem::path& file, const ImportOptions& options = {}) {
-  try {
-    ImportScene(file, options);
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return "no error";
-}
 
 TEST(Import, GlbComesBackAsItWasWritten) {
   SceneMesh mesh = tests::BoxRoom(4, 2.6f, 6);
@@ -270,7 +262,7 @@ class BadFileTest : public testing::TestWithParam<BadFile> {};
 TEST_P(BadFileTest, IsRefusedInOneLineThatNamesIt) {
   const TemporaryFolder folder;
   const auto file = folder.Write(GetParam().file, GetParam().content);
-  const std::string error = ErrorOf(file);
+  const std::string error = ImportError(file);
   EXPECT_THAT(error, HasSubstr(file.string()));
   EXPECT_THAT(error, HasSubstr(GetParam().error));
   EXPECT_THAT(error, testing::Not(HasSubstr("\n")));
@@ -442,8 +434,8 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(Import, MissingFilesAndFoldersAreSaid) {
   const TemporaryFolder folder;
-  EXPECT_THAT(ErrorOf(folder.path() / "none.glb"), HasSubstr("No such file"));
-  EXPECT_THAT(ErrorOf(folder.path()), HasSubstr("is a directory"));
+  EXPECT_THAT(ImportError(folder.path() / "none.glb"), HasSubstr("No such file"));
+  EXPECT_THAT(ImportError(folder.path()), HasSubstr("is a directory"));
 }
 
 TEST(Import, IndicesOutOfRangeAreFoundInTheBinaryToo) {
@@ -454,7 +446,7 @@ TEST(Import, IndicesOutOfRangeAreFoundInTheBinaryToo) {
   ASSERT_EQ(std::memcmp(&glb[glb.size() - 4], &three, 4), 0);
   std::memcpy(&glb[glb.size() - 4], &many, 4);
   const TemporaryFolder folder;
-  EXPECT_THAT(ErrorOf(folder.Write("a.glb", glb)), HasSubstr("is vertex 1000000 of 4"));
+  EXPECT_THAT(ImportError(folder.Write("a.glb", glb)), HasSubstr("is vertex 1000000 of 4"));
 }
 
 TEST(Import, GltfBuffersMayLieBesideItOrInIt) {
@@ -499,9 +491,9 @@ std::string ChainGltf(int length) {
 TEST(Import, ChainsOfNodesAreReadOrRefusedAtOnce) {
   const TemporaryFolder folder;
   EXPECT_EQ(ImportScene(folder.Write("a.gltf", ChainGltf(257))).report.triangles, 2u);
-  EXPECT_THAT(ErrorOf(folder.Write("a.gltf", ChainGltf(258))),
+  EXPECT_THAT(ImportError(folder.Write("a.gltf", ChainGltf(258))),
               HasSubstr("nodes[257]: is nested more than 256 deep; flatten"));
-  EXPECT_THAT(ErrorOf(folder.Write("a.gltf", ChainGltf(20'000))), HasSubstr("256 deep"));
+  EXPECT_THAT(ImportError(folder.Write("a.gltf", ChainGltf(20'000))), HasSubstr("256 deep"));
 }
 
 /// The floor in one file.
@@ -533,8 +525,9 @@ TEST(Import, WholeNumbersInGltfMayHaveAPoint) {
   const ImportedScene packed = ImportScene(folder.Write("c.glb", FloorGlb(changes)));
   EXPECT_EQ(packed.mesh.triangles, plain.mesh.triangles);
   EXPECT_EQ(packed.mesh.positions, plain.mesh.positions);
-  EXPECT_THAT(ErrorOf(folder.Write("d.gltf", FloorGltf(uri, {{"\"count\":6", "\"count\":5.5"}}))),
-              HasSubstr("accessors[1].count: is not a whole number"));
+  EXPECT_THAT(
+      ImportError(folder.Write("d.gltf", FloorGltf(uri, {{"\"count\":6", "\"count\":5.5"}}))),
+      HasSubstr("accessors[1].count: is not a whole number"));
 }
 
 TEST(Import, NamesInGltfMayHavePercentCodes) {
@@ -554,7 +547,7 @@ TEST(Import, IndicesOutOfRangeAreFoundInThemToo) {
   const TemporaryFolder folder;
   folder.Write("floor.bin", FloorBuffer(77));
   for (const std::string& uri : {std::string("floor.bin"), FloorUri(77)}) {
-    EXPECT_THAT(ErrorOf(folder.Write("a.gltf", FloorGltf(uri))),
+    EXPECT_THAT(ImportError(folder.Write("a.gltf", FloorGltf(uri))),
                 HasSubstr("a.gltf:meshes[0].primitives[0]: index 5 is vertex 77 of 4"));
   }
 }
@@ -575,7 +568,7 @@ TEST(Import, RandomDamageEndsInAnError) {
       if (rng.Chance(0.3)) bytes.erase(at, static_cast<std::size_t>(rng.Below(8)));
       if (rng.Chance(0.3)) bytes.insert(at, std::to_string(rng.Next()));
     }
-    const std::string error = ErrorOf(folder.Write(name, bytes));
+    const std::string error = ImportError(folder.Write(name, bytes));
     EXPECT_THAT(error, testing::Not(HasSubstr("\n")));
     EXPECT_THAT(error, testing::AnyOf("no error", HasSubstr(folder.path().string())));
   }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "agent/slam/loops/descriptor_frames.h"
 #include "agent/slam/loops/loop_registry.h"
-#include "sim/base/error.h"
 
 namespace bulletnav::agent {
 namespace {
@@ -14,19 +13,7 @@ class GemCat final : public LoopDetector {
  public:
   static constexpr std::string_view kName = "gem_cat";
 
-  struct Config {
-    int length = 5;            // frames
-    double least_frame = 0.5;  // cosine of two sequences
-
-    template <class V>
-    void Visit(V& v) {
-      v("length", length);
-      v("least_frame", least_frame);
-    }
-    void Validate() const {
-      if (length < 1) throw sim::Error("length must be at least 1");
-    }
-  };
+  using Config = FixedSequences;
 
   GemCat(const Config& config, const LoopContext& context)
       : config_(config), frames_(kName, context) {}

@@ -3,7 +3,6 @@
 
 #include "agent/slam/loops/descriptor_frames.h"
 #include "agent/slam/loops/loop_registry.h"
-#include "sim/base/error.h"
 
 namespace bulletnav::agent {
 namespace {
@@ -16,19 +15,7 @@ class GemMean final : public LoopDetector {
  public:
   static constexpr std::string_view kName = "gem_mean";
 
-  struct Config {
-    int length = 5;            // frames
-    double least_frame = 0.5;  // cosine of two sequences
-
-    template <class V>
-    void Visit(V& v) {
-      v("length", length);
-      v("least_frame", least_frame);
-    }
-    void Validate() const {
-      if (length < 1) throw sim::Error("length must be at least 1");
-    }
-  };
+  using Config = FixedSequences;
 
   GemMean(const Config& config, const LoopContext& context)
       : config_(config), frames_(kName, context) {}
