@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <deque>
 #include <utility>
 #include <vector>
 
@@ -17,14 +21,21 @@ class SameNode final : public LoopDetector {
   static constexpr std::string_view kName = "same_node";
 
   struct Config {
-    double least = 0.9;  // probability
+    double least = 0.9;      // probability
+    bool both_ways = false;  // each is asked for from the other, too, and the mean counts
+    /// Ours: a score is the mean over so many frames up to the later one, and as many around the
+    /// earlier one. 1: of the pair alone.
+    int window = 1;
 
     template <class V>
     void Visit(V& v) {
       v("least", least);
+      v("both_ways", both_ways);
+      v("window", window);
     }
     void Validate() const {
       if (!(least >= 0.0 && least <= 1.0)) throw sim::Error("least must be in [0, 1]");
+      if (window < 1 || window % 2 == 0) throw sim::Error("window must be odd and positive");
     }
   };
 
@@ -37,27 +48,60 @@ class SameNode final : public LoopDetector {
   }
 
   std::vector<LoopCandidate> Add(const LoopFrame& frame) override {
-    std::vector<const PanoramaCode*> earlier;
-    earlier.reserve(static_cast<std::size_t>(frame.comparable));
-    for (int i = 0; i < frame.comparable; ++i) {
-      earlier.push_back(&codes_[static_cast<std::size_t>(i)]);
-    }
-    std::vector<LoopCandidate> candidates;
-    if (!earlier.empty()) {
-      for (const PairPrediction& said : places_->Compare(earlier, *frame.code)) {
-        const int number = static_cast<int>(candidates.size());
-        candidates.push_back({frame.number, number, double{said.same_node}, false});
-      }
-      ProposeBest(0, config_.least, &candidates);
-    }
+    rows_.push_back(Ask(*frame.code, frame.comparable));
+    if (static_cast<int>(rows_.size()) > config_.window) rows_.pop_front();
     codes_.push_back(*frame.code);
+    std::vector<LoopCandidate> candidates;
+    candidates.reserve(static_cast<std::size_t>(frame.comparable));
+    for (int earlier = 0; earlier < frame.comparable; ++earlier) {
+      candidates.push_back({frame.number, earlier, Mean(earlier), false});
+    }
+    ProposeBest(0, config_.least, &candidates);
     return candidates;
   }
 
  private:
+  /// What F_L says of a frame and each of the first `comparable`, added up: entry k is of the first
+  /// k of them.
+  std::vector<double> Ask(const PanoramaCode& code, int comparable) {
+    std::vector<double> sums = {0.0};
+    if (comparable == 0) return sums;
+    std::vector<const PanoramaCode*> earlier;
+    earlier.reserve(static_cast<std::size_t>(comparable));
+    for (int i = 0; i < comparable; ++i) earlier.push_back(&codes_[static_cast<std::size_t>(i)]);
+    sums.reserve(earlier.size() + 1);
+    const std::array<const PanoramaCode*, 1> self = {&code};
+    const std::vector<PairPrediction> said = places_->Compare(earlier, code);
+    for (std::size_t i = 0; i < said.size(); ++i) {
+      double score = said[i].same_node;
+      if (config_.both_ways) {
+        const double back = places_->Compare(self, *earlier[i]).front().same_node;
+        score = (score + back) / 2.0;
+      }
+      sums.push_back(sums.back() + score);
+    }
+    return sums;
+  }
+
+  /// Over the last rows, and over `window` of the earlier frames.
+  double Mean(int earlier) const {
+    double sum = 0.0;
+    int count = 0;
+    for (const std::vector<double>& row : rows_) {
+      const int size = static_cast<int>(row.size()) - 1;
+      const int first = std::max(0, earlier - config_.window / 2);
+      const int end = std::min(size, earlier + config_.window / 2 + 1);
+      if (first >= end) continue;
+      sum += row[static_cast<std::size_t>(end)] - row[static_cast<std::size_t>(first)];
+      count += end - first;
+    }
+    return sum / count;
+  }
+
   Config config_;
   std::shared_ptr<SemanticModel> places_;
-  std::vector<PanoramaCode> codes_;  // by frame
+  std::vector<PanoramaCode> codes_;       // by frame
+  std::deque<std::vector<double>> rows_;  // of Ask, of the last frames
 };
 
 const LoopDetectorRegistration<SameNode> registration;

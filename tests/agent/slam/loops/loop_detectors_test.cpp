@@ -249,6 +249,33 @@ TEST(SameNode, NeedsAModelOfPlaces) {
       ThrowsMessage<sim::Error>(HasSubstr("'places'")));
 }
 
+TEST(SameNode, ScoresAreMeansOverFramesAround) {
+  const auto scores = [](const std::string& parameters) {
+    std::map<std::pair<int, int>, double> by_pair;
+    for (const LoopCandidate& one : Drive("same_node", true, parameters)) {
+      by_pair[{one.later, one.earlier}] = one.score;
+    }
+    return by_pair;
+  };
+  const auto alone = scores("{}");
+  for (const auto& [pair, score] : scores("{both_ways: true}")) {
+    EXPECT_NEAR(score, alone.at(pair), 1e-6);  // cosines are the same from both sides
+  }
+  for (const auto& [pair, score] : scores("{window: 3}")) {
+    double sum = 0.0;
+    int count = 0;
+    for (int later = pair.first - 2; later <= pair.first; ++later) {
+      for (int earlier = pair.second - 1; earlier <= pair.second + 1; ++earlier) {
+        const auto found = alone.find({later, earlier});
+        if (found == alone.end()) continue;
+        sum += found->second;
+        ++count;
+      }
+    }
+    EXPECT_NEAR(score, sum / count, 1e-6);
+  }
+}
+
 TEST(LoopFrame, WhatNeedsAFlatCameraSaysSoOfPanoramas) {
   const auto detector = Make("orbslam_like", "{native_gates: true}");
   const Seen seen = See(1, 1);
