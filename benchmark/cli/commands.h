@@ -25,6 +25,7 @@ void AddExportCommand(CLI::App* scenes);
 void AddReplayCommand(CLI::App* program);
 void AddRunCommand(CLI::App* program);
 void AddScenesCommand(CLI::App* program);
+void AddStitchCommand(CLI::App* program);
 void AddSlamCommand(CLI::App* program);
 void AddTableCommand(CLI::App* program);
 /// Tells what a file of weights holds.

@@ -48,6 +48,9 @@ void AddForwardedCommands(CLI::App* program, CommandLine line) {
       program, line,
       {"quantise", "Put a network in integers beside the trained one in a file of weights"},
       RunLearningCommand);
+  AddForwarded(program, line,
+               {"stitch", "Let a trained policy see with another encoder, to be trained on"},
+               RunLearningCommand);
   AddForwarded(program, line, {"slam", "Topological SLAM: recordings, pose graphs"},
                RunSlamCommand);
 }

@@ -10,6 +10,7 @@ extern "C" int BulletnavRunLearningCommand(int argc, char** argv) {
     bulletnav::bench::AddEvaluatePerceptionCommand(program);
     bulletnav::bench::AddEvaluatePolicyCommand(program);
     bulletnav::bench::AddQuantiseCommand(program);
+    bulletnav::bench::AddStitchCommand(program);
   });
 }
 

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "agent/policy/policy_net.h"
 
+#include <algorithm>
+
 #include <gmock/gmock.h>
 
 #include "agent/models/model_registry.h"
 #include "agent/perception/semantic_net.h"
 #include "agent/policy/learned_policy.h"
+#include "agent/policy/quantise_policy.h"
+#include "agent/policy/stitch_policy.h"
 #include "sim/base/error.h"
 #include "tests/agent/policy/small_policies.h"
 #include "tests/support/temporary_folder.h"
@@ -158,6 +162,49 @@ TEST(PolicyEncoder, BeginsWithThatOfASemanticModel) {
   PolicyNet other(wide, 1);
   EXPECT_THROW(TakeEncoder(file, &other), sim::FileError);
   EXPECT_THROW(TakeIntegerEncoder(file, &net), sim::FileError);
+}
+
+/// The encoder of `net` in integers, with the channels of its codes turned by `shift`.
+QuantisedNet TurnedChannels(QuantisedNet net, int shift) {
+  QuantisedLayer& layer = net.layers.at("encoder.second");
+  const QuantisedLayer before = layer;
+  for (int o = 0; o < layer.outputs; ++o) {
+    const auto from = static_cast<std::size_t>((o + shift) % layer.outputs);
+    const auto to = static_cast<std::size_t>(o);
+    const auto row = static_cast<std::size_t>(layer.inputs);
+    std::copy_n(before.weights.begin() + static_cast<std::ptrdiff_t>(from * row), row,
+                layer.weights.begin() + static_cast<std::ptrdiff_t>(to * row));
+    layer.scale[to] = before.scale[from];
+    layer.bias[to] = before.bias[from];
+  }
+  return net;
+}
+
+TEST(StitchPolicy, ActsAsBeforeThroughAnEncoderOfTheSameCodesInAnotherOrder) {
+  const torch::NoGradGuard no_grad;
+  PolicyConfig config = SmallPolicy();
+  PolicyNet own(config, 4);
+  const torch::Tensor pictures = BytesOf(SomePanoramas(1, 140), 32);
+  const QuantisedNet encoder =
+      Quantise(&own, {pictures, pictures, torch::zeros({140, kPolicyNumbers})});
+  config.own_encoder = false;
+  PolicyNet net(config, 4);
+  net.SeeWith(std::make_shared<IntegerSight>(encoder, config.rows));
+  const auto logits = [&] {
+    const torch::Tensor codes = net.Encode(pictures.narrow(0, 0, 8)).view({1, 8, -1});
+    return net
+        .Run({codes, codes.roll(3, 1), torch::zeros({1, 8, kPolicyNumbers})}, torch::ones({1, 8}),
+             torch::zeros({8, 32}))
+        .logits;
+  };
+  const torch::Tensor before = logits();
+  const auto turned = std::make_shared<IntegerSight>(TurnedChannels(encoder, 5), config.rows);
+  EXPECT_GT(StitchPolicy(pictures, turned, &net), 0.99);
+  const torch::Tensor after = logits();
+  const float spread = (before - before.mean(1, true)).abs().max().item<float>();
+  EXPECT_LT((after - before).abs().max().item<float>(), 0.1f * spread);
+  EXPECT_EQ(net.sight(), turned);
+  EXPECT_THROW(StitchPolicy(pictures.narrow(0, 0, 20), turned, &net), sim::Error);
 }
 
 TEST(TakePolicy, APolicyWithAMapBeginsAsOneWithout) {

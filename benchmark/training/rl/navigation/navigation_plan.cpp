@@ -26,17 +26,17 @@ std::vector<std::pair<std::string, std::string>> SettingsOf(LaneSetting setting)
   return {{"rgb", "rgb_"}, {"rgbd", "rgbd_"}};
 }
 
-NavigationScenes LoadScenes(const NavigationData& data, const TrainContext& context,
-                            const char* what) {
-  MakeHousesOf(data.as_data(), CommittedVersion(), 0, context.start);
+}  // namespace
+
+NavigationScenes LoadNavigationScenes(const NavigationData& data, const TrainContext& context,
+                                      const char* what, int threads) {
+  MakeHousesOf(data.as_data(), CommittedVersion(), threads, context.start);
   std::function<void()> loaded;
   if (context.start) {
     loaded = context.start(what, static_cast<int>(ScenesOf(data.as_data()).size()));
   }
-  return NavigationScenes(data, sim::BodySpec{}, 0, loaded, WarnLine);
+  return NavigationScenes(data, sim::BodySpec{}, threads, loaded, WarnLine);
 }
-
-}  // namespace
 
 void NavigationPlan::Validate() const {
   internal::RequireAtLeast(1, validation_episodes, "validation_episodes");
@@ -90,9 +90,9 @@ NavigationWorld::NavigationWorld(const NavigationPlan& plan, const TrainContext&
     : setting_(plan.setting),
       validation_episodes_(plan.validation_episodes),
       peers_(context.peers),
-      scenes_(LoadScenes(plan.data, context, "loading scenes")),
-      validation_scenes_(LoadScenes(ValidationOf(plan.validation, plan.data), context,
-                                    "loading validation scenes")),
+      scenes_(LoadNavigationScenes(plan.data, context, "loading scenes")),
+      validation_scenes_(LoadNavigationScenes(ValidationOf(plan.validation, plan.data), context,
+                                              "loading validation scenes")),
       validation_(&validation_scenes_, plan.task(), plan.validation_episodes) {}
 
 Measures NavigationWorld::Validate(const std::shared_ptr<agent::PolicyNet>& net,

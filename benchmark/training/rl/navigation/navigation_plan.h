@@ -51,6 +51,11 @@ struct NavigationPlan {
   std::unique_ptr<PictureNet> MakeNet(std::uint64_t seed) const;
 };
 
+/// Makes houses that are not there, and loads all scenes, by so many threads (0: one a processor).
+/// `what` is told as it goes on. Throws Error.
+NavigationScenes LoadNavigationScenes(const NavigationData& data, const TrainContext& context,
+                                      const char* what, int threads = 0);
+
 /// The scenes and episodes that a policy is trained and tried in.
 class NavigationWorld {
  public:

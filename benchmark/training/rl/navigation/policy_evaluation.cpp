@@ -7,8 +7,7 @@
 #include <fmt/core.h>
 
 #include "agent/models/model_registry.h"
-#include "benchmark/base/program_version.h"
-#include "benchmark/base/warn_line.h"
+#include "benchmark/training/rl/navigation/navigation_plan.h"
 #include "benchmark/training/rl/navigation/policy_validation.h"
 #include "sim/base/error.h"
 #include "sim/sensors/noise/sensor_noise.h"
@@ -40,15 +39,6 @@ std::shared_ptr<agent::PolicyModel> Load(const std::filesystem::path& weights, c
   return policy;
 }
 
-NavigationScenes LoadScenes(const NavigationData& data, int workers, const TrainContext& context) {
-  MakeHousesOf(data.as_data(), CommittedVersion(), workers, context.start);
-  std::function<void()> loaded;
-  if (context.start) {
-    loaded = context.start("loading scenes", static_cast<int>(ScenesOf(data.as_data()).size()));
-  }
-  return NavigationScenes(data, sim::BodySpec{}, workers, loaded, WarnLine);
-}
-
 std::vector<std::pair<std::string, PolicyValidation::Way>> WaysOf(const PolicyTrials& trials) {
   std::vector<std::pair<std::string, PolicyValidation::Way>> ways;
   ways.emplace_back(kAsItIs, PolicyValidation::Way{});
@@ -77,7 +67,7 @@ std::vector<PolicyEvaluationRow> EvaluatePolicy(const PolicyEvaluationConfig& co
   const std::vector<std::string> settings = SettingsOf(config.setting);
   const int limit = Load(weights, Task{}, settings.back() == "rgbd")->step_limit();
   const Task task = TaskOf(config, limit);
-  NavigationScenes scenes = LoadScenes(config.data, workers, context);
+  NavigationScenes scenes = LoadNavigationScenes(config.data, context, "loading scenes", workers);
   const PolicyValidation validation(&scenes, task, config.episodes);
   sim::WorkerPool pool(workers);
   std::vector<PolicyEvaluationRow> rows;
