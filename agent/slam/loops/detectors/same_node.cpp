@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <deque>
 #include <utility>
@@ -21,16 +20,14 @@ class SameNode final : public LoopDetector {
   static constexpr std::string_view kName = "same_node";
 
   struct Config {
-    double least = 0.9;      // probability
-    bool both_ways = false;  // each is asked for from the other, too, and the mean counts
+    double least = 0.9;  // probability
     /// Ours: a score is the mean over so many frames up to the later one, and as many around the
     /// earlier one. 1: of the pair alone.
-    int window = 1;
+    int window = 3;
 
     template <class V>
     void Visit(V& v) {
       v("least", least);
-      v("both_ways", both_ways);
       v("window", window);
     }
     void Validate() const {
@@ -70,15 +67,8 @@ class SameNode final : public LoopDetector {
     earlier.reserve(static_cast<std::size_t>(comparable));
     for (int i = 0; i < comparable; ++i) earlier.push_back(&codes_[static_cast<std::size_t>(i)]);
     sums.reserve(earlier.size() + 1);
-    const std::array<const PanoramaCode*, 1> self = {&code};
-    const std::vector<PairPrediction> said = places_->Compare(earlier, code);
-    for (std::size_t i = 0; i < said.size(); ++i) {
-      double score = said[i].same_node;
-      if (config_.both_ways) {
-        const double back = places_->Compare(self, *earlier[i]).front().same_node;
-        score = (score + back) / 2.0;
-      }
-      sums.push_back(sums.back() + score);
+    for (const PairPrediction& said : places_->Compare(earlier, code)) {
+      sums.push_back(sums.back() + double{said.same_node});
     }
     return sums;
   }
