@@ -8,7 +8,7 @@
 
 #include "sim/base/error.h"
 #include "sim/scene/import.h"
-#include "sim/scene/scene_mesh.h"
+#include "sim/scene/mesh.h"
 
 namespace bulletnav::tests {
 

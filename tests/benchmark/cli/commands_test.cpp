@@ -174,9 +174,9 @@ TEST_F(CommandsTest, BadInputIsOneLineThatNamesThePlaceAndStatusOne) {
 }
 
 TEST_F(CommandsTest, WeightsAreToldAndStripped) {
-  const std::string shipped = "assets/weights/seqnet_rgb.safetensors";
+  const std::string shipped = "assets/weights/place_rgb.safetensors";
   EXPECT_THAT(Output("weights " + shipped),
-              AllOf(HasSubstr("in integers"), HasSubstr("\ntask              seqnet\n")));
+              AllOf(HasSubstr("in integers"), HasSubstr("\ntask              place\n")));
   EXPECT_THAT(Output("weights " + shipped + " --integers-only alone.safetensors"),
               HasSubstr("integers_alone    true"));
   EXPECT_TRUE(Has("alone.safetensors"));
