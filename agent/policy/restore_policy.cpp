@@ -73,18 +73,18 @@ void RestorePolicy(const PolicyConfig& config, const std::filesystem::path& file
                    TensorFile* weights) {
   if (!HoldsIntegers(*weights)) return;
   const QuantisedNet net = ReadQuantised(*weights, file);
+  const std::vector<float> factors = MadeOfIntegers(file, kTrainPolicyAgain, [&] {
+    return JoinedFactors(config, net);
+  });
   for (const std::string name : kLayers) {
     const auto found = net.layers.find(name);
     if (found == net.layers.end() || weights->tensors.contains(name + ".weight")) continue;
     const QuantisedLayer& layer = found->second;
-    std::vector<float> factors;
-    if (name == kJoined) {
-      factors = MadeOfIntegers(file, kTrainPolicyAgain, [&] {
-        return JoinedFactors(config, net);
-      });
-      if (factors.size() != static_cast<std::size_t>(layer.inputs)) continue;  // another's shape
+    if (name != kJoined) {
+      weights->tensors[name + ".weight"] = Restored(layer, {});
+    } else if (factors.size() == static_cast<std::size_t>(layer.inputs)) {  // else another's shape
+      weights->tensors[name + ".weight"] = Restored(layer, factors);
     }
-    weights->tensors[name + ".weight"] = Restored(layer, factors);
     weights->tensors[name + ".bias"] = {{layer.outputs}, layer.bias};
   }
 }
