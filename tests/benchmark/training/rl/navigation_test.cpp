@@ -15,6 +15,7 @@
 #include "benchmark/training/rl/navigation/navigation_lanes.h"
 #include "benchmark/training/rl/navigation/navigation_plan.h"
 #include "benchmark/training/rl/navigation/policy_evaluation.h"
+#include "benchmark/training/rl/navigation/policy_stitching.h"
 #include "benchmark/training/rl/navigation/policy_validation.h"
 #include "benchmark/training/rl/ppo.h"
 #include "sim/base/error.h"
@@ -407,8 +408,9 @@ TEST_F(NavigationTest, FixedEpisodesComeAgainAndAgain) {
 }
 
 TEST_F(NavigationTest, ShippedConfigsOfTrialsLoad) {
-  EXPECT_NO_THROW(sim::LoadYaml<PolicyEvaluationConfig>(std::filesystem::path(BULLETNAV_CONFIGS) /
-                                                        "evaluate_policy.yaml"));
+  const std::filesystem::path folder = BULLETNAV_CONFIGS;
+  EXPECT_NO_THROW(sim::LoadYaml<PolicyEvaluationConfig>(folder / "evaluate_policy.yaml"));
+  EXPECT_NO_THROW(sim::LoadYaml<StitchConfig>(folder / "stitch.yaml"));
 }
 
 TEST_F(NavigationTest, ImitationResumesBitForBit) {
