@@ -4,6 +4,7 @@
 #include "agent/integer/quantised_file.h"
 #include "agent/models/model_registry.h"
 #include "agent/policy/integer_exploration.h"
+#include "agent/policy/policy_file.h"
 #include "sim/base/error.h"
 
 namespace bulletnav::agent {
@@ -20,7 +21,7 @@ const ModelRegistration registration(
       if (deviation == content.tensors.end()) {
         throw sim::FileError(weights, kLogDeviation, "is missing; train the policy again");
       }
-      return MadeOfIntegers(weights, "train the policy again", [&] {
+      return MadeOfIntegers(weights, kTrainPolicyAgain, [&] {
         return std::make_shared<IntegerExploration>(config, net, deviation->second.values);
       });
     },

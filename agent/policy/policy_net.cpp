@@ -236,21 +236,24 @@ void TakePolicy(const std::filesystem::path& weights, PolicyNet* net) {
   }
 }
 
-void TakeIntegerEncoder(const std::filesystem::path& weights, PolicyNet* net) {
+std::shared_ptr<IntegerSight> LoadSight(const std::filesystem::path& weights, int rows) {
   const TensorFile content = ReadTensorFile(weights);
   if (!HoldsIntegers(content) && !content.metadata.contains(kIntegerPart)) {
     throw sim::FileError(weights, kIntegerPrefix,
                          "is missing: there is no encoder in integers; quantise the weights");
   }
   try {
-    net->SeeWith(
-        std::make_shared<IntegerSight>(ReadQuantised(content, weights), net->config().rows));
+    return std::make_shared<IntegerSight>(ReadQuantised(content, weights), rows);
   } catch (const sim::FileError&) {
     throw;
   } catch (const sim::Error& error) {
     throw sim::FileError(weights, kIntegerPrefix,
                          std::string("has no encoder for this policy: ") + error.what());
   }
+}
+
+void TakeIntegerEncoder(const std::filesystem::path& weights, PolicyNet* net) {
+  net->SeeWith(LoadSight(weights, net->config().rows));
 }
 
 void TakeEncoder(const std::filesystem::path& weights, PolicyNet* net) {

@@ -93,6 +93,9 @@ void TakePolicy(const std::filesystem::path& weights, PolicyNet* net);
 /// Takes the encoder of a semantic model of the same width and rows. Throws FileError if it is of
 /// another shape.
 void TakeEncoder(const std::filesystem::path& weights, PolicyNet* net);
+/// The encoder in integers of a semantic model or a policy, for pictures of so many rows. Throws
+/// FileError if the file has none.
+std::shared_ptr<IntegerSight> LoadSight(const std::filesystem::path& weights, int rows);
 /// Lets a policy see with a semantic model's encoder in integers, of the same rows. Throws
 /// FileError if the file has none.
 void TakeIntegerEncoder(const std::filesystem::path& weights, PolicyNet* net);

@@ -25,8 +25,8 @@ void AddExportCommand(CLI::App* scenes);
 void AddReplayCommand(CLI::App* program);
 void AddRunCommand(CLI::App* program);
 void AddScenesCommand(CLI::App* program);
-void AddStitchCommand(CLI::App* program);
 void AddSlamCommand(CLI::App* program);
+void AddStitchCommand(CLI::App* program);
 void AddTableCommand(CLI::App* program);
 /// Tells what a file of weights holds.
 void AddWeightsCommand(CLI::App* program);

@@ -3,7 +3,6 @@
 #include <memory>
 #include <sstream>
 #include <string>
-#include <string_view>
 
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>

@@ -33,11 +33,11 @@ inline Eigen::AlignedBox3f BoxOf(const sim::SceneMesh& mesh, const std::string& 
   return box;
 }
 
-/// Corners within 0.01 mm.
+/// Corners within 2 micrometres.
 inline void ExpectBox(const Eigen::AlignedBox3f& box, const Eigen::Vector3f& low,
                       const Eigen::Vector3f& high) {
-  EXPECT_LT((box.min() - low).norm(), 1e-5f) << box.min().transpose();
-  EXPECT_LT((box.max() - high).norm(), 1e-5f) << box.max().transpose();
+  EXPECT_LT((box.min() - low).norm(), 2e-6f) << box.min().transpose();
+  EXPECT_LT((box.max() - high).norm(), 2e-6f) << box.max().transpose();
 }
 
 }  // namespace bulletnav::tests

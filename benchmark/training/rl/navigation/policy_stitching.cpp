@@ -38,15 +38,6 @@ torch::Tensor Pictures(NavigationScenes* scenes, int rows, int count) {
   return at::stack(seen);
 }
 
-/// What the file of the policy says of itself, without what does not hold for the stitched one.
-std::map<std::string, std::string> NotesOf(const std::filesystem::path& weights,
-                                           const StitchConfig& config) {
-  std::map<std::string, std::string> notes = agent::ReadTensorFile(weights).metadata;
-  notes.erase("checksum");
-  notes["stitched"] = config.weights + " to the encoder of " + config.encoder;
-  return notes;
-}
-
 }  // namespace
 
 void StitchConfig::Validate() const {
@@ -62,12 +53,13 @@ double Stitch(const StitchConfig& config, const std::filesystem::path& out,
                          "is of a policy with an encoder of its own or a map; only those that see "
                          "with a semantic model's in integers alone are stitched");
   }
-  agent::PolicyNet other(policy->config(), 0);
-  agent::TakeIntegerEncoder(ShippedOr(config.encoder), &other);
+  const auto other = agent::LoadSight(ShippedOr(config.encoder), policy->config().rows);
   NavigationScenes scenes = LoadNavigationScenes(config.data, context, "loading scenes");
   const torch::Tensor pictures = Pictures(&scenes, policy->config().rows, config.pictures);
-  const double explained = agent::StitchPolicy(pictures, other.sight(), policy.get());
-  agent::SavePolicy(*policy, NotesOf(weights, config), agent::StoredType::kBfloat16, out);
+  const double explained = agent::StitchPolicy(pictures, other, policy.get());
+  std::map<std::string, std::string> notes = agent::ReadTensorFile(weights).metadata;
+  notes["stitched"] = config.weights + " to the encoder of " + config.encoder;
+  agent::SavePolicy(*policy, std::move(notes), agent::StoredType::kBfloat16, out);
   return explained;
 }
 
