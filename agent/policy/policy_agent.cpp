@@ -35,7 +35,8 @@ sim::Action PolicyAgent::Act(const Observation& observation) {
     question.map = map_->bytes();
   }
   const std::array<float, 4> probabilities = policy_->Act(question, &memory_);
-  last_ = sim::kAllActions.at(Choose(probabilities, seen.step));
+  sim::Rng rng = sim::Rng(seed_, "policy").Fork("step", static_cast<std::uint64_t>(seen.step));
+  last_ = sim::kAllActions.at(ChooseAction(probabilities, config_, &rng));
   return *last_;
 }
 
@@ -44,19 +45,19 @@ Belief PolicyAgent::belief() const {
   return {map_->pose(), std::nullopt, map_->map().Picture()};
 }
 
-std::size_t PolicyAgent::Choose(std::array<float, 4> probabilities, int step) const {
+std::size_t ChooseAction(std::array<float, 4> probabilities, const PolicyAgent::Config& config,
+                         sim::Rng* rng) {
   constexpr auto kStop = static_cast<std::size_t>(sim::Action::kStop);
-  if (config_.stop_from > 0.0) {
-    if (probabilities[kStop] >= config_.stop_from) return kStop;
+  if (config.stop_from > 0.0) {
+    if (probabilities[kStop] >= config.stop_from) return kStop;
     probabilities[kStop] = 0.0f;
   }
-  if (!config_.sample) {
+  if (!config.sample) {
     return static_cast<std::size_t>(std::max_element(probabilities.begin(), probabilities.end()) -
                                     probabilities.begin());
   }
   const std::vector<double> weights(probabilities.begin(), probabilities.end());
-  sim::Rng rng = sim::Rng(seed_, "policy").Fork("step", static_cast<std::uint64_t>(step));
-  return rng.Weighted(weights);
+  return rng->Weighted(weights);
 }
 
 }  // namespace bulletnav::agent

@@ -50,8 +50,6 @@ class PolicyAgent : public Agent {
   Belief belief() const override;
 
  private:
-  std::size_t Choose(std::array<float, 4> probabilities, int step) const;
-
   Config config_;
   std::shared_ptr<PolicyModel> policy_;
   std::unique_ptr<PolicyMap> map_;  // of a policy that sees it
@@ -61,5 +59,9 @@ class PolicyAgent : public Agent {
   std::optional<int> first_step_;  // of the way to this goal
   std::uint64_t seed_ = 0;
 };
+
+/// An action, an index into sim::kAllActions, by the probabilities of all four.
+std::size_t ChooseAction(std::array<float, 4> probabilities, const PolicyAgent::Config& config,
+                         sim::Rng* rng);
 
 }  // namespace bulletnav::agent

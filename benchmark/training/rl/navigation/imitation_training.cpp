@@ -23,16 +23,21 @@ struct DaggerSpec {
   int from = 0;  // steps of the training
   int to = 0;
   double least = 0.0;
+  double stop_from = 0.0;  // where the policy acts it stops as an agent with this, see PolicyAgent
 
   template <class V>
   void Visit(V& v) {
     v.Required("from", from);
     v.Required("to", to);
     v("least", least);
+    v("stop_from", stop_from);
   }
   void Validate() const {
     if (from < 0 || to < from) throw sim::KeyError("to", "to must not be before from");
     if (!(least >= 0.0 && least <= 1.0)) throw sim::KeyError("least", "least must be in [0, 1]");
+    if (!(stop_from >= 0.0 && stop_from < 1.0)) {
+      throw sim::KeyError("stop_from", "stop_from must be in [0, 1)");
+    }
   }
   double ShareAt(int step) const {
     if (step < from) return 1.0;
@@ -100,7 +105,9 @@ class ImitationTraining final : public Training {
             },
             net_.get(), &pool_, peers_.get()),
         actor_(
-            std::make_unique<Actor>(lanes_.get(), net_.get(), &pool_, config.group, config.seed)) {}
+            std::make_unique<Actor>(lanes_.get(), net_.get(), &pool_, config.group, config.seed)) {
+    if (config.dagger) net_->DrawAs({.stop_from = config.dagger->stop_from});
+  }
 
   torch::nn::Module& net() override { return *net_; }
   bool shares_work() const override { return true; }

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/training/rl/navigation/picture_net.h"
 
+#include <algorithm>
+#include <array>
+
+#include "sim/base/elementary.h"
+
 namespace bulletnav::bench {
 
 PictureNet::PictureNet(const agent::PolicyConfig& config, const std::optional<std::string>& encoder,
@@ -23,6 +28,16 @@ ActorCritic::Output PictureNet::Run(const Seen& seen, const torch::Tensor& start
 
 torch::Tensor PictureNet::NoMemory(int lanes) const {
   return torch::zeros({lanes, policy_->config().memory});
+}
+
+int PictureNet::Draw(std::span<const float> log_probabilities, sim::Rng* rng) const {
+  if (drawing_.stop_from == 0.0) return ActorCritic::Draw(log_probabilities, rng);
+  std::array<float, 4> probabilities{};
+  std::transform(log_probabilities.begin(), log_probabilities.end(), probabilities.begin(),
+                 [](float value) {
+                   return static_cast<float>(sim::Exp(double{value}));
+                 });
+  return static_cast<int>(agent::ChooseAction(probabilities, drawing_, rng));
 }
 
 }  // namespace bulletnav::bench

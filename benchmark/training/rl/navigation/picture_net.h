@@ -3,8 +3,10 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
+#include "agent/policy/policy_agent.h"
 #include "agent/policy/policy_net.h"
 #include "benchmark/training/rl/actor_critic.h"
 
@@ -23,10 +25,16 @@ class PictureNet final : public ActorCritic {
   Output Run(const Seen& seen, const torch::Tensor& starts, const torch::Tensor& hidden) override;
   torch::Tensor NoMemory(int lanes) const override;
 
+  /// From now on actions are drawn as the agent does. For imitation only: what is drawn is then not
+  /// the policy's distribution.
+  void DrawAs(const agent::PolicyAgent::Config& drawing) { drawing_ = drawing; }
+  int Draw(std::span<const float> log_probabilities, sim::Rng* rng) const override;
+
   const std::shared_ptr<agent::PolicyNet>& policy() const { return policy_; }
 
  private:
   std::shared_ptr<agent::PolicyNet> policy_;
+  agent::PolicyAgent::Config drawing_;
 };
 
 }  // namespace bulletnav::bench

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Policies that are trained in a small building: what they are shown, and that a training goes on
 // as if it had not been killed.
+#include <array>
+#include <cmath>
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -14,6 +17,7 @@
 #include "benchmark/training/rl/lane_groups.h"
 #include "benchmark/training/rl/navigation/navigation_lanes.h"
 #include "benchmark/training/rl/navigation/navigation_plan.h"
+#include "benchmark/training/rl/navigation/picture_net.h"
 #include "benchmark/training/rl/navigation/policy_evaluation.h"
 #include "benchmark/training/rl/navigation/policy_stitching.h"
 #include "benchmark/training/rl/navigation/policy_validation.h"
@@ -414,8 +418,30 @@ TEST_F(NavigationTest, ShippedConfigsOfTrialsLoad) {
 }
 
 TEST_F(NavigationTest, ImitationResumesBitForBit) {
-  ExpectResumes("imitation",
-                "lanes: 4\ngroup: 2\nrollout: 4\ndagger: {from: 1, to: 4, least: 0.2}\n");
+  ExpectResumes(
+      "imitation",
+      "lanes: 4\ngroup: 2\nrollout: 4\ndagger: {from: 1, to: 4, least: 0.2, stop_from: 0.3}\n");
+}
+
+TEST_F(NavigationTest, APolicyThatImitatesMayStopAsItsAgentDoes) {
+  agent::PolicyConfig config;
+  config.rows = 32;
+  config.width = 4;
+  PictureNet net(config, std::nullopt, 1);
+  const auto drawn = [&](double stop) {
+    const double other = (1.0 - stop) / 3.0;
+    std::array<float, 4> said{};
+    said.fill(static_cast<float>(std::log(other)));
+    said[static_cast<std::size_t>(sim::Action::kStop)] = static_cast<float>(std::log(stop));
+    std::array<int, 4> counts{};
+    sim::Rng rng(7, "draws");
+    for (int i = 0; i < 300; ++i) ++counts.at(static_cast<std::size_t>(net.Draw(said, &rng)));
+    return counts[static_cast<std::size_t>(sim::Action::kStop)];
+  };
+  EXPECT_NEAR(drawn(0.4), 120, 30);
+  net.DrawAs({.stop_from = 0.5});
+  EXPECT_EQ(drawn(0.4), 0);
+  EXPECT_EQ(drawn(0.6), 300);
 }
 
 TEST_F(NavigationTest, PpoResumesBitForBit) {
@@ -440,6 +466,8 @@ TEST_F(NavigationTest, BadConfigsAreNamed) {
   EXPECT_THAT(complaint("imitation", "lanes: 6\ngroup: 4\n"), HasSubstr("group must divide lanes"));
   EXPECT_THAT(complaint("imitation", "dagger: {from: 5, to: 1}\n"),
               HasSubstr("to must not be before from"));
+  EXPECT_THAT(complaint("imitation", "dagger: {from: 1, to: 5, stop_from: 1}\n"),
+              HasSubstr("stop_from must be in [0, 1)"));
   EXPECT_THAT(complaint("ppo", "policy_start: nowhere.safetensors\n"), HasSubstr("nowhere"));
   EXPECT_THAT(complaint("ppo", "ppo: {lanes: 8, group: 4, minibatches: 3}\n"),
               HasSubstr("minibatches must divide"));
