@@ -89,6 +89,7 @@ std::unique_ptr<PictureNet> NavigationPlan::MakeNet(std::uint64_t seed) const {
 NavigationWorld::NavigationWorld(const NavigationPlan& plan, const TrainContext& context)
     : setting_(plan.setting),
       validation_episodes_(plan.validation_episodes),
+      agent_(plan.agent),
       peers_(context.peers),
       scenes_(LoadNavigationScenes(plan.data, context, "loading scenes")),
       validation_scenes_(LoadNavigationScenes(ValidationOf(plan.validation, plan.data), context,
@@ -127,7 +128,9 @@ Measures NavigationWorld::Validate(const PolicyValidation::PolicyMaker& make,
   double success = 0.0;
   const auto settings = SettingsOf(setting_);
   for (const auto& [setting, prefix] : settings) {
-    validation_.Measure(make, {setting == "rgbd", prefix, pool, peers_.get()}, &all);
+    PolicyValidation::Way way{setting == "rgbd", prefix, pool, peers_.get()};
+    way.agent = agent_;
+    validation_.Measure(make, way, &all);
     success += all.at(prefix + "success") / static_cast<double>(settings.size());
   }
   Measures measures;

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "agent/policy/policy_agent.h"
 #include "agent/policy/policy_config.h"
 #include "benchmark/training/core/registry.h"
 #include "benchmark/training/rl/lane_groups.h"
@@ -20,6 +21,7 @@ struct NavigationPlan {
   NavigationData data;
   std::optional<NavigationData> validation;  // default: the houses' split "val"
   int validation_episodes = 60;              // in each setting
+  agent::PolicyAgent::Config agent;          // of validation
   LaneSetting setting = LaneSetting::kBoth;
   sim::NoiseMode noise = sim::NoiseMode::kAnsReleased;
   std::optional<std::string> sensor_noise;  // of cameras, see sim::NamedSensorNoise; default: none
@@ -34,6 +36,7 @@ struct NavigationPlan {
     v("data", data);
     v("validation", validation);
     v("validation_episodes", validation_episodes);
+    v("agent", agent);
     v("setting", setting);
     v("noise", noise);
     v("sensor_noise", sensor_noise);
@@ -80,6 +83,7 @@ class NavigationWorld {
 
   LaneSetting setting_;
   int validation_episodes_;
+  agent::PolicyAgent::Config agent_;
   std::shared_ptr<Peers> peers_;  // or null
   NavigationScenes scenes_;
   NavigationScenes validation_scenes_;
