@@ -29,6 +29,7 @@ std::string TimeOf(double seconds) {
 
 std::string ModelCard(const TrainJob& job, int step, double seconds, const CardMeasures& measures) {
   const Training& training = *job.training;
+  const std::int64_t before = training.FramesBefore();
   std::string card = fmt::format(
       "# {}\n\n"
       "| | |\n|---|---|\n"
@@ -39,11 +40,12 @@ std::string ModelCard(const TrainJob& job, int step, double seconds, const CardM
     card += fmt::format("| {} | {} |\n", name, text);
   card += fmt::format(
       "| seed | {} |\n"
-      "| steps | {} of {}, {} {} in all |\n"
+      "| steps | {} of {}, {} {} in all{} |\n"
       "| time | {} |\n"
       "\nOn {}:\n\n",
       job.plan.seed, step, job.plan.steps, training.FramesAfter(step), training.frames_are(),
-      TimeOf(seconds), training.validated_on());
+      before == 0 ? "" : fmt::format(", on top of {}", before), TimeOf(seconds),
+      training.validated_on());
   card += TableOf(measures);
   card += "\nMade by `bulletnav train` from:\n\n```yaml\n" + job.config + "```\n";
   return card;

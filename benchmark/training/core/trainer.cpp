@@ -135,7 +135,8 @@ class Trainer {
     training_->Save({{"training", job_.config},
                      {"task", job_.task},
                      {"step", std::to_string(state_.step)},
-                     {"frames", std::to_string(training_->FramesAfter(state_.step))}},
+                     {"frames", std::to_string(training_->FramesBefore() +
+                                               training_->FramesAfter(state_.step))}},
                     folder_ / name);
   }
 

@@ -57,6 +57,9 @@ class Training {
   /// Observations (panoramas, frames, samples) shown in the first `steps` steps, counted as often
   /// as they were shown.
   virtual std::int64_t FramesAfter(int steps) const = 0;
+  /// Those that the weights that it goes on from were trained with; the metadata of its own weights
+  /// counts them in.
+  virtual std::int64_t FramesBefore() const { return 0; }
   /// Whether several processes train it together, each with its share of the work and all with the
   /// same weights: then each calls the same functions, and the first one's files count.
   virtual bool shares_work() const { return false; }

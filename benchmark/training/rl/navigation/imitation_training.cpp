@@ -138,6 +138,7 @@ class ImitationTraining final : public Training {
   std::int64_t FramesAfter(int steps) const override {
     return std::int64_t{steps} * config_.lanes * config_.rollout;
   }
+  std::int64_t FramesBefore() const override { return world_.frames_before(); }
   void Save(std::map<std::string, std::string> notes,
             const std::filesystem::path& file) const override {
     agent::SavePolicy(*net_->policy(), std::move(notes), agent::StoredType::kBfloat16, file);

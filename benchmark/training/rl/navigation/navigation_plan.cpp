@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "agent/integer/quantised_file.h"
+#include "agent/models/model_registry.h"
 #include "agent/perception/quantise.h"
 #include "agent/policy/integer_policy.h"
 #include "agent/policy/learned_policy.h"
@@ -90,6 +91,8 @@ NavigationWorld::NavigationWorld(const NavigationPlan& plan, const TrainContext&
     : setting_(plan.setting),
       validation_episodes_(plan.validation_episodes),
       agent_(plan.agent),
+      frames_before_(
+          plan.policy_start ? agent::FramesTrained(ShippedOr(*plan.policy_start)).value_or(0) : 0),
       peers_(context.peers),
       scenes_(LoadNavigationScenes(plan.data, context, "loading scenes")),
       validation_scenes_(LoadNavigationScenes(ValidationOf(plan.validation, plan.data), context,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -77,6 +78,7 @@ class NavigationWorld {
   /// Rows of a card: the scenes, and a step of the training.
   std::vector<std::pair<std::string, std::string>> CardRows(int lanes, int rollout) const;
   std::string validated_on() const;
+  std::int64_t frames_before() const { return frames_before_; }  // see Training::FramesBefore
 
  private:
   Measures Validate(const PolicyValidation::PolicyMaker& make, sim::WorkerPool* pool) const;
@@ -84,6 +86,7 @@ class NavigationWorld {
   LaneSetting setting_;
   int validation_episodes_;
   agent::PolicyAgent::Config agent_;
+  std::int64_t frames_before_;
   std::shared_ptr<Peers> peers_;  // or null
   NavigationScenes scenes_;
   NavigationScenes validation_scenes_;

@@ -40,6 +40,7 @@ class PpoNavigationTraining final : public PpoTraining {
     return measures;
   }
   std::string frames_are() const override { return "frames"; }
+  std::int64_t FramesBefore() const override { return world_->frames_before(); }
   void Save(std::map<std::string, std::string> notes,
             const std::filesystem::path& file) const override {
     agent::SavePolicy(*net_of_policy().policy(), std::move(notes), agent::StoredType::kBfloat16,

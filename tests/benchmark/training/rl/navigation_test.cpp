@@ -23,6 +23,7 @@
 #include "benchmark/training/rl/navigation/policy_validation.h"
 #include "benchmark/training/rl/ppo.h"
 #include "sim/base/error.h"
+#include "sim/base/files.h"
 #include "tests/benchmark/training/supervised/watchers.h"
 #include "tests/support/houses.h"
 #include "tests/support/temporary_folder.h"
@@ -442,6 +443,22 @@ TEST_F(NavigationTest, APolicyThatImitatesMayStopAsItsAgentDoes) {
   net.DrawAs({.stop_from = 0.5});
   EXPECT_EQ(drawn(0.4), 0);
   EXPECT_EQ(drawn(0.6), 300);
+}
+
+TEST_F(NavigationTest, WeightsCountTheFramesOfThoseThatTheyWentOnFrom) {
+  const std::filesystem::path first = folder_->path() / "first";
+  const std::filesystem::path second = folder_->path() / "second";
+  Watcher watcher(0);
+  RunTraining(Job(Config("imitation", first, "lanes: 4\ngroup: 2\nrollout: 4\n")), &watcher);
+  EXPECT_EQ(agent::FramesTrained(first / "weights.safetensors"), 5 * 16);
+  RunTraining(
+      Job(Config("ppo", second,
+                 "ppo: {lanes: 4, group: 2, rollout: 4}\nagent: {stop_from: 0.9}\npolicy_start: " +
+                     (first / "weights.safetensors").string() + "\n")),
+      &watcher);
+  EXPECT_EQ(agent::FramesTrained(second / "weights.safetensors"), 2 * 5 * 16);
+  EXPECT_THAT(sim::ReadTextFile(second / "weights.md"),
+              HasSubstr("80 frames in all, on top of 80"));
 }
 
 TEST_F(NavigationTest, PpoResumesBitForBit) {
