@@ -37,9 +37,7 @@ void AddStitchCommand(CLI::App* program) {
   command->callback([options] {
     const std::filesystem::path file = ShippedConfig(options->config);
     StitchConfig config;
-    sim::YamlReader::Read(
-        sim::WithOverrides(sim::ParseYaml(sim::ReadYamlFile(file), file), file, options->overrides),
-        config);
+    sim::YamlReader::Read(sim::ReadWithOverrides(file, options->overrides), config);
     const double explained = Stitch(config, options->out, {.start = StartLine});
     fmt::print("{:.1f}% of the variance of its codes is explained; written to {}\n",
                100.0 * explained, options->out.string());

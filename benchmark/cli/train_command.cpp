@@ -52,8 +52,7 @@ void Train(const std::filesystem::path& file, const std::vector<std::string>& ov
   const StopNote note([] {
     return std::string("the same command goes on from what was saved last");
   });
-  const sim::YamlNode config =
-      sim::WithOverrides(sim::ParseYaml(sim::ReadYamlFile(file), file), file, overrides);
+  const sim::YamlNode config = sim::ReadWithOverrides(file, overrides);
   const auto peers = std::make_shared<Peers>(PeerPlaceOf([](const char* name) {
     return static_cast<const char*>(std::getenv(name));
   }));

@@ -103,4 +103,9 @@ YamlNode WithOverrides(const YamlNode& root, const std::filesystem::path& file,
   return {root.yaml(), name};
 }
 
+YamlNode ReadWithOverrides(const std::filesystem::path& file,
+                           std::span<const std::string> overrides) {
+  return WithOverrides(ParseYaml(ReadYamlFile(file), file), file, overrides);
+}
+
 }  // namespace bulletnav::sim

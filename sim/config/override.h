@@ -16,4 +16,8 @@ namespace bulletnav::sim {
 YamlNode WithOverrides(const YamlNode& root, const std::filesystem::path& file,
                        std::span<const std::string> overrides);
 
+/// A config file with values set so. Throws FileError if it cannot be read, and as WithOverrides.
+YamlNode ReadWithOverrides(const std::filesystem::path& file,
+                           std::span<const std::string> overrides);
+
 }  // namespace bulletnav::sim

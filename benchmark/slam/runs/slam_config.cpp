@@ -107,8 +107,7 @@ void SlamConfig::Validate() const {
 }
 
 SlamConfig LoadSlamConfig(const fs::path& file, std::span<const std::string> overrides) {
-  const sim::YamlNode root =
-      sim::WithOverrides(sim::ParseYaml(sim::ReadYamlFile(file), file), file, overrides);
+  const sim::YamlNode root = sim::ReadWithOverrides(file, overrides);
   SlamConfig config;
   sim::YamlReader::Read(root, config);
   Complete(root, file, &config);

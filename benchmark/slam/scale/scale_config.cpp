@@ -28,8 +28,7 @@ void ScaleConfig::Validate() const {
 
 ScaleConfig LoadScaleConfig(const std::filesystem::path& file,
                             std::span<const std::string> overrides) {
-  const sim::YamlNode root =
-      sim::WithOverrides(sim::ParseYaml(sim::ReadYamlFile(file), file), file, overrides);
+  const sim::YamlNode root = sim::ReadWithOverrides(file, overrides);
   ScaleConfig config;
   sim::YamlReader::Read(root, config);
   if (config.name.empty()) config.name = file.stem().string();

@@ -106,7 +106,7 @@ class ImitationTraining final : public Training {
             net_.get(), &pool_, peers_.get()),
         actor_(
             std::make_unique<Actor>(lanes_.get(), net_.get(), &pool_, config.group, config.seed)) {
-    if (config.dagger) net_->DrawAs({.stop_from = config.dagger->stop_from});
+    if (config.dagger) net_->StopFrom(config.dagger->stop_from);
   }
 
   torch::nn::Module& net() override { return *net_; }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "agent/policy/policy_agent.h"
 #include "sim/base/elementary.h"
 
 namespace bulletnav::bench {
@@ -31,13 +32,13 @@ torch::Tensor PictureNet::NoMemory(int lanes) const {
 }
 
 int PictureNet::Draw(std::span<const float> log_probabilities, sim::Rng* rng) const {
-  if (drawing_.stop_from == 0.0) return ActorCritic::Draw(log_probabilities, rng);
+  if (stop_from_ == 0.0) return ActorCritic::Draw(log_probabilities, rng);
   std::array<float, 4> probabilities{};
   std::transform(log_probabilities.begin(), log_probabilities.end(), probabilities.begin(),
                  [](float value) {
                    return static_cast<float>(sim::Exp(double{value}));
                  });
-  return static_cast<int>(agent::ChooseAction(probabilities, drawing_, rng));
+  return static_cast<int>(agent::ChooseAction(probabilities, {.stop_from = stop_from_}, rng));
 }
 
 }  // namespace bulletnav::bench

@@ -6,7 +6,6 @@
 #include <span>
 #include <string>
 
-#include "agent/policy/policy_agent.h"
 #include "agent/policy/policy_net.h"
 #include "benchmark/training/rl/actor_critic.h"
 
@@ -25,16 +24,16 @@ class PictureNet final : public ActorCritic {
   Output Run(const Seen& seen, const torch::Tensor& starts, const torch::Tensor& hidden) override;
   torch::Tensor NoMemory(int lanes) const override;
 
-  /// From now on actions are drawn as the agent does. For imitation only: what is drawn is then not
-  /// the policy's distribution.
-  void DrawAs(const agent::PolicyAgent::Config& drawing) { drawing_ = drawing; }
+  /// From now on it stops as its agent does, see PolicyAgent::Config. For imitation only: what is
+  /// drawn is then not the policy's distribution.
+  void StopFrom(double probability) { stop_from_ = probability; }
   int Draw(std::span<const float> log_probabilities, sim::Rng* rng) const override;
 
   const std::shared_ptr<agent::PolicyNet>& policy() const { return policy_; }
 
  private:
   std::shared_ptr<agent::PolicyNet> policy_;
-  agent::PolicyAgent::Config drawing_;
+  double stop_from_ = 0.0;
 };
 
 }  // namespace bulletnav::bench

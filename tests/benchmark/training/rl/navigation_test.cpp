@@ -440,7 +440,7 @@ TEST_F(NavigationTest, APolicyThatImitatesMayStopAsItsAgentDoes) {
     return counts[static_cast<std::size_t>(sim::Action::kStop)];
   };
   EXPECT_NEAR(drawn(0.4), 120, 30);
-  net.DrawAs({.stop_from = 0.5});
+  net.StopFrom(0.5);
   EXPECT_EQ(drawn(0.4), 0);
   EXPECT_EQ(drawn(0.6), 300);
 }
