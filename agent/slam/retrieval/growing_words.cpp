@@ -61,22 +61,37 @@ int GrowingWords::KeyOf(const BinaryDescriptor& descriptor, std::size_t table) c
   return static_cast<int>(key);
 }
 
+/// Words lie all over the memory: what will be read is asked for early, all at once.
+std::span<const int> GrowingWords::Candidates(std::span<const int> keys) {
+  near_.clear();
+  for (std::size_t table = 0; table < keys.size(); ++table) {
+    const std::vector<int>* of_table = buckets_.data() + table * kKeys;
+    near_.push_back(of_table + keys[table]);
+    for (int bit = 0; bit < kKeyBits; ++bit) near_.push_back(of_table + (keys[table] ^ (1 << bit)));
+  }
+  for (const std::vector<int>* bucket : near_) __builtin_prefetch(bucket);
+  for (const std::vector<int>* bucket : near_) __builtin_prefetch(bucket->data());
+  candidates_.clear();
+  for (const std::vector<int>* bucket : near_) {
+    candidates_.insert(candidates_.end(), bucket->begin(), bucket->end());
+  }
+  for (const int word : candidates_) {
+    __builtin_prefetch(looked_at_.data() + word);
+    __builtin_prefetch(words_.data() + word);
+  }
+  return candidates_;
+}
+
 int GrowingWords::FindOrAdd(const BinaryDescriptor& descriptor) {
   ++searches_;
   NearestWord nearest;
   std::vector<int> keys(bits_.size());
-  const auto look_into = [&](std::size_t table, int key) {
-    for (const int word : buckets_[table * kKeys + static_cast<std::size_t>(key)]) {
-      const auto place = static_cast<std::size_t>(word);
-      if (looked_at_[place] == searches_) continue;
-      looked_at_[place] = searches_;
-      nearest.Take(word, Distance(descriptor, words_[place]));
-    }
-  };
-  for (std::size_t table = 0; table < bits_.size(); ++table) {
-    keys[table] = KeyOf(descriptor, table);
-    look_into(table, keys[table]);
-    for (int bit = 0; bit < kKeyBits; ++bit) look_into(table, keys[table] ^ (1 << bit));
+  for (std::size_t table = 0; table < keys.size(); ++table) keys[table] = KeyOf(descriptor, table);
+  for (const int word : Candidates(keys)) {
+    const auto place = static_cast<std::size_t>(word);
+    if (looked_at_[place] == searches_) continue;
+    looked_at_[place] = searches_;
+    nearest.Take(word, Distance(descriptor, words_[place]));
   }
   const bool is_clear = nearest.bits <= spec_.ratio * nearest.second_bits;
   if (nearest.word >= 0 && nearest.bits <= spec_.most_bits && is_clear) return nearest.word;

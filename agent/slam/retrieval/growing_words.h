@@ -35,6 +35,8 @@ class GrowingWords {
 
  private:
   int KeyOf(const BinaryDescriptor& descriptor, std::size_t table) const;
+  /// Words of the buckets of each table's key and of its neighbours, some more than once.
+  std::span<const int> Candidates(std::span<const int> keys);
   int FindOrAdd(const BinaryDescriptor& descriptor);
 
   GrowingWordsSpec spec_;
@@ -43,6 +45,8 @@ class GrowingWords {
   std::vector<std::vector<int>> buckets_;  // by table and key: words
   std::vector<std::int64_t> looked_at_;    // by word: the last search that saw it
   std::int64_t searches_ = 0;
+  std::vector<const std::vector<int>*> near_;  // of the last search
+  std::vector<int> candidates_;
 };
 
 }  // namespace bulletnav::agent
