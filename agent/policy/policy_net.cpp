@@ -33,6 +33,8 @@ constexpr double kMemoryGain = 0.7;  // variance 1 / inputs
 constexpr double kStopAtFirst = 0.02;
 constexpr const char* kMap = "map";
 constexpr const char* kJoined = "joined";
+constexpr const char* kEncoder = "encoder.";
+constexpr const char* kStem = "encoder.trunk.stem.weight";
 
 constexpr float kMiddle = 127.0f;  // see IntegerInput and PrepareInput
 constexpr float kColorStep = 2.0f / 127.0f;
@@ -60,6 +62,28 @@ void AddMap(const PolicyNet& net, TensorFile* weights) {
   if (joined == weights->tensors.end()) return;  // SetWeights complains
   const torch::Tensor narrow = FromStored(joined->second);
   joined->second = ToStored(at::cat({narrow, torch::zeros({narrow.size(0), kMapFeatures})}, 1));
+}
+
+/// Leaves out another policy's encoder in floats; `net` keeps its own, if it has one.
+void KeepEncoder(const PolicyNet& net, TensorFile* weights) {
+  std::erase_if(weights->tensors, [](const auto& tensor) {
+    return tensor.first.starts_with(kEncoder);
+  });
+  TensorFile own;
+  AppendWeights(net, "", &own);
+  for (const auto& [name, tensor] : own.tensors) {
+    if (name.starts_with(kEncoder)) weights->tensors[name] = tensor;
+  }
+}
+
+/// A stem that reads colour alone, as one that is given depth, too, and does not heed it.
+void AddDepth(const std::filesystem::path& file, TensorFile* weights) {
+  const auto stem = weights->tensors.find(kStem);
+  if (stem == weights->tensors.end() || stem->second.shape.size() != 4) {
+    throw sim::FileError(file, kStem, "is missing: these are weights of another model");
+  }
+  const torch::Tensor color = FromStored(stem->second);
+  stem->second = ToStored(at::cat({color, torch::zeros_like(color.narrow(1, 0, 1))}, 1));
 }
 
 }  // namespace
@@ -120,13 +144,12 @@ std::int64_t PolicyNet::code_size() const {
   return kCodes + (config_.map ? std::int64_t{kPolicyMapBytes} : 0);
 }
 
-torch::Tensor PolicyNet::EncodeInIntegers(const torch::Tensor& pictures) const {
-  const std::int64_t rows = config_.rows;
-  const torch::Tensor bytes = pictures.narrow(1, 0, 16 * rows * rows).contiguous();
+torch::Tensor CodesOf(IntegerSight* sight, const torch::Tensor& pictures, int rows) {
+  const torch::Tensor bytes = pictures.narrow(1, 0, 16 * std::int64_t{rows} * rows).contiguous();
   const IntegerEncoder::Codes codes =
-      sight_->Codes({bytes.data_ptr<std::uint8_t>(), static_cast<std::size_t>(bytes.numel())});
-  torch::Tensor numbers = torch::empty({pictures.size(0), kCodes});
-  const auto step = static_cast<float>(sight_->code_step());
+      sight->Codes({bytes.data_ptr<std::uint8_t>(), static_cast<std::size_t>(bytes.numel())});
+  torch::Tensor numbers = torch::empty({pictures.size(0), sight->code_size()});
+  const auto step = static_cast<float>(sight->code_step());
   std::transform(codes.begin(), codes.end(), numbers.data_ptr<float>(), [step](std::int16_t code) {
     return step * static_cast<float>(code);
   });
@@ -135,7 +158,7 @@ torch::Tensor PolicyNet::EncodeInIntegers(const torch::Tensor& pictures) const {
 
 torch::Tensor PolicyNet::Encode(const torch::Tensor& pictures) {
   const torch::Tensor codes =
-      sight_ ? EncodeInIntegers(pictures)
+      sight_ ? CodesOf(sight_.get(), pictures, config_.rows)
              : encoder_->forward(PolicyInput(config_, pictures)).view({-1, kCodes});
   if (!map_) return codes;
   const std::int64_t bytes = kPolicyMapBytes;
@@ -225,8 +248,9 @@ void TakePolicy(const std::filesystem::path& weights, PolicyNet* net) {
   const PolicyConfig theirs = PolicyConfigOf(content, weights);
   RestorePolicy(theirs, weights, &content);
   if (net->config().map && !theirs.map) AddMap(*net, &content);
+  if (net->config().own_encoder != theirs.own_encoder) KeepEncoder(*net, &content);
   SetWeights(content, "", weights, net);
-  if (!net->sight() || theirs.own_encoder) return;
+  if (!net->sight()) return;
   const IntegerSight sight(ReadQuantised(content, weights), theirs.rows);
   if (sight.net() != net->sight()->net()) {
     throw sim::FileError(weights, kIntegerPrefix,
@@ -260,18 +284,18 @@ void TakeEncoder(const std::filesystem::path& weights, PolicyNet* net) {
   const TensorFile content = ReadTensorFile(weights);
   const ModelConfig theirs = ModelConfigOf(content, weights);
   const ModelConfig own = net->config().seeing();
-  if (theirs.encoder != own.encoder || theirs.depth != own.depth || theirs.width != own.width ||
-      theirs.rows != own.rows) {
+  if (theirs.encoder != own.encoder || theirs.depth == DepthFusion::kSeparate ||
+      theirs.width != own.width || theirs.rows != own.rows) {
     throw sim::FileError(weights, "",
                          "has an encoder of another shape than the policy: it needs form panorama, "
-                         "depth as a channel, and the policy's width and rows");
+                         "depth as a channel or none, and the policy's width and rows");
   }
-  const std::string prefix = "encoder.";
   TensorFile encoder;
   for (const auto& [name, tensor] : content.tensors) {
-    if (name.starts_with(prefix)) encoder.tensors[name] = tensor;
+    if (name.starts_with(kEncoder)) encoder.tensors[name] = tensor;
   }
-  SetWeights(encoder, prefix, weights, net->named_children()["encoder"].get());
+  if (!theirs.uses_depth()) AddDepth(weights, &encoder);
+  SetWeights(encoder, kEncoder, weights, net->named_children()["encoder"].get());
 }
 
 }  // namespace bulletnav::agent

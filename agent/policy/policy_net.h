@@ -59,7 +59,6 @@ class PolicyNet : public torch::nn::Module {
   const std::shared_ptr<IntegerSight>& sight() const { return sight_; }  // or null
 
  private:
-  torch::Tensor EncodeInIntegers(const torch::Tensor& pictures) const;
   torch::Tensor Joined(const Seen& seen);
 
   PolicyConfig config_;
@@ -77,6 +76,8 @@ class PolicyNet : public torch::nn::Module {
   std::shared_ptr<Dense> value_;
 };
 
+/// What an encoder in integers makes of pictures as of PolicyNet::Encode: [n, code_size()].
+torch::Tensor CodesOf(IntegerSight* sight, const torch::Tensor& pictures, int rows);
 /// The encoder's input from pictures as of Encode: [n, 4, rows, cols] as of PrepareInput.
 torch::Tensor PolicyInput(const PolicyConfig& config, const torch::Tensor& pictures);
 
@@ -87,11 +88,12 @@ void SavePolicy(const PolicyNet& net, std::map<std::string, std::string> notes, 
 /// Throws FileError, also if the configuration is missing or bad.
 std::shared_ptr<PolicyNet> LoadPolicy(const std::filesystem::path& file);
 /// Takes the weights of a trained policy of the same shape, to go on from. A policy that is shown a
-/// map may take one's that is not: its map counts for nothing at first. Throws FileError if the
-/// policy is of another shape, or saw with another encoder in integers.
+/// map may take one's that is not: its map counts for nothing at first. A policy with an encoder of
+/// its own keeps it where the other has none. Throws FileError if the policy is of another shape,
+/// or saw with another encoder in integers.
 void TakePolicy(const std::filesystem::path& weights, PolicyNet* net);
-/// Takes the encoder of a semantic model of the same width and rows. Throws FileError if it is of
-/// another shape.
+/// Takes the encoder of a semantic model of the same width and rows; one of colour alone does not
+/// heed depth at first. Throws FileError if it is of another shape.
 void TakeEncoder(const std::filesystem::path& weights, PolicyNet* net);
 /// The encoder in integers of a semantic model or a policy, for pictures of so many rows. Throws
 /// FileError if the file has none.

@@ -26,7 +26,7 @@ ActorCritic::Seen Rollout::SeenBy(ActorCritic* net, const torch::Tensor& lanes) 
   seen.numbers = numbers.index_select(1, lanes);
   if (goals.defined()) SeeGoals(net, lanes, &seen);
   if (codes.defined()) seen.codes = codes.index_select(1, lanes);
-  if (!pictures.defined()) return seen;
+  if (codes.defined() || !pictures.defined()) return seen;
   const torch::Tensor shown = pictures.index_select(1, lanes);
   const std::int64_t rows = shown.size(0);
   const std::int64_t columns = shown.size(1);
@@ -41,7 +41,7 @@ void Rollout::SeeGoals(ActorCritic* net, const torch::Tensor& lanes,
   const std::int64_t columns = index.size(1);
   const auto in_order = at::_unique(index.reshape({-1}), true, true);
   const torch::Tensor used = goals.index_select(0, std::get<0>(in_order));
-  const bool learns = pictures.defined();
+  const bool learns = !codes.defined();
   const torch::Tensor coded = learns ? net->Encode(used) : used;
   seen->goal_codes = coded.index_select(0, std::get<1>(in_order)).view({rows, columns, -1});
 }
@@ -145,11 +145,11 @@ ActorCritic::Output Actor::Ask(Now* now) {
 
 /// What is kept of each step while it is played.
 struct Actor::Record {
-  std::vector<torch::Tensor> numbers, seen, goals, goal_index, starts, actions, lessons;
+  std::vector<torch::Tensor> numbers, pictures, codes, goals, goal_index, starts, actions, lessons;
   std::vector<torch::Tensor> log_probabilities;
   std::vector<std::int64_t> goal_of_lane;
   std::int64_t goal_count = 0;
-  bool keeps_pictures = false;
+  bool keeps_pictures = false;  // of goals, too
   bool asks = false;
 };
 
@@ -188,7 +188,8 @@ std::vector<int> Actor::Choose(const PlaySpec& spec, Record* record, ActorCritic
     Act(*output, &actions);
   }
   if (now.pictures.defined()) {
-    record->seen.push_back(record->keeps_pictures ? now.pictures : now.codes);
+    if (record->keeps_pictures || spec.pictures) record->pictures.push_back(now.pictures);
+    if (!record->keeps_pictures) record->codes.push_back(now.codes);
   }
   starts_ = torch::zeros_like(starts_);
   if (spec.lessons) {
@@ -248,9 +249,8 @@ void Actor::Stack(const Record& record, Rollout* rollout) const {
   rollout->goal_index = at::stack(record.goal_index);
   if (!record.lessons.empty()) rollout->lessons = at::stack(record.lessons);
   if (record.asks) rollout->log_probabilities = at::stack(record.log_probabilities);
-  if (!record.seen.empty()) {
-    (record.keeps_pictures ? rollout->pictures : rollout->codes) = at::stack(record.seen);
-  }
+  if (!record.pictures.empty()) rollout->pictures = at::stack(record.pictures);
+  if (!record.codes.empty()) rollout->codes = at::stack(record.codes);
   if (goals_.defined()) rollout->goals = at::cat(record.goals);
 }
 

@@ -23,9 +23,9 @@ struct EndedEpisode {
 /// What was seen and done in all lanes; tensors [steps, lanes, ...].
 struct Rollout {
   torch::Tensor numbers;
-  torch::Tensor pictures;    // u8; undefined unless the net learns to see
-  torch::Tensor codes;       // else what it made of them; undefined where there are no pictures
-  torch::Tensor goals;       // u8 [goals, bytes] or, as above, codes [goals, code]
+  torch::Tensor pictures;  // u8; undefined unless the net learns to see, or they are asked for
+  torch::Tensor codes;     // what it made of them; undefined if it learns to see, or there are none
+  torch::Tensor goals;     // u8 [goals, bytes] or, as above, codes [goals, code]
   torch::Tensor goal_index;  // [steps, lanes], of goals
   torch::Tensor starts;
   torch::Tensor actions;
@@ -59,6 +59,7 @@ struct PlaySpec {
   bool lessons = false;          // asks the teacher in each step
   double taught_episodes = 0.0;  // share of the episodes in which the teacher acts
   bool values = true;            // of the states, which only reinforcement needs
+  bool pictures = false;         // are kept, whether or not the net learns to see
 };
 
 /// Plays lanes by a policy, from one rollout to the next. Lanes fall into groups that are asked

@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 
+#include "agent/integer/quantised_file.h"
 #include "agent/models/model_registry.h"
 #include "agent/perception/semantic_net.h"
 #include "agent/policy/learned_policy.h"
@@ -164,6 +165,30 @@ TEST(PolicyEncoder, BeginsWithThatOfASemanticModel) {
   EXPECT_THROW(TakeIntegerEncoder(file, &net), sim::FileError);
 }
 
+TEST(PolicyEncoder, OfAModelOfColourDoesNotHeedDepthAtFirst) {
+  const tests::TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "nts.safetensors";
+  ModelConfig config = SmallPolicy().seeing();
+  config.norm = Norm::kBatch;
+  config.depth = DepthFusion::kNone;
+  SemanticNet semantic(config, 9);
+  SaveNet(semantic, {}, StoredType::kFloat32, file);
+  PolicyNet net(SmallPolicy(), 1);
+  TakeEncoder(file, &net);
+  semantic.eval();
+  const torch::NoGradGuard no_grad;
+  const torch::Tensor pictures = BytesOf(SomePanoramas(2, 2), 32);
+  const torch::Tensor blind = pictures.clone();
+  blind.view({2, -1, 4}).select(2, 3).zero_();
+  EXPECT_TRUE(at::equal(net.Encode(pictures), net.Encode(blind)));
+  auto encoder = std::dynamic_pointer_cast<Encoder>(semantic.named_children()["encoder"]);
+  ASSERT_NE(encoder, nullptr);
+  const torch::Tensor color = PolicyInput(net.config(), pictures).narrow(1, 0, 3);
+  EXPECT_LT(
+      (encoder->forward(color).view({2, -1}) - net.Encode(pictures)).abs().max().item<float>(),
+      1e-3f);
+}
+
 /// The encoder of `net` in integers, with the channels of its codes turned by `shift`.
 QuantisedNet TurnedChannels(QuantisedNet net, int shift) {
   QuantisedLayer& layer = net.layers.at("encoder.second");
@@ -228,6 +253,36 @@ TEST(TakePolicy, APolicyWithAMapBeginsAsOneWithout) {
       1e-6f);
   PolicyNet other(SmallPolicy(Fusion::kCorrelation), 9);
   EXPECT_THROW(TakePolicy(file, &other), sim::FileError);
+}
+
+TEST(TakePolicy, APolicyWithItsOwnEncoderKeepsItAndOneWithoutLeavesTheOthers) {
+  const torch::NoGradGuard no_grad;
+  const tests::TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "policy.safetensors";
+  const torch::Tensor pictures = BytesOf(SomePanoramas(1, 4), 32);
+  PolicyNet own(SmallPolicy(), 3);
+  const QuantisedNet encoder =
+      Quantise(&own, {pictures, pictures, torch::zeros({4, kPolicyNumbers})});
+  PolicyConfig config = SmallPolicy();
+  config.own_encoder = false;
+  PolicyNet seeing(config, 5);
+  seeing.SeeWith(std::make_shared<IntegerSight>(encoder, config.rows));
+  SavePolicy(seeing, {}, StoredType::kFloat32, file);
+  const torch::Tensor before = own.Encode(pictures);
+  const auto whole = [](const PolicyNet& net) {
+    return net.named_parameters()["whole.weight"];
+  };
+  EXPECT_FALSE(at::equal(whole(own), whole(seeing)));
+  TakePolicy(file, &own);
+  EXPECT_TRUE(at::equal(whole(own), whole(seeing)));
+  EXPECT_TRUE(at::equal(own.Encode(pictures), before));
+
+  SavePolicy(own, {}, StoredType::kFloat32, file);
+  AddQuantised(encoder, file, file);
+  PolicyNet back(config, 7);
+  back.SeeWith(seeing.sight());
+  TakePolicy(file, &back);
+  EXPECT_TRUE(at::equal(whole(back), whole(own)));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "agent/integer/integer_trunk.h"
 #include "agent/policy/policy_agent.h"
 #include "sim/base/elementary.h"
 
@@ -17,7 +18,12 @@ PictureNet::PictureNet(const agent::PolicyConfig& config, const std::optional<st
 }
 
 torch::Tensor PictureNet::Encode(const torch::Tensor& pictures) {
-  return policy_->Encode(pictures);
+  if (!hides_depth_) return policy_->Encode(pictures);
+  const torch::Tensor color = pictures.clone();
+  color.view({color.size(0), -1, agent::kInputChannels})
+      .select(2, agent::kInputChannels - 1)
+      .zero_();
+  return policy_->Encode(color);
 }
 
 ActorCritic::Output PictureNet::Run(const Seen& seen, const torch::Tensor& starts,

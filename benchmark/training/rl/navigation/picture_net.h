@@ -24,6 +24,9 @@ class PictureNet final : public ActorCritic {
   Output Run(const Seen& seen, const torch::Tensor& starts, const torch::Tensor& hidden) override;
   torch::Tensor NoMemory(int lanes) const override;
 
+  /// From now on it sees colour alone, whatever it is shown.
+  void HideDepth() { hides_depth_ = true; }
+
   /// From now on it stops as its agent does, see PolicyAgent::Config. For imitation only: what is
   /// drawn is then not the policy's distribution.
   void StopFrom(double probability) { stop_from_ = probability; }
@@ -33,6 +36,7 @@ class PictureNet final : public ActorCritic {
 
  private:
   std::shared_ptr<agent::PolicyNet> policy_;
+  bool hides_depth_ = false;
   double stop_from_ = 0.0;
 };
 

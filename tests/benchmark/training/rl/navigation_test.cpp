@@ -471,6 +471,62 @@ TEST_F(NavigationTest, PpoWithAMapResumesBitForBit) {
                 "_map");
 }
 
+class DistillationTest : public NavigationTest {
+ protected:
+  /// A policy with depth to learn from, and what else a training is told of it.
+  static std::string Guide(const std::string& name) {
+    agent::PolicyConfig config;
+    config.rows = config.features = config.memory = 32;
+    config.step_limit = 40;
+    config.precision = agent::Precision::kFloat32;
+    const torch::Tensor pictures =
+        torch::randint(0, 255, {4, 16 * 32 * 32}, at::detail::createCPUGenerator(1), torch::kUInt8);
+    agent::PolicyNet own(config, 3);
+    const agent::QuantisedNet encoder =
+        agent::Quantise(&own, {pictures, pictures, torch::zeros({4, agent::kPolicyNumbers})});
+    config.own_encoder = false;
+    agent::PolicyNet guide(config, 4);
+    guide.SeeWith(std::make_shared<agent::IntegerSight>(encoder, config.rows));
+    const std::filesystem::path file = folder_->path() / name;
+    agent::SavePolicy(guide, {}, agent::StoredType::kFloat32, file);
+    return "setting: rgb\npolicy_start: " + file.string() + "\n";
+  }
+};
+
+TEST_F(DistillationTest, ResumesBitForBit) {
+  ExpectResumes("distillation", Guide("guide") + "lanes: 4\ngroup: 2\nrollout: 2\n");
+}
+
+TEST_F(DistillationTest, TeachesTheEncoderAlone) {
+  class Explained final : public Watcher {
+   public:
+    void Validated(int /*step*/, const Measures& measures, const std::string& /*text*/) override {
+      shares.push_back(measures.at("explained"));
+    }
+    std::vector<double> shares;
+  } watcher;
+  const std::filesystem::path out = folder_->path() / "distilled";
+  std::string config = Config("distillation", out,
+                              Guide("known") +
+                                  "lanes: 4\ngroup: 2\nrollout: 4\noptimiser: {learning_rate: "
+                                  "0.003, schedule: constant, warmup_steps: 0}\n");
+  const std::string few = "steps: 5\nvalidate_every: 2\n";
+  config.replace(config.find(few), few.size(), "steps: 40\nvalidate_every: 20\n");
+  RunTraining(Job(config), &watcher);
+  const auto guide = agent::LoadPolicy(folder_->path() / "known");
+  const auto student = agent::LoadPolicy(out / "weights.safetensors");
+  const auto expected = guide->named_parameters();
+  int kept = 0;
+  for (const auto& item : student->named_parameters()) {
+    if (item.key().starts_with("encoder.")) continue;
+    const torch::Tensor apart = (item.value() - expected[item.key()]).abs().max();
+    EXPECT_LE(apart.item<float>(), 0.01f * expected[item.key()].abs().max().item<float>());
+    ++kept;
+  }
+  EXPECT_GT(kept, 10);
+  EXPECT_GT(watcher.shares.back(), watcher.shares.front() + 0.05);
+}
+
 TEST_F(NavigationTest, BadConfigsAreNamed) {
   const auto complaint = [&](const std::string& task, const std::string& more) {
     try {
@@ -485,6 +541,11 @@ TEST_F(NavigationTest, BadConfigsAreNamed) {
               HasSubstr("to must not be before from"));
   EXPECT_THAT(complaint("imitation", "dagger: {from: 1, to: 5, stop_from: 1}\n"),
               HasSubstr("stop_from must be in [0, 1)"));
+  EXPECT_THAT(complaint("distillation", "policy_start: nowhere.safetensors\n"),
+              HasSubstr("setting: rgb"));
+  EXPECT_THAT(complaint("distillation", "setting: rgb\n"), HasSubstr("policy_start is missing"));
+  EXPECT_THAT(complaint("distillation", "setting: rgb\npolicy_start: nowhere.safetensors\n"),
+              HasSubstr("nowhere"));
   EXPECT_THAT(complaint("ppo", "policy_start: nowhere.safetensors\n"), HasSubstr("nowhere"));
   EXPECT_THAT(complaint("ppo", "ppo: {lanes: 8, group: 4, minibatches: 3}\n"),
               HasSubstr("minibatches must divide"));
