@@ -5,6 +5,7 @@
 #include <bit>
 #include <charconv>
 #include <utility>
+#include <vector>
 
 #include "agent/perception/weights.h"
 #include "benchmark/training/rl/lanes_state.h"
@@ -14,15 +15,46 @@
 namespace bulletnav::bench {
 namespace {
 
-/// The numbers that a checkpoint keeps to the bit, by their names in it.
-std::array<std::pair<std::string, double*>, 7> Kept(RunningMoments* moments, PpoReport* report) {
-  return {{{"return.count", &moments->count},
-           {"return.mean", &moments->mean},
-           {"return.squares", &moments->squares},
-           {"report.entropy", &report->entropy},
-           {"report.kl", &report->kl},
-           {"report.clip_fraction", &report->clip_fraction},
-           {"report.explained_variance", &report->explained_variance}}};
+using Numbers = std::vector<std::pair<std::string, double*>>;
+
+/// The numbers that weights keep to the bit, by their names in the metadata.
+Numbers Kept(RunningMoments* moments) {
+  return {{"return.count", &moments->count},
+          {"return.mean", &moments->mean},
+          {"return.squares", &moments->squares}};
+}
+
+/// And those of a checkpoint.
+Numbers Kept(RunningMoments* moments, PpoReport* report) {
+  Numbers all = Kept(moments);
+  all.insert(all.end(), {{"report.entropy", &report->entropy},
+                         {"report.kl", &report->kl},
+                         {"report.clip_fraction", &report->clip_fraction},
+                         {"report.explained_variance", &report->explained_variance}});
+  return all;
+}
+
+using Metadata = std::map<std::string, std::string>;
+
+void Write(const Numbers& numbers, Metadata* metadata) {
+  for (const auto& [name, number] : numbers) {
+    (*metadata)[name] = std::to_string(std::bit_cast<std::uint64_t>(*number));
+  }
+}
+
+/// Throws FileError if one is missing; `remedy` ends its message.
+void Read(const Metadata& metadata, const std::filesystem::path& file, const std::string& remedy,
+          const Numbers& numbers) {
+  for (const auto& [name, number] : numbers) {
+    const auto found = metadata.find(name);
+    std::uint64_t bits = 0;
+    if (found == metadata.end() ||
+        std::from_chars(found->second.data(), found->second.data() + found->second.size(), bits)
+                .ec != std::errc()) {
+      throw sim::FileError(file, name, "is missing: " + remedy);
+    }
+    *number = std::bit_cast<double>(bits);
+  }
 }
 
 }  // namespace
@@ -73,23 +105,27 @@ void PpoTraining::AppendState(agent::TensorFile* content) const {
   AppendLanes({task_.get(), actor_.get(), peers_.get()}, content);
   RunningMoments moments = moments_;
   PpoReport report = report_;
-  for (const auto& [name, number] : Kept(&moments, &report)) {
-    content->metadata[name] = std::to_string(std::bit_cast<std::uint64_t>(*number));
-  }
+  Write(Kept(&moments, &report), &content->metadata);
 }
 
 void PpoTraining::SetState(const agent::TensorFile& content, const std::filesystem::path& file) {
   SetLanes(content, file, {task_.get(), actor_.get(), peers_.get()});
-  for (const auto& [name, number] : Kept(&moments_, &report_)) {
-    const auto found = content.metadata.find(name);
-    std::uint64_t bits = 0;
-    if (found == content.metadata.end() ||
-        std::from_chars(found->second.data(), found->second.data() + found->second.size(), bits)
-                .ec != std::errc()) {
-      throw sim::FileError(file, name, "is missing: this is not a checkpoint of PPO; remove it");
-    }
-    *number = std::bit_cast<double>(bits);
-  }
+  Read(content.metadata, file, "this is not a checkpoint of PPO; remove it",
+       Kept(&moments_, &report_));
+}
+
+std::map<std::string, std::string> PpoTraining::WithReturns(
+    std::map<std::string, std::string> notes) const {
+  RunningMoments moments = moments_;
+  Write(Kept(&moments), &notes);
+  return notes;
+}
+
+void PpoTraining::TakeReturns(const std::filesystem::path& weights) {
+  const agent::TensorFile content = agent::ReadTensorFile(weights);
+  const Numbers numbers = Kept(&moments_);
+  if (!content.metadata.contains(numbers.front().first)) return;
+  Read(content.metadata, weights, "train the policy again", numbers);
 }
 
 }  // namespace bulletnav::bench

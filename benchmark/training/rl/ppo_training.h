@@ -52,6 +52,10 @@ class PpoTraining : public Training {
  protected:
   /// How the last update went, and the episodes that ended since the last call, under their names.
   void AppendReport(Measures* measures);
+  /// Notes for weights, and how returns spread, by which the values in them are normalised; and
+  /// back from weights that are gone on from, if they have it. Throws FileError if it is damaged.
+  std::map<std::string, std::string> WithReturns(std::map<std::string, std::string> notes) const;
+  void TakeReturns(const std::filesystem::path& weights);
   const ActorCritic& policy() const { return *net_; }
   ActorCritic& policy() { return *net_; }
   const RunningMoments& moments() const { return moments_; }

@@ -2,6 +2,7 @@
 #include <map>
 #include <utility>
 
+#include "benchmark/base/shipped_file.h"
 #include "benchmark/training/core/registry.h"
 #include "benchmark/training/rl/navigation/navigation_plan.h"
 #include "benchmark/training/rl/ppo_training.h"
@@ -43,8 +44,8 @@ class PpoNavigationTraining final : public PpoTraining {
   std::int64_t FramesBefore() const override { return world_->frames_before(); }
   void Save(std::map<std::string, std::string> notes,
             const std::filesystem::path& file) const override {
-    agent::SavePolicy(*net_of_policy().policy(), std::move(notes), agent::StoredType::kBfloat16,
-                      file);
+    agent::SavePolicy(*net_of_policy().policy(), WithReturns(std::move(notes)),
+                      agent::StoredType::kBfloat16, file);
   }
   std::optional<Measures> Quantise(const std::filesystem::path& file) override {
     std::optional<Measures> measures =
@@ -80,7 +81,9 @@ class PpoNavigationTraining final : public PpoTraining {
             },
             peers),
         config_(config),
-        world_(world) {}
+        world_(world) {
+    if (config.navigation.policy_start) TakeReturns(ShippedOr(*config.navigation.policy_start));
+  }
 
   const PictureNet& net_of_policy() const { return dynamic_cast<const PictureNet&>(policy()); }
 

@@ -2,6 +2,7 @@
 // Policies that are trained in a small building: what they are shown, and that a training goes on
 // as if it had not been killed.
 #include <array>
+#include <bit>
 #include <cmath>
 #include <filesystem>
 #include <optional>
@@ -459,6 +460,25 @@ TEST_F(NavigationTest, WeightsCountTheFramesOfThoseThatTheyWentOnFrom) {
   EXPECT_EQ(agent::FramesTrained(second / "weights.safetensors"), 2 * 5 * 16);
   EXPECT_THAT(sim::ReadTextFile(second / "weights.md"),
               HasSubstr("80 frames in all, on top of 80"));
+}
+
+TEST_F(NavigationTest, PpoGoesOnWithTheReturnsThatItHasSeen) {
+  const auto trained = [&](const char* name, const std::string& more) {
+    const std::filesystem::path out = folder_->path() / name;
+    Watcher watcher(0);
+    RunTraining(Job(Config("ppo", out, "ppo: {lanes: 4, group: 2, rollout: 4}\n" + more)),
+                &watcher);
+    return out / "weights.safetensors";
+  };
+  const auto returns = [](const std::filesystem::path& weights) {
+    return std::bit_cast<double>(
+        std::uint64_t{std::stoull(agent::ReadTensorFile(weights).metadata.at("return.count"))});
+  };
+  const std::filesystem::path first = trained("returns", "");
+  const std::filesystem::path second =
+      trained("more_returns", "policy_start: " + first.string() + "\n");
+  EXPECT_EQ(returns(first), 5 * 16);
+  EXPECT_EQ(returns(second), 2 * 5 * 16);
 }
 
 TEST_F(NavigationTest, PpoResumesBitForBit) {
