@@ -19,6 +19,8 @@ namespace {
 struct CompareOptions {
   std::filesystem::path first;
   std::filesystem::path second;
+  std::string against;
+  bool markdown = false;
   std::vector<std::string> agents;
   std::vector<std::string> settings;
   std::vector<std::string> conditions;
@@ -34,7 +36,10 @@ void Compare(const CompareOptions& options) {
                            NamesOf(options.conditions)};
   const std::vector<EpisodeResult> first = ReadResults(options.first);
   const std::vector<EpisodeResult> second = ReadResults(options.second);
-  fmt::print("{}", ToText(CompareRuns(first, second, pairing)));
+  const Comparison comparison = options.against.empty()
+                                    ? CompareRuns(first, second, pairing)
+                                    : CompareWithAll(first, second, options.against, pairing);
+  fmt::print("{}", options.markdown ? ToMarkdown(comparison) : ToText(comparison));
 }
 
 }  // namespace
@@ -45,10 +50,16 @@ void AddCompareCommand(CLI::App* program) {
       "compare", "Differences between two runs on the same episodes, with confidence");
   command->add_option("first", options->first, "Folder of results")->required();
   command->add_option("second", options->second, "Folder of results; may be the same")->required();
+  CLI::Option* agents =
+      command
+          ->add_option("--agents", options->agents,
+                       "An agent of the first and one of the second (default: those of one name)")
+          ->expected(2);
   command
-      ->add_option("--agents", options->agents,
-                   "An agent of the first and one of the second (default: those of one name)")
-      ->expected(2);
+      ->add_option("--against", options->against,
+                   "An agent of the first, with each other one of the second")
+      ->excludes(agents);
+  command->add_flag("--markdown", options->markdown, "A table for a page");
   command
       ->add_option("--settings", options->settings,
                    "A setting of the first and one of the second, as rgb rgbd")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/runs/comparison.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -96,6 +97,26 @@ ComparedMeasure Compared(const Measure& measure, const Pairs& pairs) {
   return {measure, Mean(a), Mean(b), ComparePairs(a, b, kBootstrapSeed)};
 }
 
+constexpr const char* kLegend =
+    "differences: second less first, with the 95% interval of their mean, and p of the sign test, "
+    "which asks how many pairs got better, not by how much";
+
+std::string Chance(const PairedDifference& difference) {
+  return difference.p_value < 0.001 ? "p < 0.001" : fmt::format("p {:.3f}", difference.p_value);
+}
+
+std::string DifferenceText(const PairedDifference& d) {
+  return fmt::format("{:+.3f} [{:+.3f}, {:+.3f}] {}", d.mean, d.interval.low, d.interval.high,
+                     Chance(d));
+}
+
+/// A line, or nothing if all had one.
+std::string LeftOut(const Comparison& comparison) {
+  if (comparison.only_a + comparison.only_b == 0) return "";
+  return fmt::format("left out for want of a partner: {} results of the first, {} of the second\n",
+                     comparison.only_a, comparison.only_b);
+}
+
 ComparisonRow MakeRow(const RowKey& key, const Pairs& pairs, const Pairing& pairing) {
   const ResultKey partner =
       Partner({key.agent_a, key.setting_a, key.condition_a, 0, "", ""}, pairing);
@@ -114,11 +135,11 @@ ComparisonRow MakeRow(const RowKey& key, const Pairs& pairs, const Pairing& pair
   return row;
 }
 
-}  // namespace
+using Sides = std::pair<std::string, std::string>;
 
-Comparison CompareRuns(const std::vector<EpisodeResult>& a, const std::vector<EpisodeResult>& b,
-                       const Pairing& pairing) {
-  using Sides = std::pair<std::string, std::string>;
+/// Without rows if there is nothing to pair.
+Comparison Compare(const std::vector<EpisodeResult>& a, const std::vector<EpisodeResult>& b,
+                   const Pairing& pairing) {
   const ResultMap all_a = ByKey(a, pairing, &Sides::first);
   const ResultMap all_b = ByKey(b, pairing, &Sides::second);
   std::map<RowKey, Pairs> groups;
@@ -134,12 +155,6 @@ Comparison CompareRuns(const std::vector<EpisodeResult>& a, const std::vector<Ep
     row.difficulty = static_cast<std::size_t>(*result_a->difficulty);
     groups[row].emplace_back(result_a, found->second);
   }
-  if (pairs == 0) {
-    throw sim::Error(fmt::format(
-        "the runs share no results: one has {}; the other {}; name one of each with --agents, "
-        "--settings or --conditions, or compare runs of the same episodes",
-        ContentsOf(a), ContentsOf(b)));
-  }
   Comparison comparison;
   for (const auto& [key, row_pairs] : groups) {
     comparison.rows.push_back(MakeRow(key, row_pairs, pairing));
@@ -149,11 +164,40 @@ Comparison CompareRuns(const std::vector<EpisodeResult>& a, const std::vector<Ep
   return comparison;
 }
 
+[[noreturn]] void ThrowNothingShared(const std::vector<EpisodeResult>& a,
+                                     const std::vector<EpisodeResult>& b) {
+  throw sim::Error(fmt::format(
+      "the runs share no results: one has {}; the other {}; name one of each with --agents, "
+      "--settings or --conditions, or compare runs of the same episodes",
+      ContentsOf(a), ContentsOf(b)));
+}
+
+}  // namespace
+
+Comparison CompareRuns(const std::vector<EpisodeResult>& a, const std::vector<EpisodeResult>& b,
+                       const Pairing& pairing) {
+  Comparison comparison = Compare(a, b, pairing);
+  if (comparison.rows.empty()) ThrowNothingShared(a, b);
+  return comparison;
+}
+
+Comparison CompareWithAll(const std::vector<EpisodeResult>& a, const std::vector<EpisodeResult>& b,
+                          const std::string& agent, const Pairing& pairing) {
+  std::set<std::string> others;
+  for (const EpisodeResult& result : b) others.insert(result.key.agent);
+  others.erase(agent);
+  Comparison all;
+  for (const std::string& other : others) {
+    Pairing pair = pairing;
+    pair.agents = {agent, other};
+    const Comparison one = Compare(a, b, pair);
+    all.rows.insert(all.rows.end(), one.rows.begin(), one.rows.end());
+  }
+  if (all.rows.empty()) ThrowNothingShared(a, b);
+  return all;
+}
+
 std::string ToText(const Comparison& comparison) {
-  const auto difference = [](const PairedDifference& d) {
-    const std::string p = d.p_value < 0.001 ? "p < 0.001" : fmt::format("p {:.3f}", d.p_value);
-    return fmt::format("{:+.3f} [{:+.3f}, {:+.3f}] {}", d.mean, d.interval.low, d.interval.high, p);
-  };
   std::string text;
   std::string last;
   for (const ComparisonRow& row : comparison.rows) {
@@ -169,18 +213,37 @@ std::string ToText(const Comparison& comparison) {
       pairs = m.difference.pairs;
       text += fmt::format("  {:<8} {:<11}  {:<7} {:.2f} -> {:.2f}: {}\n",
                           is_first ? row.difficulty : "", count, m.measure.label, m.a, m.b,
-                          difference(m.difference));
+                          DifferenceText(m.difference));
     }
   }
-  text +=
-      "differences: second less first, with the 95% interval of their mean, and p of the sign "
-      "test, which asks how many pairs got better, not by how much\n";
-  if (comparison.only_a + comparison.only_b > 0) {
-    text +=
-        fmt::format("left out for want of a partner: {} results of the first, {} of the second\n",
-                    comparison.only_a, comparison.only_b);
+  return text + kLegend + "\n" + LeftOut(comparison);
+}
+
+std::string ToMarkdown(const Comparison& comparison) {
+  std::string head = "| | | |";
+  std::string rule = "| --- | --- | --- |";
+  for (const Measure& measure : MainMeasures()) {
+    head += fmt::format(" {} | difference |", measure.label);
+    rule += " ---: | ---: |";
   }
-  return text;
+  std::string text = head + "\n" + rule + "\n";
+  for (const ComparisonRow& row : comparison.rows) {
+    const int pairs = row.measures.empty() ? 0 : row.measures.front().difference.pairs;
+    text += fmt::format("| {} | {}, {} | {}, {} pairs |", Between(row.agent_a, row.agent_b),
+                        row.setting, row.condition, row.difficulty, pairs);
+    for (const Measure& measure : MainMeasures()) {
+      const auto found = std::find_if(row.measures.begin(), row.measures.end(),
+                                      [&](const ComparedMeasure& compared) {
+                                        return compared.measure.name == measure.name;
+                                      });
+      text += found == row.measures.end()
+                  ? "  |  |"
+                  : fmt::format(" {:.2f} to {:.2f} | {} |", found->a, found->b,
+                                DifferenceText(found->difference));
+    }
+    text += "\n";
+  }
+  return text + "\n" + kLegend + "\n" + LeftOut(comparison);
 }
 
 }  // namespace bulletnav::bench

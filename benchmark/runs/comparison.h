@@ -50,7 +50,16 @@ struct Comparison {
 Comparison CompareRuns(const std::vector<EpisodeResult>& a, const std::vector<EpisodeResult>& b,
                        const Pairing& pairing);
 
+/// One agent of the first run with each other one of the second, in the order of their names, as
+/// far as they share results; what has no partner is not counted. `pairing`: of settings and
+/// conditions; its agents are not read. Throws sim::Error as CompareRuns does, also if the first
+/// run has no such agent.
+Comparison CompareWithAll(const std::vector<EpisodeResult>& a, const std::vector<EpisodeResult>& b,
+                          const std::string& agent, const Pairing& pairing);
+
 /// A table for the terminal: both runs' figures, the differences, their 95% intervals and p.
 std::string ToText(const Comparison& comparison);
+/// The same for a page, a line a row.
+std::string ToMarkdown(const Comparison& comparison);
 
 }  // namespace bulletnav::bench

@@ -247,6 +247,8 @@ TEST_F(CommandsTest, ARunIsPlayedTabledComparedAndDrawn) {
   EXPECT_EQ(Read("results/run/table.md"), table);
   EXPECT_THAT(Output("compare results/run results/run --agents shortest_path random"),
               HasSubstr("shortest_path"));
+  EXPECT_THAT(Output("compare results/run results/run --against random --markdown"),
+              HasSubstr("| random -> shortest_path |"));
   EXPECT_THAT(Output("plot results/run --worst 1"), HasSubstr("results/run/plots"));
   EXPECT_GE(CountFiles("results/run/plots", ".svg"), 1);
 }

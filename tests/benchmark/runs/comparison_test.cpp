@@ -64,6 +64,24 @@ TEST(CompareRuns, PairsTwoAgentsByName) {
   EXPECT_THAT(ToText(comparison), HasSubstr("y -> x, rgbd, noise"));
 }
 
+TEST(CompareWithAll, PairsOneAgentWithEachOther) {
+  auto run = MakeRun("x", 4);
+  for (const auto& other : {MakeRun("y", 14), MakeRun("z", 4)}) {
+    run.insert(run.end(), other.begin(), other.end());
+  }
+  const Comparison comparison = CompareWithAll(run, run, "y", {});
+  ASSERT_EQ(comparison.rows.size(), 6u);
+  EXPECT_EQ(comparison.rows[2].agent_b, "x");
+  EXPECT_DOUBLE_EQ(comparison.rows[2].measures[0].difference.mean, -0.5);
+  EXPECT_EQ(comparison.rows[5].agent_b, "z");
+  EXPECT_EQ(comparison.only_a + comparison.only_b, 0);
+  const std::string page = ToMarkdown(comparison);
+  EXPECT_THAT(page,
+              HasSubstr("| y -> z | rgbd, noise | overall, 20 pairs | 0.70 to 0.20 | -0.500 ["));
+  EXPECT_THROW(CompareWithAll(run, run, "w", {}), sim::Error);
+  EXPECT_THROW(CompareWithAll(MakeRun("x", 4), MakeRun("x", 4), "x", {}), sim::Error);
+}
+
 TEST(CompareRuns, LeavesOutWhatHasNoPartnerAndSaysSo) {
   const Comparison comparison = CompareRuns(MakeRun("x", 4), MakeRun("x", 4, 12), {});
   EXPECT_EQ(comparison.rows[2].measures[0].difference.pairs, 12);
