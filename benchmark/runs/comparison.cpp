@@ -110,6 +110,24 @@ std::string DifferenceText(const PairedDifference& d) {
                      Chance(d));
 }
 
+/// Of one row; measures that it lacks are empty cells.
+std::string MarkdownLine(const ComparisonRow& row) {
+  const int pairs = row.measures.empty() ? 0 : row.measures.front().difference.pairs;
+  std::string line =
+      fmt::format("| {} | {}, {} | {}, {} pairs |", Between(row.agent_a, row.agent_b), row.setting,
+                  row.condition, row.difficulty, pairs);
+  for (const Measure& measure : MainMeasures()) {
+    const auto found = std::find_if(row.measures.begin(), row.measures.end(),
+                                    [&](const ComparedMeasure& compared) {
+                                      return compared.measure.name == measure.name;
+                                    });
+    line += found == row.measures.end() ? "  |  |"
+                                        : fmt::format(" {:.2f} to {:.2f} | {} |", found->a,
+                                                      found->b, DifferenceText(found->difference));
+  }
+  return line + "\n";
+}
+
 /// A line, or nothing if all had one.
 std::string LeftOut(const Comparison& comparison) {
   if (comparison.only_a + comparison.only_b == 0) return "";
@@ -228,20 +246,7 @@ std::string ToMarkdown(const Comparison& comparison) {
   }
   std::string text = head + "\n" + rule + "\n";
   for (const ComparisonRow& row : comparison.rows) {
-    const int pairs = row.measures.empty() ? 0 : row.measures.front().difference.pairs;
-    text += fmt::format("| {} | {}, {} | {}, {} pairs |", Between(row.agent_a, row.agent_b),
-                        row.setting, row.condition, row.difficulty, pairs);
-    for (const Measure& measure : MainMeasures()) {
-      const auto found = std::find_if(row.measures.begin(), row.measures.end(),
-                                      [&](const ComparedMeasure& compared) {
-                                        return compared.measure.name == measure.name;
-                                      });
-      text += found == row.measures.end()
-                  ? "  |  |"
-                  : fmt::format(" {:.2f} to {:.2f} | {} |", found->a, found->b,
-                                DifferenceText(found->difference));
-    }
-    text += "\n";
+    text += MarkdownLine(row);
   }
   return text + "\n" + kLegend + "\n" + LeftOut(comparison);
 }
