@@ -50,14 +50,19 @@ torch::Tensor Turns() {
   return torch::tensor(indices, torch::kInt64);
 }
 
-/// Weights of a policy that is shown no map, as those of one that is: its own branch for the map,
-/// to which the layer after it does not listen yet.
-void AddMap(const PolicyNet& net, TensorFile* weights) {
+/// Puts those of the policy's own weights whose names start so among others'.
+void KeepOwn(const PolicyNet& net, const std::string& prefix, TensorFile* weights) {
   TensorFile own;
   AppendWeights(net, "", &own);
   for (const auto& [name, tensor] : own.tensors) {
-    if (name.starts_with(kMap + std::string("."))) weights->tensors[name] = tensor;
+    if (name.starts_with(prefix)) weights->tensors[name] = tensor;
   }
+}
+
+/// Weights of a policy that is shown no map, as those of one that is: its own branch for the map,
+/// to which the layer after it does not listen yet.
+void AddMap(const PolicyNet& net, TensorFile* weights) {
+  KeepOwn(net, kMap + std::string("."), weights);
   const auto joined = weights->tensors.find(kJoined + std::string(".weight"));
   if (joined == weights->tensors.end()) return;  // SetWeights complains
   const torch::Tensor narrow = FromStored(joined->second);
@@ -69,11 +74,7 @@ void KeepEncoder(const PolicyNet& net, TensorFile* weights) {
   std::erase_if(weights->tensors, [](const auto& tensor) {
     return tensor.first.starts_with(kEncoder);
   });
-  TensorFile own;
-  AppendWeights(net, "", &own);
-  for (const auto& [name, tensor] : own.tensors) {
-    if (name.starts_with(kEncoder)) weights->tensors[name] = tensor;
-  }
+  KeepOwn(net, kEncoder, weights);
 }
 
 /// A stem that reads colour alone, as one that is given depth, too, and does not heed it.
@@ -144,12 +145,13 @@ std::int64_t PolicyNet::code_size() const {
   return kCodes + (config_.map ? std::int64_t{kPolicyMapBytes} : 0);
 }
 
-torch::Tensor CodesOf(IntegerSight* sight, const torch::Tensor& pictures, int rows) {
-  const torch::Tensor bytes = pictures.narrow(1, 0, 16 * std::int64_t{rows} * rows).contiguous();
+torch::Tensor PolicyNet::EncodeInIntegers(const torch::Tensor& pictures) const {
+  const std::int64_t rows = config_.rows;
+  const torch::Tensor bytes = pictures.narrow(1, 0, 16 * rows * rows).contiguous();
   const IntegerEncoder::Codes codes =
-      sight->Codes({bytes.data_ptr<std::uint8_t>(), static_cast<std::size_t>(bytes.numel())});
-  torch::Tensor numbers = torch::empty({pictures.size(0), sight->code_size()});
-  const auto step = static_cast<float>(sight->code_step());
+      sight_->Codes({bytes.data_ptr<std::uint8_t>(), static_cast<std::size_t>(bytes.numel())});
+  torch::Tensor numbers = torch::empty({pictures.size(0), kCodes});
+  const auto step = static_cast<float>(sight_->code_step());
   std::transform(codes.begin(), codes.end(), numbers.data_ptr<float>(), [step](std::int16_t code) {
     return step * static_cast<float>(code);
   });
@@ -158,7 +160,7 @@ torch::Tensor CodesOf(IntegerSight* sight, const torch::Tensor& pictures, int ro
 
 torch::Tensor PolicyNet::Encode(const torch::Tensor& pictures) {
   const torch::Tensor codes =
-      sight_ ? CodesOf(sight_.get(), pictures, config_.rows)
+      sight_ ? EncodeInIntegers(pictures)
              : encoder_->forward(PolicyInput(config_, pictures)).view({-1, kCodes});
   if (!map_) return codes;
   const std::int64_t bytes = kPolicyMapBytes;

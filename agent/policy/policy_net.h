@@ -59,6 +59,7 @@ class PolicyNet : public torch::nn::Module {
   const std::shared_ptr<IntegerSight>& sight() const { return sight_; }  // or null
 
  private:
+  torch::Tensor EncodeInIntegers(const torch::Tensor& pictures) const;
   torch::Tensor Joined(const Seen& seen);
 
   PolicyConfig config_;
@@ -76,8 +77,6 @@ class PolicyNet : public torch::nn::Module {
   std::shared_ptr<Dense> value_;
 };
 
-/// What an encoder in integers makes of pictures as of PolicyNet::Encode: [n, code_size()].
-torch::Tensor CodesOf(IntegerSight* sight, const torch::Tensor& pictures, int rows);
 /// The encoder's input from pictures as of Encode: [n, 4, rows, cols] as of PrepareInput.
 torch::Tensor PolicyInput(const PolicyConfig& config, const torch::Tensor& pictures);
 
