@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <map>
 #include <numeric>
 #include <utility>
 
@@ -8,7 +7,7 @@
 #include "benchmark/base/shipped_file.h"
 #include "benchmark/training/core/registry.h"
 #include "benchmark/training/rl/lane_groups.h"
-#include "benchmark/training/rl/lanes_state.h"
+#include "benchmark/training/rl/navigation/lane_training.h"
 #include "benchmark/training/rl/navigation/navigation_plan.h"
 #include "benchmark/training/rl/rollout.h"
 #include "sim/base/error.h"
@@ -71,93 +70,55 @@ agent::PolicyConfig GuideOf(const std::string& weights) {
 /// same panoramas. All other layers are the guide's, and stay as they are.
 /// Source: Gupta, Hoffman and Malik, "Cross modal distillation for supervision transfer", CVPR
 /// 2016.
-class DistillationTraining final : public Training {
+class DistillationTraining final : public LaneTraining {
  public:
   static constexpr std::string_view kName = "distillation";
   using Config = DistillationConfig;
 
   DistillationTraining(const Config& config, const TrainContext& context)
-      : config_(config),
-        peers_(context.peers),
-        guide_(MakeGuide()),
-        world_(config.navigation, context),
-        pool_(peers_ ? peers_->threads() : 0),
-        net_(Make()),
-        lanes_(std::make_unique<NavigationLanes>(Lanes(), world_.scenes(), &pool_)),
-        groups_(
-            config.lanes, config.group,
-            [this] {
-              return Make();
-            },
-            net_.get(), &pool_, peers_.get()),
-        actor_(std::make_unique<Actor>(lanes_.get(), guide_.get(), &pool_, config.group,
-                                       config.seed)) {}
-
-  torch::nn::Module& net() override { return *net_; }
-  bool shares_work() const override { return true; }
+      : LaneTraining(Checked(config.navigation), {config.lanes, config.group, config.rollout},
+                     context),
+        config_(config),
+        guide_(MakeGuide()) {
+    TakeNet([config] {
+      return Make(config);
+    });
+    TakeLanes(Lanes(), guide_.get(), config.seed);
+  }
 
   double Learn(const TrainStep& step) override {
     PlaySpec play;
     play.steps = config_.rollout;
     play.pictures = true;
     play.values = false;
-    lanes_->StartRollout(1.0 * step.step / config_.steps);
-    const Rollout rollout = actor_->Play(play, {});
-    std::vector<int> all(static_cast<std::size_t>(groups_.groups()));
-    std::iota(all.begin(), all.end(), 0);
-    const std::vector<double> missed = groups_.Differentiate(all, [&](int group, ActorCritic* net) {
-      return Missed(rollout, groups_.LanesOf(group), net);
-    });
-    LimitGradients(*net_, config_.gradient_norm);
+    lanes()->StartRollout(1.0 * step.step / config_.steps);
+    const Rollout rollout = actor()->Play(play, {});
+    const std::vector<double> missed =
+        groups()->Differentiate(AllGroups(), [&](int group, ActorCritic* net) {
+          return Missed(rollout, groups()->LanesOf(group), net);
+        });
+    LimitGradients(net(), config_.gradient_norm);
     step.optimiser->Step(step.rate);
     const double loss = std::accumulate(missed.begin(), missed.end(), 0.0);
     missed_ = loss / static_cast<double>(missed.size());
     return missed_;
   }
 
-  Measures Validate() override {
-    Measures measures = world_.Validate(net_->policy(), &pool_);
-    measures("explained", 1.0 - missed_);
-    return measures;
-  }
-
-  std::int64_t FramesAfter(int steps) const override {
-    return std::int64_t{steps} * config_.lanes * config_.rollout;
-  }
-  std::int64_t FramesBefore() const override { return world_.frames_before(); }
-  void Save(std::map<std::string, std::string> notes,
-            const std::filesystem::path& file) const override {
-    agent::SavePolicy(*net_->policy(), std::move(notes), agent::StoredType::kBfloat16, file);
-  }
-  void AppendState(agent::TensorFile* content) const override { AppendLanes(Ref(), content); }
-  void SetState(const agent::TensorFile& content, const std::filesystem::path& file) override {
-    SetLanes(content, file, Ref());
-  }
-  std::optional<Measures> Quantise(const std::filesystem::path& file) override {
-    std::optional<Measures> measures = world_.Quantise(net_->policy().get(), file, &pool_);
-    if (measures) (*measures)("explained", 1.0 - missed_);
-    return measures;
-  }
   std::string title() const override {
     return "A policy that sees from colour what one with depth sees";
   }
-  std::string Describe(const Measures& measures) const override {
-    return DescribeNavigation(measures);
-  }
-  std::string curves_label() const override { return "success, validation"; }
-  std::vector<CurveLine> curves() const override {
-    return NavigationCurves(config_.navigation.setting);
-  }
-  std::vector<std::pair<std::string, std::string>> CardRows() const override {
-    return world_.CardRows(config_.lanes, config_.rollout);
-  }
-  std::string validated_on() const override { return world_.validated_on(); }
 
  private:
-  LanesRef Ref() const { return {lanes_.get(), actor_.get(), peers_.get()}; }
+  /// Tells of a guide that will not do before scenes are loaded.
+  static const NavigationPlan& Checked(const NavigationPlan& plan) {
+    GuideOf(*plan.policy_start);
+    return plan;
+  }
 
-  std::unique_ptr<PictureNet> Make() const {
-    std::unique_ptr<PictureNet> net = config_.navigation.MakeNet(config_.seed);
+  void AppendLearned(Measures* measures) const override { (*measures)("explained", 1.0 - missed_); }
+
+  static std::unique_ptr<PictureNet> Make(const Config& config) {
+    std::unique_ptr<PictureNet> net = config.navigation.MakeNet(config.seed);
     net->HideDepth();
     return net;
   }
@@ -172,8 +133,7 @@ class DistillationTraining final : public Training {
   }
 
   NavigationSpec Lanes() const {
-    NavigationSpec spec =
-        config_.navigation.Lanes(ShareOf(config_.lanes, config_.group, 1, peers_.get()), false);
+    NavigationSpec spec = config_.navigation.Lanes(Share(), false);
     spec.setting = LaneSetting::kRgbd;  // for the guide
     spec.task.depth = true;
     return spec;
@@ -192,14 +152,7 @@ class DistillationTraining final : public Training {
   }
 
   Config config_;
-  std::shared_ptr<Peers> peers_;
   std::unique_ptr<PictureNet> guide_;
-  NavigationWorld world_;
-  sim::WorkerPool pool_;
-  std::unique_ptr<PictureNet> net_;
-  std::unique_ptr<NavigationLanes> lanes_;
-  LaneGroups groups_;
-  std::unique_ptr<Actor> actor_;
   double missed_ = 1.0;
 };
 

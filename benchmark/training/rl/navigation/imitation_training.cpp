@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <array>
-#include <map>
-#include <numeric>
-#include <utility>
+#include <vector>
 
 #include "benchmark/training/core/registry.h"
 #include "benchmark/training/rl/lane_groups.h"
-#include "benchmark/training/rl/lanes_state.h"
+#include "benchmark/training/rl/navigation/lane_training.h"
 #include "benchmark/training/rl/navigation/navigation_plan.h"
 #include "benchmark/training/rl/rollout.h"
 #include "sim/base/error.h"
@@ -84,33 +80,20 @@ struct ImitationConfig : TrainPlan {
 
 /// Behavioural cloning of the shortest path, and DAgger: a policy learns to do what a teacher who
 /// sees the truth does. Source: Neural Topological SLAM, section 5.1.
-class ImitationTraining final : public Training {
+class ImitationTraining final : public LaneTraining {
  public:
   static constexpr std::string_view kName = "imitation";
   using Config = ImitationConfig;
 
   ImitationTraining(const Config& config, const TrainContext& context)
-      : config_(config),
-        peers_(context.peers),
-        world_(config.navigation, context),
-        pool_(peers_ ? peers_->threads() : 0),
-        net_(Make()),
-        lanes_(std::make_unique<NavigationLanes>(
-            config.navigation.Lanes(ShareOf(config.lanes, config.group, 1, peers_.get()), true),
-            world_.scenes(), &pool_)),
-        groups_(
-            config.lanes, config.group,
-            [this] {
-              return Make();
-            },
-            net_.get(), &pool_, peers_.get()),
-        actor_(
-            std::make_unique<Actor>(lanes_.get(), net_.get(), &pool_, config.group, config.seed)) {
-    if (config.dagger) net_->StopFrom(config.dagger->stop_from);
+      : LaneTraining(config.navigation, {config.lanes, config.group, config.rollout}, context),
+        config_(config) {
+    TakeNet([config] {
+      return config.navigation.MakeNet(config.seed);
+    });
+    TakeLanes(config.navigation.Lanes(Share(), true), picture_net(), config.seed);
+    if (config.dagger) picture_net()->StopFrom(config.dagger->stop_from);
   }
-
-  torch::nn::Module& net() override { return *net_; }
-  bool shares_work() const override { return true; }
 
   double Learn(const TrainStep& step) override {
     PlaySpec play;
@@ -118,52 +101,18 @@ class ImitationTraining final : public Training {
     play.lessons = true;
     play.taught_episodes = config_.dagger ? config_.dagger->ShareAt(step.step) : 1.0;
     play.values = false;
-    lanes_->StartRollout(1.0 * step.step / config_.steps);
-    const Rollout rollout = actor_->Play(play, {});
+    lanes()->StartRollout(1.0 * step.step / config_.steps);
+    const Rollout rollout = actor()->Play(play, {});
     double loss = 0.0;
     for (int epoch = 0; epoch < config_.epochs; ++epoch) {
       loss = Update(rollout, play.taught_episodes >= 1.0 && epoch == 0);
-      LimitGradients(*net_, config_.gradient_norm);
+      LimitGradients(net(), config_.gradient_norm);
       step.optimiser->Step(step.rate);
     }
     return loss;
   }
 
-  Measures Validate() override {
-    Measures measures = world_.Validate(net_->policy(), &pool_);
-    measures("agreement", agreement_);
-    return measures;
-  }
-
-  std::int64_t FramesAfter(int steps) const override {
-    return std::int64_t{steps} * config_.lanes * config_.rollout;
-  }
-  std::int64_t FramesBefore() const override { return world_.frames_before(); }
-  void Save(std::map<std::string, std::string> notes,
-            const std::filesystem::path& file) const override {
-    agent::SavePolicy(*net_->policy(), std::move(notes), agent::StoredType::kBfloat16, file);
-  }
-  void AppendState(agent::TensorFile* content) const override { AppendLanes(Ref(), content); }
-  void SetState(const agent::TensorFile& content, const std::filesystem::path& file) override {
-    SetLanes(content, file, Ref());
-  }
-  std::optional<Measures> Quantise(const std::filesystem::path& file) override {
-    std::optional<Measures> measures = world_.Quantise(net_->policy().get(), file, &pool_);
-    if (measures) (*measures)("agreement", agreement_);
-    return measures;
-  }
   std::string title() const override { return "A policy that imitates the shortest path"; }
-  std::string Describe(const Measures& measures) const override {
-    return DescribeNavigation(measures);
-  }
-  std::string curves_label() const override { return "success, validation"; }
-  std::vector<CurveLine> curves() const override {
-    return NavigationCurves(config_.navigation.setting);
-  }
-  std::vector<std::pair<std::string, std::string>> CardRows() const override {
-    return world_.CardRows(config_.lanes, config_.rollout);
-  }
-  std::string validated_on() const override { return world_.validated_on(); }
 
  private:
   static double Mean(const std::vector<double>& values) {
@@ -172,22 +121,21 @@ class ImitationTraining final : public Training {
     return sum / static_cast<double>(values.size());
   }
 
-  LanesRef Ref() const { return {lanes_.get(), actor_.get(), peers_.get()}; }
-  std::unique_ptr<PictureNet> Make() const { return config_.navigation.MakeNet(config_.seed); }
+  void AppendLearned(Measures* measures) const override { (*measures)("agreement", agreement_); }
 
   /// Gradients of a rollout. Returns the loss.
   double Update(const Rollout& rollout, bool takes_memory) {
-    std::vector<int> all(static_cast<std::size_t>(groups_.groups()));
-    std::iota(all.begin(), all.end(), 0);
-    const std::vector<int> own = groups_.Own(all);
+    const std::vector<int> all = AllGroups();
+    const std::vector<int> own = groups()->Own(all);
     std::vector<torch::Tensor> hidden(own.size());
     std::vector<double> agreed(own.size());
-    const std::vector<double> losses = groups_.Differentiate(all, [&](int group, ActorCritic* net) {
-      const auto at = static_cast<std::size_t>(group - own.front());
-      return Loss(rollout, groups_.LanesOf(group), net, &hidden[at], &agreed[at]);
-    });
-    if (takes_memory && net_->learns_to_see()) actor_->SetHidden(at::cat(hidden));
-    agreement_ = Mean(groups_.Gather(agreed));
+    const std::vector<double> losses =
+        groups()->Differentiate(all, [&](int group, ActorCritic* net) {
+          const auto at = static_cast<std::size_t>(group - own.front());
+          return Loss(rollout, groups()->LanesOf(group), net, &hidden[at], &agreed[at]);
+        });
+    if (takes_memory && picture_net()->learns_to_see()) actor()->SetHidden(at::cat(hidden));
+    agreement_ = Mean(groups()->Gather(agreed));
     return Mean(losses);
   }
 
@@ -211,13 +159,6 @@ class ImitationTraining final : public Training {
   }
 
   Config config_;
-  std::shared_ptr<Peers> peers_;
-  NavigationWorld world_;
-  sim::WorkerPool pool_;
-  std::unique_ptr<PictureNet> net_;
-  std::unique_ptr<NavigationLanes> lanes_;
-  LaneGroups groups_;
-  std::unique_ptr<Actor> actor_;
   double agreement_ = 0.0;
 };
 
