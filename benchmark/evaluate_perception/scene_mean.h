@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "benchmark/runs/statistics.h"
+#include "benchmark/base/statistics.h"
 
 namespace bulletnav::bench {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "benchmark/base/statistics.h"
 #include "benchmark/report/figure.h"
-#include "benchmark/runs/statistics.h"
 
 namespace bulletnav::bench {
 

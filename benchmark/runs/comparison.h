@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "benchmark/base/statistics.h"
 #include "benchmark/play/episode_result.h"
-#include "benchmark/runs/statistics.h"
 
 namespace bulletnav::bench {
 

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "benchmark/base/statistics.h"
 #include "benchmark/play/episode_result.h"
-#include "benchmark/runs/statistics.h"
 
 namespace bulletnav::bench {
 

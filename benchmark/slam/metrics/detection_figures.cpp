@@ -40,6 +40,7 @@ DetectionFigures MeasureCurve(std::span<const PrecisionRecall> curve, const Pair
   figures.average_precision = AveragePrecision(curve);
   figures.recall_at_1 = MaxRecall(curve, 1.0);
   figures.recall_at_099 = MaxRecall(curve, 0.99);
+  figures.recall_at_09 = MaxRecall(curve, 0.9);
   if (pairs.all_pairs > 0) {
     figures.guessing = static_cast<double>(pairs.true_pairs) / static_cast<double>(pairs.all_pairs);
   }

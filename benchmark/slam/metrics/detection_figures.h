@@ -13,6 +13,7 @@ struct DetectionFigures {
   double average_precision = 0.0;
   double recall_at_1 = 0.0;    // the most that is found without a mistake
   double recall_at_099 = 0.0;  // with at most one of a hundred wrong
+  double recall_at_09 = 0.0;   // one of ten
   double guessing = 0.0;       // precision of accepting every pair there is
 
   template <class V>
@@ -20,6 +21,7 @@ struct DetectionFigures {
     v("average_precision", average_precision);
     v("recall_at_1", recall_at_1);
     v("recall_at_099", recall_at_099);
+    v("recall_at_09", recall_at_09);
     v("guessing", guessing);
   }
 };

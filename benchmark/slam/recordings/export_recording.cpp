@@ -58,7 +58,8 @@ Chosen Choose(const ExportSpec& spec) {
                          "(config.yaml); name such a folder");
   }
   Chosen chosen;
-  chosen.drive = {spec.source.filename().string(), spec.source, true, 0, 0};
+  const std::string name = spec.source.filename().string();
+  chosen.drive = {name, spec.source, true, 0, 0, name};
   return chosen;
 }
 

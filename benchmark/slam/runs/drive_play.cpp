@@ -50,6 +50,7 @@ class DrivePlay {
     if (config.sequences) sequences_ = agent::LoadSeqVlad(ShippedOr(*config.sequences));
     if (config.filter) filter_ = agent::LoadSeqNetFilter(ShippedOr(*config.filter));
     played_.result.drive = drive.name;
+    played_.result.scene = drive.scene;
     played_.result.actions = drive.actions;
     detectors_.reserve(config.detectors.size());
     for (const DetectorEntry& entry : config.detectors) {

@@ -80,6 +80,7 @@ struct DetectorResult {
 /// All of one drive: what tables and charts are made from.
 struct DriveResult {
   std::string drive;
+  std::string scene;  // or the recording
   int actions = 0;
   int frames = 0;
   double travelled_m = 0.0;  // as odometry has it
@@ -90,6 +91,7 @@ struct DriveResult {
   template <class V>
   void Visit(V& v) {
     v("drive", drive);
+    v("scene", scene);
     v("actions", actions);
     v("frames", frames);
     v("travelled_m", travelled_m);

@@ -31,6 +31,9 @@ void Complete(const sim::YamlNode& root, const fs::path& file, SlamConfig* confi
       place.Fail("two detectors are called '" + entry.name + "'; give one a 'name'");
     }
   }
+  if (!config->against.empty() && names.count(config->against) == 0) {
+    root.FailAt("against", "no detector is called '" + config->against + "'; see 'detectors'");
+  }
 }
 
 std::vector<fs::path> ScenesOf(const SlamConfig& config) {
@@ -131,7 +134,7 @@ void AddDrives(const std::string& name, const fs::path& scene, const SlamConfig&
   for (const int actions : config.actions) {
     for (const std::uint64_t seed : config.seeds) {
       drives->push_back(
-          {fmt::format("{}_{}_{}", name, actions, seed), scene, false, actions, seed});
+          {fmt::format("{}_{}_{}", name, actions, seed), scene, false, actions, seed, name});
     }
   }
 }
@@ -149,7 +152,8 @@ Drive RecordingOf(const std::string& recording) {
   }
   const fs::path folder = fs::path(recording).lexically_normal();
   const fs::path named = folder.has_filename() ? folder : folder.parent_path();
-  return {named.filename().string(), recording, true, 0, 0};
+  const std::string name = named.filename().string();
+  return {name, recording, true, 0, 0, name};
 }
 
 void CheckNames(const std::vector<Drive>& drives) {

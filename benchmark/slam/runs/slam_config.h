@@ -153,6 +153,7 @@ struct SlamConfig {
   agent::VerifySpec verify;
   BackEndSpec back_end;
   std::vector<DetectorEntry> detectors;
+  std::string against;  // a detector's name: tables tell how the others differ from it
   std::vector<PublishedRow> published;
 
   template <class V>
@@ -180,6 +181,7 @@ struct SlamConfig {
     v("verify", verify);
     v("back_end", back_end);
     v.Required("detectors", detectors);
+    v("against", against);
     v("published", published);
   }
   void Validate() const;
@@ -197,6 +199,7 @@ struct Drive {
   bool is_recording = false;
   int actions = 0;  // 0: of a recording
   std::uint64_t seed = 0;
+  std::string scene;  // that drives share; a recording's is its own
 };
 
 /// All drives of a config, whose houses are made. Throws sim::FileError for scenes or recordings

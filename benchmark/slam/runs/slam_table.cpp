@@ -9,6 +9,7 @@
 
 #include "benchmark/base/counted.h"
 #include "benchmark/slam/runs/rankings.h"
+#include "benchmark/slam/runs/slam_comparison.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -101,9 +102,10 @@ std::string RankingLine(const std::string& name, const std::string& truth,
       return ranking.figures.*figure;
     });
   };
-  return fmt::format("| {} | {} | {:.3f} | {:.3f} | {:.3f} | {:.3f} |\n", name, truth,
+  return fmt::format("| {} | {} | {:.3f} | {:.3f} | {:.3f} | {:.3f} | {:.3f} |\n", name, truth,
                      mean(&DetectionFigures::guessing), mean(&DetectionFigures::average_precision),
-                     mean(&DetectionFigures::recall_at_1), mean(&DetectionFigures::recall_at_099));
+                     mean(&DetectionFigures::recall_at_1), mean(&DetectionFigures::recall_at_099),
+                     mean(&DetectionFigures::recall_at_09));
 }
 
 /// All lines of a detector.
@@ -127,8 +129,8 @@ std::string RankingTable(const SlamConfig& config, const Results& results) {
   }
   if (lines.empty()) return "No pair of frames that are compared is a loop\n";
   return "Pairs of frames, ranked by score; all that are far enough apart are compared\n\n"
-         "| | loops are | guessing | AP | recall at precision 1 | at .99 |\n"
-         "|---|---|---:|---:|---:|---:|\n" +
+         "| | loops are | guessing | AP | recall at precision 1 | at .99 | at .9 |\n"
+         "|---|---|---:|---:|---:|---:|---:|\n" +
          lines + "\n";
 }
 
@@ -152,7 +154,7 @@ std::string SlamTables(const SlamConfig& config, std::span<const DriveResult> re
     if (!known.empty()) text += ErrorTable(config, known, actions);
   }
   const Results known = Known(results, std::nullopt);
-  if (!known.empty()) text += RankingTable(config, known);
+  if (!known.empty()) text += RankingTable(config, known) + ComparisonTable(config, known);
   if (known.size() < results.size()) {
     text += fmt::format("{} without ground truth: only their loops and trajectories are written\n",
                         Counted(results.size() - known.size(), "drive"));

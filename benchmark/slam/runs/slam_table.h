@@ -10,8 +10,8 @@ namespace bulletnav::bench {
 
 /// Means over drives, as Markdown: for each length of drives the trajectory errors in the layout of
 /// the paper's table I, between odometry alone and the bound by true loops; then how well each
-/// detector ranks pairs, by each truth beside guessing, and by heading. Drives whose truth is not
-/// known are counted and left out.
+/// detector ranks pairs, by each truth beside guessing, and by heading; then what the config asks
+/// to compare (slam_comparison.h). Drives whose truth is not known are counted and left out.
 std::string SlamTables(const SlamConfig& config, std::span<const DriveResult> results);
 
 }  // namespace bulletnav::bench

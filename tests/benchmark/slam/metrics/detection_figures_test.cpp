@@ -59,6 +59,7 @@ TEST(MeasureDetection, AgreesWithCountingAtEveryThreshold) {
     double last = 0.0;
     double at_1 = 0.0;
     double at_099 = 0.0;
+    double at_09 = 0.0;
     for (int threshold = 64; threshold >= 0; --threshold) {
       if (answers.end() == std::find_if(answers.begin(), answers.end(), [&](const Answer& a) {
             return a.score >= static_cast<float>(threshold);
@@ -70,12 +71,14 @@ TEST(MeasureDetection, AgreesWithCountingAtEveryThreshold) {
       last = counted.recall;
       if (counted.precision >= 1.0) at_1 = std::max(at_1, counted.recall);
       if (counted.precision >= 0.99) at_099 = std::max(at_099, counted.recall);
+      if (counted.precision >= 0.9) at_09 = std::max(at_09, counted.recall);
     }
     const DetectionFigures figures =
         MeasureDetection(answers, {static_cast<std::int64_t>(true_pairs), 1000});
     EXPECT_NEAR(figures.average_precision, area, 1e-12);
     EXPECT_NEAR(figures.recall_at_1, at_1, 1e-12);
     EXPECT_NEAR(figures.recall_at_099, at_099, 1e-12);
+    EXPECT_NEAR(figures.recall_at_09, at_09, 1e-12);
   }
 }
 

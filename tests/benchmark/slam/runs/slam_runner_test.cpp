@@ -161,6 +161,8 @@ TEST_F(SlamRunner, ABadConfigIsToldWithItsPlace) {
               ThrowsMessage<sim::FileError>(HasSubstr("give one a 'name'")));
   EXPECT_THAT(load("detectors: [{detector: seqslam, parameters: {patch: 0}}]\n"),
               ThrowsMessage<sim::FileError>(HasSubstr("multiples of patch")));
+  EXPECT_THAT(load("detectors: [{detector: seqslam}]\nagainst: bow\n"),
+              ThrowsMessage<sim::FileError>(AllOf(HasSubstr("bad.yaml:2"), HasSubstr("'bow'"))));
   EXPECT_THAT(load("apart_m: 0\ndetectors: [{detector: bow}]\n"),
               ThrowsMessage<sim::FileError>(HasSubstr("bad.yaml:1")));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "benchmark/runs/statistics.h"
+#include "benchmark/base/statistics.h"
 
 #include <algorithm>
 #include <cmath>
