@@ -97,7 +97,8 @@ std::string Complaint(const std::string& text) {
 TEST(Trainers, AreKnownByName) {
   EXPECT_THAT(TrainerNames(), ::testing::IsSupersetOf({"mapper", "nts"}));
   EXPECT_EQ(Complaint("out: x\ntask: maper\n"),
-            "c.yaml:2:7: unknown task 'maper'; known are: distillation, exploration, four_rooms, imitation, "
+            "c.yaml:2:7: unknown task 'maper'; known are: distillation, exploration, four_rooms, "
+            "imitation, "
             "mapper, memory, nts, ppo");
   EXPECT_THAT(Complaint("task: mapper\nout: x\npairs: 8\n"), StartsWith("c.yaml:3:1: "));
   EXPECT_THAT(Complaint("out: x\npairs: 8\n"), HasSubstr("no block 'data'"));
