@@ -41,6 +41,13 @@ void HierarchyConfig::Validate() const {
   }
 }
 
+bool IsJoined(std::size_t later, std::size_t earlier, const DescribedSequences& described,
+              const SequenceMatchSpec& spec) {
+  const std::vector<Sequence>& sequences = described.sequences;
+  if (spec.within_clusters && sequences[earlier].cluster != sequences[later].cluster) return false;
+  return Cosine(described.wholes[earlier], described.wholes[later]) >= spec.least_sequence;
+}
+
 void CompareInSequences(int frame, std::size_t own, const DescriptorFrames& frames,
                         const DescribedSequences& described, const SequenceMatchSpec& spec,
                         std::vector<LoopCandidate>* candidates) {
@@ -49,9 +56,8 @@ void CompareInSequences(int frame, std::size_t own, const DescriptorFrames& fram
   for (std::size_t i = 0; i <= own; ++i) {
     const int end = std::min(sequences[i].last + 1, frames.comparable(frame));
     if (end <= sequences[i].first) continue;
-    if (spec.within_clusters && sequences[i].cluster != sequences[own].cluster) continue;
+    if (!IsJoined(own, i, described, spec)) continue;
     const double alike = Cosine(described.wholes[i], described.wholes[own]);
-    if (alike < spec.least_sequence) continue;
     for (int earlier = sequences[i].first; earlier < end; ++earlier) {
       const double cosine = Cosine(frames.descriptor(frame), frames.descriptor(earlier));
       const double score = (1.0 - spec.sequence_weight) * cosine + spec.sequence_weight * alike;
@@ -112,7 +118,12 @@ std::vector<LoopCandidate> HierarchyDetector::Finish() {
   std::vector<Sequence> sequences = SequencesOf(clusters.group, config_.shortest);
   if (config_.length > 0) sequences = CutSequences(sequences, config_.length);
   const std::vector<PictureDescriptor> wholes = WholesOf(sequences);
+  trace_ = {sequences, clusters.tried, clusters.spreads, {}};
   for (std::size_t own = 0; own < sequences.size(); ++own) {
+    for (std::size_t i = 0; i < own; ++i) {
+      if (!IsJoined(own, i, {sequences, wholes}, config_.match)) continue;
+      trace_.joined.emplace_back(static_cast<int>(own), static_cast<int>(i));
+    }
     for (int frame = sequences[own].first; frame <= sequences[own].last; ++frame) {
       CompareInSequences(frame, own, frames_, {sequences, wholes}, config_.match, &candidates);
     }

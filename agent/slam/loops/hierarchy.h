@@ -35,6 +35,10 @@ struct DescribedSequences {
   const std::vector<PictureDescriptor>& wholes;
 };
 
+/// Whether sequence `earlier`, at most `later`, is joined with that one.
+bool IsJoined(std::size_t later, std::size_t earlier, const DescribedSequences& described,
+              const SequenceMatchSpec& spec);
+
 /// Compares a frame with those frames before its `comparable` whose sequence is joined with its
 /// own, which is number `own`; appends a candidate for each, and takes the best for a loop if it is
 /// good enough. A sequence is joined with itself: a long one may come back.
@@ -82,6 +86,7 @@ class HierarchyDetector : public LoopDetector {
 
   std::vector<LoopCandidate> Add(const LoopFrame& frame) override;
   std::vector<LoopCandidate> Finish() override;
+  SequenceTrace Trace() const override { return trace_; }
 
  private:
   std::vector<PictureDescriptor> WholesOf(const std::vector<Sequence>& sequences) const;
@@ -89,6 +94,7 @@ class HierarchyDetector : public LoopDetector {
   HierarchyConfig config_;
   DescriptorFrames frames_;
   std::shared_ptr<const SequenceModel> model_;
+  SequenceTrace trace_;
 };
 
 }  // namespace bulletnav::agent

@@ -15,6 +15,7 @@
 #include "benchmark/slam/runs/drive_traces.h"
 #include "benchmark/slam/runs/frame_eye.h"
 #include "benchmark/slam/runs/measure_drive.h"
+#include "benchmark/slam/runs/measure_stages.h"
 #include "benchmark/slam/runs/travel.h"
 #include "sim/base/error.h"
 
@@ -188,8 +189,19 @@ class DrivePlay {
     if (truth_) {
       result.outcome.error = MeasureBoth(played_.truth, played.back_end.poses);
       MeasureRanking(running.named, *truth_, source_.world() != nullptr, &result);
+      result.stages = StagesOf(played.trace);
     }
     played_.times[running.name] = TimesOf(running.milliseconds);
+  }
+
+  /// Of a detector with sequences, where the config names a flat comparison.
+  std::optional<StageOutcome> StagesOf(const agent::SequenceTrace& trace) const {
+    if (trace.sequences.empty()) return std::nullopt;
+    for (const RunningDetector& running : detectors_) {
+      if (running.name != config_.against) continue;
+      return MeasureStages(trace, running.named, *truth_, played_.truth);
+    }
+    return std::nullopt;
   }
 
   void CloseWithTruth() {

@@ -58,6 +58,23 @@ struct RankingOutcome {
   }
 };
 
+/// What the stages of a detector with sequences lose, each replaced by the truth in turn; see
+/// MeasureStages. Average precisions are of covisible pairs.
+struct StageOutcome {
+  double compared = 0.0;     // share of all pairs that lie in joined sequences
+  double within = 0.0;       // of covisible pairs: AP if their pictures were told by the truth
+  double true_joins = 0.0;   // AP of the flat comparison in sequences that hold a covisible pair
+  double true_places = 0.0;  // the same with runs of frames of one true place as sequences
+
+  template <class V>
+  void Visit(V& v) {
+    v("compared", compared);
+    v("within", within);
+    v("true_joins", true_joins);
+    v("true_places", true_places);
+  }
+};
+
 /// One detector on one drive.
 struct DetectorResult {
   std::string name;
@@ -65,6 +82,7 @@ struct DetectorResult {
   /// Of covisible pairs alone, by how far the later camera is turned, see HeadingBin.
   std::map<std::string, RankingOutcome> headings;
   double recall_at_10 = 0.0;  // of frames that have a covisible loop
+  std::optional<StageOutcome> stages;
   LoopOutcome outcome;
 
   template <class V>
@@ -73,6 +91,7 @@ struct DetectorResult {
     v("rankings", rankings);
     v("headings", headings);
     v("recall_at_10", recall_at_10);
+    v("stages", stages);
     v("outcome", outcome);
   }
 };

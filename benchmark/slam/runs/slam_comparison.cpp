@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/slam/runs/slam_comparison.h"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -112,6 +114,50 @@ std::string ComparisonTable(const SlamConfig& config,
     text += "\n";
   }
   return text + "\n";
+}
+
+namespace {
+
+/// Of the drives that have it, sums of a detector's figures and of the flat comparison's.
+struct StageSums {
+  std::array<double, 6> values{};
+  int drives = 0;
+
+  void Add(const DetectorResult& flat, const DetectorResult& result) {
+    const auto precision = [](const DetectorResult& of) {
+      return of.rankings.at(std::string(NameOf(LoopKind::kCovisible))).figures.average_precision;
+    };
+    const StageOutcome& stages = *result.stages;
+    const std::array added = {precision(flat), precision(result), stages.compared,
+                              stages.within,   stages.true_joins, stages.true_places};
+    for (std::size_t i = 0; i < added.size(); ++i) values[i] += added[i];
+    ++drives;
+  }
+};
+
+}  // namespace
+
+std::string StageTable(const SlamConfig& config, const std::vector<const DriveResult*>& results) {
+  std::string lines;
+  for (const DetectorEntry& entry : config.detectors) {
+    StageSums sums;
+    for (const DriveResult* result : results) {
+      const DetectorResult* one = Find(*result, entry.name);
+      const DetectorResult* flat = Find(*result, config.against);
+      if (one != nullptr && flat != nullptr && one->stages) sums.Add(*flat, *one);
+    }
+    if (sums.drives == 0) continue;
+    lines += fmt::format("| {} |", entry.name);
+    for (const double sum : sums.values) lines += fmt::format(" {:.3f} |", sum / sums.drives);
+    lines += "\n";
+  }
+  if (lines.empty()) return "";
+  return fmt::format(
+             "Stages replaced by the truth: AP of covisible pairs\n\n"
+             "| | {} | as it is | pairs compared | pictures by truth | sequences joined by truth | "
+             "and cut by true places |\n|---|---:|---:|---:|---:|---:|---:|\n",
+             config.against) +
+         lines + "\n";
 }
 
 }  // namespace bulletnav::bench

@@ -15,4 +15,8 @@ namespace bulletnav::bench {
 std::string ComparisonTable(const SlamConfig& config,
                             const std::vector<const DriveResult*>& results);
 
+/// What each stage of detectors with sequences loses against `config.against`, as Markdown, means
+/// over drives; see StageOutcome. Empty if there is none. Expects: as above.
+std::string StageTable(const SlamConfig& config, const std::vector<const DriveResult*>& results);
+
 }  // namespace bulletnav::bench

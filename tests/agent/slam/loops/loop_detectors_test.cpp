@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <map>
 #include <numeric>
+#include <set>
 #include <utility>
 
 #include <gmock/gmock.h>
@@ -333,6 +334,32 @@ TEST(Hierarchies, NamePairsOfTheFlatComparison) {
       ASSERT_NE(found, flat.end()) << name;
       EXPECT_EQ(found->second, pair.score) << name;
     }
+  }
+}
+
+/// Pairs that are named lie in one sequence or in two that the trace tells to be joined.
+TEST(Hierarchies, TheirTracesTellWhatIsCompared) {
+  for (const char* name : {"hut", "hut_fixed5", "words_hierarchy"}) {
+    const auto detector = Make(name, "");
+    const auto pairs = DriveWith(detector.get(), true);
+    const SequenceTrace trace = detector->Trace();
+    std::vector<int> sequence_of;
+    for (std::size_t i = 0; i < trace.sequences.size(); ++i) {
+      EXPECT_EQ(trace.sequences[i].first, static_cast<int>(sequence_of.size())) << name;
+      sequence_of.resize(static_cast<std::size_t>(trace.sequences[i].last) + 1,
+                         static_cast<int>(i));
+    }
+    ASSERT_EQ(sequence_of.size(), 2u * kPlaces) << name;
+    EXPECT_FALSE(trace.tried.empty()) << name;
+    std::set<std::pair<int, int>> named;
+    for (const LoopCandidate& pair : pairs) {
+      const std::pair<int, int> of = {sequence_of[static_cast<std::size_t>(pair.later)],
+                                      sequence_of[static_cast<std::size_t>(pair.earlier)]};
+      if (of.first != of.second) named.insert(of);
+    }
+    const std::set<std::pair<int, int>> joined(trace.joined.begin(), trace.joined.end());
+    EXPECT_FALSE(named.empty()) << name;
+    EXPECT_TRUE(std::includes(joined.begin(), joined.end(), named.begin(), named.end())) << name;
   }
 }
 

@@ -65,5 +65,14 @@ TEST(ComparisonTable, OnlyDrivesThatHaveTheFigureOfBothCount) {
                            HasSubstr("| -0.300 (-0.500 to -0.100) |")));
 }
 
+TEST(StageTable, HasWhatDetectorsWithSequencesLose) {
+  DriveResult drive = Driven("a", {Made("flat", 0.4, 1.0), Made("other", 0.3, 1.0)});
+  EXPECT_THAT(StageTable(Config("flat"), {&drive}), IsEmpty());
+  drive.detectors[1].stages = StageOutcome{0.1, 0.8, 0.5, 0.6};
+  EXPECT_THAT(StageTable(Config("flat"), {&drive}),
+              HasSubstr("| other | 0.400 | 0.300 | 0.100 | 0.800 | 0.500 | 0.600 |"));
+  EXPECT_THAT(StageTable(Config(""), {&drive}), IsEmpty());
+}
+
 }  // namespace
 }  // namespace bulletnav::bench
