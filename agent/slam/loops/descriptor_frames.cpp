@@ -2,11 +2,19 @@
 #include "agent/slam/loops/descriptor_frames.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdlib>
 #include <string>
 
 #include "sim/base/error.h"
 
 namespace bulletnav::agent {
+namespace {
+
+constexpr std::size_t kProposals = 3;
+constexpr int kProposalGap = 20;  // frames
+
+}  // namespace
 
 void FixedSequences::Validate() const {
   if (length < 1) throw sim::Error("length must be at least 1");
@@ -50,12 +58,23 @@ double OrderedCosine(const DescriptorFrames& frames, int later, int earlier, int
 }
 
 void ProposeBest(std::size_t first, double least, std::vector<LoopCandidate>* candidates) {
-  const auto best =
-      std::max_element(candidates->begin() + static_cast<std::ptrdiff_t>(first), candidates->end(),
-                       [](const LoopCandidate& a, const LoopCandidate& b) {
-                         return a.score < b.score;
-                       });
-  if (best != candidates->end() && best->score >= least) best->is_proposed = true;
+  std::vector<LoopCandidate*> proposed;
+  const auto is_free = [&proposed](const LoopCandidate& candidate) {
+    return std::none_of(proposed.begin(), proposed.end(), [&](const LoopCandidate* other) {
+      return std::abs(other->earlier - candidate.earlier) < kProposalGap;
+    });
+  };
+  while (proposed.size() < kProposals) {
+    LoopCandidate* best = nullptr;
+    for (std::size_t i = first; i < candidates->size(); ++i) {
+      LoopCandidate& candidate = (*candidates)[i];
+      if (candidate.score < least || !is_free(candidate)) continue;
+      if (best == nullptr || candidate.score > best->score) best = &candidate;
+    }
+    if (best == nullptr) return;
+    best->is_proposed = true;
+    proposed.push_back(best);
+  }
 }
 
 std::vector<LoopCandidate> CompareWithAll(int later, int comparable,

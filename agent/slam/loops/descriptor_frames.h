@@ -13,7 +13,7 @@ namespace bulletnav::agent {
 /// What detectors that compare sequences of a fixed length are told.
 struct FixedSequences {
   int length = 5;            // frames
-  double least_frame = 0.5;  // cosine of two sequences that are taken for one place
+  double least_frame = 0.3;  // cosine of two sequences that are taken for one place
 
   template <class V>
   void Visit(V& v) {
@@ -55,11 +55,12 @@ class DescriptorFrames {
 /// Expects: earlier <= later.
 double OrderedCosine(const DescriptorFrames& frames, int later, int earlier, int length);
 
-/// Takes the best of the candidates from position `first` on for a loop, if it scores `least`.
+/// Takes the best of the candidates from position `first` on for loops, if they score `least`: at
+/// most three, whose earlier frames are 20 apart or more.
 void ProposeBest(std::size_t first, double least, std::vector<LoopCandidate>* candidates);
 
-/// Compares frame `later` with each before its `comparable`, and takes the best for a loop if it
-/// scores `least`; `descriptors` are by frame, of frames or of what ends with them.
+/// Compares frame `later` with each before its `comparable`, and takes the best for loops, see
+/// ProposeBest; `descriptors` are by frame, of frames or of what ends with them.
 std::vector<LoopCandidate> CompareWithAll(int later, int comparable,
                                           const std::vector<PictureDescriptor>& descriptors,
                                           double least);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -35,6 +36,10 @@ void SequenceMatchSpec::Validate() const {
 
 void HierarchyConfig::Validate() const {
   match.Validate();
+  if (window < 0 || !(window_weight >= 0.0 && window_weight + match.sequence_weight <= 1.0)) {
+    throw sim::Error(
+        "window must be at least 0, and window_weight and sequence_weight at most 1 together");
+  }
   if (starts < 1 || shortest < 1 || most_clusters < 2 || length < 0) {
     throw sim::Error(
         "starts and shortest must be at least 1, most_clusters at least 2, length at least 0");
@@ -60,7 +65,11 @@ void CompareInSequences(int frame, std::size_t own, const DescriptorFrames& fram
     const double alike = Cosine(described.wholes[i], described.wholes[own]);
     for (int earlier = sequences[i].first; earlier < end; ++earlier) {
       const double cosine = Cosine(frames.descriptor(frame), frames.descriptor(earlier));
-      const double score = (1.0 - spec.sequence_weight) * cosine + spec.sequence_weight * alike;
+      double score = (1.0 - spec.sequence_weight - described.window_weight) * cosine +
+                     spec.sequence_weight * alike;
+      if (described.windows != nullptr) {
+        score += described.window_weight * described.windows->Best(frame, earlier);
+      }
       candidates->push_back({frame, earlier, score, false});
     }
   }
@@ -118,14 +127,20 @@ std::vector<LoopCandidate> HierarchyDetector::Finish() {
   std::vector<Sequence> sequences = SequencesOf(clusters.group, config_.shortest);
   if (config_.length > 0) sequences = CutSequences(sequences, config_.length);
   const std::vector<PictureDescriptor> wholes = WholesOf(sequences);
+  DescribedSequences described{sequences, wholes};
+  std::optional<FrameWindows> windows;
+  if (config_.window_weight > 0.0) {
+    described.windows = &windows.emplace(frames_, config_.window);
+    described.window_weight = config_.window_weight;
+  }
   trace_ = {sequences, clusters.tried, clusters.spreads, {}};
   for (std::size_t own = 0; own < sequences.size(); ++own) {
     for (std::size_t i = 0; i < own; ++i) {
-      if (!IsJoined(own, i, {sequences, wholes}, config_.match)) continue;
+      if (!IsJoined(own, i, described, config_.match)) continue;
       trace_.joined.emplace_back(static_cast<int>(own), static_cast<int>(i));
     }
     for (int frame = sequences[own].first; frame <= sequences[own].last; ++frame) {
-      CompareInSequences(frame, own, frames_, {sequences, wholes}, config_.match, &candidates);
+      CompareInSequences(frame, own, frames_, described, config_.match, &candidates);
     }
   }
   return candidates;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "agent/slam/loops/descriptor_frames.h"
+#include "agent/slam/loops/frame_windows.h"
 #include "agent/slam/topology/sequences.h"
 
 namespace bulletnav::agent {
@@ -13,7 +14,7 @@ namespace bulletnav::agent {
 /// Which sequences are joined and which of their frames are loops.
 struct SequenceMatchSpec {
   double least_sequence = 0.0;  // t_s, cosine of two sequences that are joined
-  double least_frame = 0.5;     // t_g, cosine of two frames
+  double least_frame = 0.3;     // t_g, cosine of two frames
   /// Of the sequences' cosine in a pair's score, the rest is the frames'. 0 is as the paper has it.
   double sequence_weight = 0.5;
   bool within_clusters = false;  // sequences of other clusters are never joined
@@ -33,6 +34,8 @@ struct SequenceMatchSpec {
 struct DescribedSequences {
   const std::vector<Sequence>& sequences;
   const std::vector<PictureDescriptor>& wholes;
+  const FrameWindows* windows = nullptr;  // of their frames, or none
+  double window_weight = 0.0;             // of the windows in a pair's score
 };
 
 /// Whether sequence `earlier`, at most `later`, is joined with that one.
@@ -52,11 +55,13 @@ std::vector<Sequence> CutSequences(const std::vector<Sequence>& sequences, int l
 /// The settings of HierarchyDetector.
 struct HierarchyConfig {
   int most_clusters = 60;
-  int starts = 3;        // of clustering, for each number of clusters
-  int shortest = 3;      // frames of a sequence; shorter ones join a neighbour. 1: they stay
-  int length = 0;        // of the pieces that sequences are cut into; 0: they stay whole
-  bool seqvlad = false;  // describe sequences by it, else by the mean of their descriptors
-  SequenceMatchSpec match;
+  int starts = 3;               // of clustering, for each number of clusters
+  int shortest = 3;             // frames of a sequence; shorter ones join a neighbour. 1: they stay
+  int length = 0;               // of the pieces that sequences are cut into; 0: they stay whole
+  bool seqvlad = false;         // describe sequences by it, else by the mean of their descriptors
+  int window = 2;               // frames on either side, see FrameWindows
+  double window_weight = 0.45;  // of the best of two frames' windows in a pair's score. 0: none
+  SequenceMatchSpec match{.sequence_weight = 0.1};
   std::uint64_t seed = 1;
 
   template <class V>
@@ -66,6 +71,8 @@ struct HierarchyConfig {
     v("shortest", shortest);
     v("length", length);
     v("seqvlad", seqvlad);
+    v("window", window);
+    v("window_weight", window_weight);
     match.Visit(v);
     v("seed", seed);
   }

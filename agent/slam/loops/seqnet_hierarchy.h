@@ -11,7 +11,7 @@ namespace bulletnav::agent {
 
 struct SeqNetSpec {
   int shortlist = 50;        // sequences whose pictures are compared
-  double least_frame = 0.5;  // mean cosine of pictures
+  double least_frame = 0.3;  // mean cosine of pictures
 
   template <class V>
   void Visit(V& v) {

@@ -16,7 +16,7 @@ class GemFlat final : public LoopDetector {
   static constexpr std::string_view kName = "gem_flat";
 
   struct Config {
-    double least_frame = 0.5;  // t_g, cosine of two frames
+    double least_frame = 0.3;  // t_g, cosine of two frames
 
     template <class V>
     void Visit(V& v) {

@@ -136,7 +136,9 @@ bool NeedsDescriptors(const std::string& name) {
 
 /// Settings under which places of one room are not taken for one another.
 std::string NeedsLikeness(const std::string& name) {
-  return name.starts_with("hut") ? "{least_frame: 0.95, least_sequence: 0.7, sequence_weight: 0}"
+  if (name == "hut_online") return "{least_frame: 0.95, least_sequence: 0.7, sequence_weight: 0}";
+  return name.starts_with("hut") ? "{least_frame: 0.95, least_sequence: 0.7, sequence_weight: 0, "
+                                   "window_weight: 0}"
                                  : "{least_frame: 0.95}";
 }
 
@@ -335,6 +337,41 @@ TEST(Hierarchies, NamePairsOfTheFlatComparison) {
       EXPECT_EQ(found->second, pair.score) << name;
     }
   }
+}
+
+/// A pair's score has the best pair of the frames around, as much as it is told to.
+TEST(Hierarchies, WindowsAreAPartOfTheScore) {
+  const std::string alike = "{least_sequence: 0.7, sequence_weight: 0, window: 2, window_weight: ";
+  std::map<std::pair<int, int>, double> pictures;
+  std::map<std::pair<int, int>, double> best;
+  for (const LoopCandidate& pair : Drive("hut", true, alike + "0}")) {
+    pictures[{pair.later, pair.earlier}] = pair.score;
+  }
+  for (const LoopCandidate& pair : Drive("hut", true, alike + "1}")) {
+    best[{pair.later, pair.earlier}] = pair.score;
+  }
+  const auto both = Drive("hut", true, alike + "0.5}");
+  ASSERT_EQ(both.size(), pictures.size());
+  for (const LoopCandidate& pair : both) {
+    const std::pair<int, int> key = {pair.later, pair.earlier};
+    EXPECT_GE(best.at(key), pictures.at(key) - 1e-6);
+    EXPECT_NEAR(pair.score, 0.5 * pictures.at(key) + 0.5 * best.at(key), 1e-6);
+  }
+}
+
+TEST(ProposeBest, TakesAtMostThreeLoopsAFrameThatAreApart) {
+  std::map<int, std::vector<int>> proposed;
+  for (const LoopCandidate& pair : Drive("gem_flat", true, "{least_frame: -1}")) {
+    if (pair.is_proposed) proposed[pair.later].push_back(pair.earlier);
+  }
+  std::size_t most = 0;
+  for (const auto& [later, earlier] : proposed) {
+    most = std::max(most, earlier.size());
+    for (std::size_t i = 1; i < earlier.size(); ++i) {
+      EXPECT_GE(earlier[i] - earlier[i - 1], 20) << later;
+    }
+  }
+  EXPECT_EQ(most, 3u);
 }
 
 /// Pairs that are named lie in one sequence or in two that the trace tells to be joined.
