@@ -46,6 +46,15 @@ void HierarchyConfig::Validate() const {
   }
 }
 
+namespace {
+
+double WindowPart(const DescribedSequences& described, int later, int earlier) {
+  if (described.windows == nullptr) return 0.0;
+  return described.window_weight * described.windows->Best(later, earlier);
+}
+
+}  // namespace
+
 bool IsJoined(std::size_t later, std::size_t earlier, const DescribedSequences& described,
               const SequenceMatchSpec& spec) {
   const std::vector<Sequence>& sequences = described.sequences;
@@ -65,11 +74,8 @@ void CompareInSequences(int frame, std::size_t own, const DescriptorFrames& fram
     const double alike = Cosine(described.wholes[i], described.wholes[own]);
     for (int earlier = sequences[i].first; earlier < end; ++earlier) {
       const double cosine = Cosine(frames.descriptor(frame), frames.descriptor(earlier));
-      double score = (1.0 - spec.sequence_weight - described.window_weight) * cosine +
-                     spec.sequence_weight * alike;
-      if (described.windows != nullptr) {
-        score += described.window_weight * described.windows->Best(frame, earlier);
-      }
+      const double score = (1.0 - spec.sequence_weight - described.window_weight) * cosine +
+                           spec.sequence_weight * alike + WindowPart(described, frame, earlier);
       candidates->push_back({frame, earlier, score, false});
     }
   }

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace bulletnav::agent {
 
@@ -19,5 +20,13 @@ inline int Distance(const BinaryDescriptor& a, const BinaryDescriptor& b) {
   for (std::size_t word = 0; word < a.size(); ++word) distance += std::popcount(a[word] ^ b[word]);
   return distance;
 }
+
+/// Bits in which each of `to` differs from a descriptor, counted by the processor's own instruction
+/// where it has one. Expects: as many `bits` as `to` (checked).
+void CountDistances(const BinaryDescriptor& from, std::span<const BinaryDescriptor> to,
+                    std::span<int> bits);
+/// The same of those of `all` that are numbered by `which`.
+void CountDistances(const BinaryDescriptor& from, std::span<const BinaryDescriptor> all,
+                    std::span<const int> which, std::span<int> bits);
 
 }  // namespace bulletnav::agent

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <utility>
 
 #include "sim/base/error.h"
 #include "sim/math/rng.h"
@@ -79,6 +80,12 @@ std::span<const int> GrowingWords::Candidates(std::span<const int> keys) {
     __builtin_prefetch(looked_at_.data() + word);
     __builtin_prefetch(words_.data() + word);
   }
+  const auto is_known = [this](int word) {
+    std::int64_t& last = looked_at_[static_cast<std::size_t>(word)];
+    return std::exchange(last, searches_) == searches_;
+  };
+  candidates_.erase(std::remove_if(candidates_.begin(), candidates_.end(), is_known),
+                    candidates_.end());
   return candidates_;
 }
 
@@ -87,11 +94,11 @@ int GrowingWords::FindOrAdd(const BinaryDescriptor& descriptor) {
   NearestWord nearest;
   std::vector<int> keys(bits_.size());
   for (std::size_t table = 0; table < keys.size(); ++table) keys[table] = KeyOf(descriptor, table);
-  for (const int word : Candidates(keys)) {
-    const auto place = static_cast<std::size_t>(word);
-    if (looked_at_[place] == searches_) continue;
-    looked_at_[place] = searches_;
-    nearest.Take(word, Distance(descriptor, words_[place]));
+  const std::span<const int> candidates = Candidates(keys);
+  candidate_bits_.resize(candidates.size());
+  CountDistances(descriptor, words_, candidates, candidate_bits_);
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    nearest.Take(candidates[i], candidate_bits_[i]);
   }
   const bool is_clear = nearest.bits <= spec_.ratio * nearest.second_bits;
   if (nearest.word >= 0 && nearest.bits <= spec_.most_bits && is_clear) return nearest.word;

@@ -46,7 +46,8 @@ class GrowingWords {
   std::vector<std::int64_t> looked_at_;    // by word: the last search that saw it
   std::int64_t searches_ = 0;
   std::vector<const std::vector<int>*> near_;  // of the last search
-  std::vector<int> candidates_;
+  std::vector<int> candidates_;                // each once
+  std::vector<int> candidate_bits_;
 };
 
 }  // namespace bulletnav::agent

@@ -14,15 +14,9 @@ constexpr int kRounds = 100;
 using Descriptors = std::span<const BinaryDescriptor>;
 
 int Nearest(const BinaryDescriptor& descriptor, Descriptors centres) {
-  int nearest = 0;
-  int least = kDescriptorBits + 1;
-  for (std::size_t i = 0; i < centres.size(); ++i) {
-    const int distance = Distance(descriptor, centres[i]);
-    if (distance >= least) continue;
-    least = distance;
-    nearest = static_cast<int>(i);
-  }
-  return nearest;
+  std::vector<int> bits(centres.size());
+  CountDistances(descriptor, centres, bits);
+  return static_cast<int>(std::min_element(bits.begin(), bits.end()) - bits.begin());
 }
 
 /// Fewer than k where all descriptors are one of those drawn.

@@ -100,9 +100,15 @@ const Vocabulary::Node* Vocabulary::NearestChild(const Node& node,
                                                  const BinaryDescriptor& descriptor) const {
   const auto children = std::span(nodes_).subspan(static_cast<std::size_t>(node.first_child),
                                                   static_cast<std::size_t>(node.children));
-  return &*std::min_element(children.begin(), children.end(), [&](const Node& a, const Node& b) {
-    return Distance(descriptor, a.centre) < Distance(descriptor, b.centre);
-  });
+  const Node* nearest = nullptr;
+  int least = kDescriptorBits + 1;
+  for (const Node& child : children) {
+    const int bits = Distance(descriptor, child.centre);
+    if (bits >= least) continue;
+    least = bits;
+    nearest = &child;
+  }
+  return nearest;
 }
 
 int Vocabulary::WordOf(const BinaryDescriptor& descriptor) const {

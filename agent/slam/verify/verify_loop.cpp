@@ -99,11 +99,12 @@ std::vector<std::pair<int, int>> MutualMatches(const OrbFeatures& a, const OrbFe
                                                const VerifySpec& spec) {
   std::vector<Nearest> of_a(a.descriptors.size());
   std::vector<Nearest> of_b(b.descriptors.size());
+  std::vector<int> bits(b.descriptors.size());
   for (std::size_t i = 0; i < a.descriptors.size(); ++i) {
-    for (std::size_t j = 0; j < b.descriptors.size(); ++j) {
-      const int bits = Distance(a.descriptors[i], b.descriptors[j]);
-      of_a[i].Take(static_cast<int>(j), bits);
-      of_b[j].Take(static_cast<int>(i), bits);
+    CountDistances(a.descriptors[i], b.descriptors, bits);
+    for (std::size_t j = 0; j < bits.size(); ++j) {
+      of_a[i].Take(static_cast<int>(j), bits[j]);
+      of_b[j].Take(static_cast<int>(i), bits[j]);
     }
   }
   std::vector<std::pair<int, int>> matches;

@@ -5,6 +5,8 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <map>
+#include <optional>
 #include <utility>
 
 #include "agent/slam/descriptors/seqnet_filter.h"
@@ -147,14 +149,21 @@ class DrivePlay {
   }
 
   void Verify(LoopRecord* record) {
+    const auto motion = MotionOf(record->earlier, record->later);
+    if (!motion) return;
+    record->inliers = motion->inliers;
+    record->motion = motion->X_AB;
+  }
+
+  /// Detectors name many pairs of others: each is looked at once.
+  std::optional<FrameMotion> MotionOf(int earlier, int later) {
+    const auto [known, is_new] = motions_.try_emplace({earlier, later});
+    if (!is_new) return known->second;
     const auto start = Clock::now();
-    const auto motion = eye_.Motion(kept_[static_cast<std::size_t>(record->earlier)],
-                                    kept_[static_cast<std::size_t>(record->later)]);
-    if (motion) {
-      record->inliers = motion->inliers;
-      record->motion = motion->X_AB;
-    }
+    known->second = eye_.Motion(kept_[static_cast<std::size_t>(earlier)],
+                                kept_[static_cast<std::size_t>(later)]);
     verify_ms_.push_back(MillisecondsSince(start));
+    return known->second;
   }
 
   /// Back end and figures of a detector.
@@ -222,7 +231,8 @@ class DrivePlay {
   std::shared_ptr<const agent::SequenceModel> sequences_;
   std::shared_ptr<const agent::SequenceFilter> filter_;
   std::vector<RunningDetector> detectors_;
-  std::vector<FrameCorners> kept_;  // until the end of the drive
+  std::vector<FrameCorners> kept_;                                     // until the end of the drive
+  std::map<std::pair<int, int>, std::optional<FrameMotion>> motions_;  // of verified pairs
   std::vector<TruthFrame> truth_frames_;
   std::optional<LoopTruth> truth_;
   std::vector<double> corners_ms_;
