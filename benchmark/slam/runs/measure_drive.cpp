@@ -18,7 +18,8 @@ constexpr int kTrueLoopEvery = 10;
 constexpr double kOffMetres = 0.5;
 constexpr double kOffDegrees = 10.0;
 
-/// The best precision at each recall or more.
+/// The best precision at each recall or more, to four digits: charts need no more, and files of
+/// results stay small.
 std::vector<double> PrecisionAtRecall(std::span<const PrecisionRecall> curve) {
   std::vector<double> best(kRecallSteps + 1, 0.0);
   for (const PrecisionRecall& point : curve) {
@@ -26,6 +27,7 @@ std::vector<double> PrecisionAtRecall(std::span<const PrecisionRecall> curve) {
     best[reached] = std::max(best[reached], point.precision);
   }
   for (std::size_t i = best.size() - 1; i > 0; --i) best[i - 1] = std::max(best[i - 1], best[i]);
+  for (double& precision : best) precision = std::round(precision * 1e4) / 1e4;
   return best;
 }
 
