@@ -34,7 +34,7 @@ class RunScale : public testing::Test {
     return LoadScaleConfig(folder_->Write(
         "small.yaml", "query_scenes: [" + house(0) + "]\nother_scenes: [" + house(1) + ", " +
                           house(2) +
-                          "]\ncamera: {rows: 48, cols: 64}\napart_m: 2\nactions: 60\n"
+                          "]\ncamera: {rows: 96, cols: 128}\napart_m: 2\nactions: 60\n"
                           "other_actions: 60\ndescriptors: " +
                           BULLETNAV_WEIGHTS + "/place_rgb.safetensors\n" + more));
   }
