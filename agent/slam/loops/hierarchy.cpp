@@ -55,11 +55,16 @@ double WindowPart(const DescribedSequences& described, int later, int earlier) {
 
 }  // namespace
 
-bool IsJoined(std::size_t later, std::size_t earlier, const DescribedSequences& described,
-              const SequenceMatchSpec& spec) {
+std::optional<double> JoinedCosine(std::size_t later, std::size_t earlier,
+                                   const DescribedSequences& described,
+                                   const SequenceMatchSpec& spec) {
   const std::vector<Sequence>& sequences = described.sequences;
-  if (spec.within_clusters && sequences[earlier].cluster != sequences[later].cluster) return false;
-  return Cosine(described.wholes[earlier], described.wholes[later]) >= spec.least_sequence;
+  if (spec.within_clusters && sequences[earlier].cluster != sequences[later].cluster) {
+    return std::nullopt;
+  }
+  const double cosine = Cosine(described.wholes[earlier], described.wholes[later]);
+  if (cosine < spec.least_sequence) return std::nullopt;
+  return cosine;
 }
 
 void CompareInSequences(int frame, std::size_t own, const DescriptorFrames& frames,
@@ -70,12 +75,12 @@ void CompareInSequences(int frame, std::size_t own, const DescriptorFrames& fram
   for (std::size_t i = 0; i <= own; ++i) {
     const int end = std::min(sequences[i].last + 1, frames.comparable(frame));
     if (end <= sequences[i].first) continue;
-    if (!IsJoined(own, i, described, spec)) continue;
-    const double alike = Cosine(described.wholes[i], described.wholes[own]);
+    const std::optional<double> alike = JoinedCosine(own, i, described, spec);
+    if (!alike) continue;
     for (int earlier = sequences[i].first; earlier < end; ++earlier) {
       const double cosine = Cosine(frames.descriptor(frame), frames.descriptor(earlier));
       const double score = (1.0 - spec.sequence_weight - described.window_weight) * cosine +
-                           spec.sequence_weight * alike + WindowPart(described, frame, earlier);
+                           spec.sequence_weight * *alike + WindowPart(described, frame, earlier);
       candidates->push_back({frame, earlier, score, false});
     }
   }
@@ -142,7 +147,7 @@ std::vector<LoopCandidate> HierarchyDetector::Finish() {
   trace_ = {sequences, clusters.tried, clusters.spreads, {}};
   for (std::size_t own = 0; own < sequences.size(); ++own) {
     for (std::size_t i = 0; i < own; ++i) {
-      if (!IsJoined(own, i, described, config_.match)) continue;
+      if (!JoinedCosine(own, i, described, config_.match)) continue;
       trace_.joined.emplace_back(static_cast<int>(own), static_cast<int>(i));
     }
     for (int frame = sequences[own].first; frame <= sequences[own].last; ++frame) {

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -38,9 +39,10 @@ struct DescribedSequences {
   double window_weight = 0.0;             // of the windows in a pair's score
 };
 
-/// Whether sequence `earlier`, at most `later`, is joined with that one.
-bool IsJoined(std::size_t later, std::size_t earlier, const DescribedSequences& described,
-              const SequenceMatchSpec& spec);
+/// The cosine of sequence `earlier`, at most `later`, with that one if the two are joined.
+std::optional<double> JoinedCosine(std::size_t later, std::size_t earlier,
+                                   const DescribedSequences& described,
+                                   const SequenceMatchSpec& spec);
 
 /// Compares a frame with those frames before its `comparable` whose sequence is joined with its
 /// own, which is number `own`; appends a candidate for each, and takes the best for a loop if it is

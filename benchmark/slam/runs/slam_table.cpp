@@ -154,9 +154,11 @@ std::string SlamTables(const SlamConfig& config, std::span<const DriveResult> re
     if (!known.empty()) text += ErrorTable(config, known, actions);
   }
   const Results known = Known(results, std::nullopt);
-  if (!known.empty())
-    text +=
-        RankingTable(config, known) + ComparisonTable(config, known) + StageTable(config, known);
+  if (!known.empty()) {
+    text += RankingTable(config, known);
+    text += ComparisonTable(config, known);
+    text += StageTable(config, known);
+  }
   if (known.size() < results.size()) {
     text += fmt::format("{} without ground truth: only their loops and trajectories are written\n",
                         Counted(results.size() - known.size(), "drive"));
