@@ -17,6 +17,7 @@ void PolicyAgent::Reset(const Panorama& goal, std::uint64_t seed) {
   if (map_) map_->Reset();
   last_.reset();
   first_step_.reset();
+  stops_in_row_ = 0;
   seed_ = seed;
 }
 
@@ -34,10 +35,21 @@ sim::Action PolicyAgent::Act(const Observation& observation) {
     map_->See(seen);
     question.map = map_->bytes();
   }
-  const std::array<float, 4> probabilities = policy_->Act(question, &memory_);
+  const std::array<float, 4> probabilities = HoldBackStop(policy_->Act(question, &memory_));
   sim::Rng rng = sim::Rng(seed_, "policy").Fork("step", static_cast<std::uint64_t>(seen.step));
   last_ = sim::kAllActions.at(ChooseAction(probabilities, config_, &rng));
   return *last_;
+}
+
+std::array<float, 4> PolicyAgent::HoldBackStop(std::array<float, 4> probabilities) {
+  constexpr auto kStop = static_cast<std::size_t>(sim::Action::kStop);
+  static_assert(kStop == 0);
+  stops_in_row_ = probabilities[kStop] >= config_.stop_from ? stops_in_row_ + 1 : 0;
+  const bool else_to_do = std::any_of(probabilities.begin() + 1, probabilities.end(), [](float p) {
+    return p > 0.0f;
+  });
+  if (stops_in_row_ < config_.stop_steps && else_to_do) probabilities[kStop] = 0.0f;
+  return probabilities;
 }
 
 Belief PolicyAgent::belief() const {

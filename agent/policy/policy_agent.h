@@ -28,14 +28,22 @@ class PolicyAgent : public Agent {
     /// other actions are drawn among themselves: a stop ends the episode, so that small
     /// probabilities of one add up. 0: a stop is an action like others.
     double stop_from = 0.0;
+    /// So many steps in a row must say so first, each at least stop_from; meanwhile the body goes
+    /// on. The probability of a stop flickers where it passes by.
+    int stop_steps = 1;
 
     template <class V>
     void Visit(V& v) {
       v("sample", sample);
       v("stop_from", stop_from);
+      v("stop_steps", stop_steps);
     }
     void Validate() const {
       if (!(stop_from >= 0.0 && stop_from < 1.0)) throw sim::Error("stop_from must be in [0, 1)");
+      if (stop_steps < 1) throw sim::Error("stop_steps must be at least 1");
+      if (stop_steps > 1 && stop_from == 0.0) {
+        throw sim::Error("stop_steps needs stop_from: say from which probability on a step counts");
+      }
     }
   };
 
@@ -50,6 +58,9 @@ class PolicyAgent : public Agent {
   Belief belief() const override;
 
  private:
+  /// Without the probability of a stop, if too few steps in a row have said so.
+  std::array<float, 4> HoldBackStop(std::array<float, 4> probabilities);
+
   Config config_;
   std::shared_ptr<PolicyModel> policy_;
   std::unique_ptr<PolicyMap> map_;  // of a policy that sees it
@@ -57,6 +68,7 @@ class PolicyAgent : public Agent {
   std::vector<float> memory_;
   std::optional<sim::Action> last_;
   std::optional<int> first_step_;  // of the way to this goal
+  int stops_in_row_ = 0;           // steps that said so, up to now
   std::uint64_t seed_ = 0;
 };
 

@@ -13,7 +13,7 @@ using ::testing::ElementsAre;
 /// Says the probabilities that it was made with, and notes what it is asked.
 class Stub final : public PolicyModel {
  public:
-  explicit Stub(std::array<float, 4> probabilities) : probabilities_(probabilities) {}
+  explicit Stub(std::array<float, 4> says) : probabilities(says) {}
   int step_limit() const override { return 100; }
   std::vector<float> NoMemory() const override { return {0.0f}; }
   std::vector<float> CodeOf(const Panorama& goal) override {
@@ -24,15 +24,13 @@ class Stub final : public PolicyModel {
     numbers.emplace_back(question.numbers.begin(), question.numbers.end());
     memories.push_back(memory->front());
     memory->front() += 1.0f;
-    return probabilities_;
+    return probabilities;
   }
 
   std::vector<float> goals;
   std::vector<std::vector<float>> numbers;
   std::vector<float> memories;
-
- private:
-  std::array<float, 4> probabilities_;
+  std::array<float, 4> probabilities;
 };
 
 class PolicyAgentTest : public testing::Test {
@@ -100,6 +98,36 @@ TEST_F(PolicyAgentTest, StopsOnlyWhenItIsSureIfItIsToldSo) {
     EXPECT_NE(Act(&doubting, step), sim::Action::kStop);
     EXPECT_EQ(Act(&sure, step), sim::Action::kStop);
   }
+}
+
+TEST_F(PolicyAgentTest, StopsOnlyAfterSoManySureStepsInARow) {
+  const std::array doubts = {0.1f, 0.9f, 0.0f, 0.0f};
+  const std::array sure = {0.6f, 0.4f, 0.0f, 0.0f};
+  const auto policy = std::make_shared<Stub>(doubts);
+  PolicyAgent agent({.stop_from = 0.5, .stop_steps = 3}, policy);
+  agent.Reset({seven_, {}}, 5);
+  int step = 0;
+  const auto next = [&](std::array<float, 4> probabilities) {
+    policy->probabilities = probabilities;
+    return Act(&agent, step++);
+  };
+  EXPECT_EQ(next(sure), sim::Action::kMoveForward);
+  EXPECT_EQ(next(sure), sim::Action::kMoveForward);
+  EXPECT_EQ(next(doubts), sim::Action::kMoveForward);  // counted anew
+  EXPECT_EQ(next(sure), sim::Action::kMoveForward);
+  EXPECT_EQ(next(sure), sim::Action::kMoveForward);
+  EXPECT_EQ(next(sure), sim::Action::kStop);
+  agent.NextGoal({eight_, {}}, 6);
+  EXPECT_EQ(next(sure), sim::Action::kMoveForward);
+  EXPECT_EQ(next({1.0f, 0.0f, 0.0f, 0.0f}), sim::Action::kStop);  // there is nothing else to do
+}
+
+TEST_F(PolicyAgentTest, SureStepsNeedAProbabilityFromWhichTheyCount) {
+  PolicyAgent::Config config;
+  config.stop_steps = 4;
+  EXPECT_THROW(config.Validate(), sim::Error);
+  config.stop_from = 0.3;
+  EXPECT_NO_THROW(config.Validate());
 }
 
 }  // namespace

@@ -48,7 +48,10 @@ struct ImitationConfig : TrainPlan {
   int group = 4;             // lanes that are learned from together
   int rollout = 32;          // steps of each lane in a step of the training
   double stop_weight = 1.0;  // of steps in which the teacher stops; they are rare
-  int epochs = 1;            // updates from the same steps
+  /// Of steps in which the teacher goes forward. It turns until it looks along its path to within
+  /// one turn, so that a policy that knows the way less exactly would turn to and fro.
+  double forward_weight = 1.0;
+  int epochs = 1;  // updates from the same steps
   double gradient_norm = 1.0;
   std::optional<DaggerSpec> dagger;  // absent: behavioural cloning, the teacher always acts
 
@@ -60,6 +63,7 @@ struct ImitationConfig : TrainPlan {
     v("group", group);
     v("rollout", rollout);
     v("stop_weight", stop_weight);
+    v("forward_weight", forward_weight);
     v("epochs", epochs);
     v("gradient_norm", gradient_norm);
     v("dagger", dagger);
@@ -72,6 +76,9 @@ struct ImitationConfig : TrainPlan {
     internal::RequireAtLeast(1, epochs, "epochs");
     if (group < 1 || lanes % group != 0) throw sim::KeyError("group", "group must divide lanes");
     if (!(stop_weight > 0.0)) throw sim::KeyError("stop_weight", "stop_weight must be positive");
+    if (!(forward_weight > 0.0)) {
+      throw sim::KeyError("forward_weight", "forward_weight must be positive");
+    }
     if (!(gradient_norm > 0.0)) {
       throw sim::KeyError("gradient_norm", "gradient_norm must be positive");
     }
@@ -150,9 +157,11 @@ class ImitationTraining final : public LaneTraining {
     const torch::Tensor lessons = of(rollout.lessons);
     *agreed =
         (output.log_probabilities.argmax(-1) == lessons).to(torch::kFloat32).mean().item<double>();
-    const torch::Tensor stops =
-        (lessons == static_cast<int>(sim::Action::kStop)).to(torch::kFloat32);
-    const torch::Tensor weights = 1.0 + (config_.stop_weight - 1.0) * stops;
+    const auto are = [&](sim::Action action) {
+      return (lessons == static_cast<int>(action)).to(torch::kFloat32);
+    };
+    const torch::Tensor weights = 1.0 + (config_.stop_weight - 1.0) * are(sim::Action::kStop) +
+                                  (config_.forward_weight - 1.0) * are(sim::Action::kMoveForward);
     const torch::Tensor right =
         output.log_probabilities.gather(-1, lessons.unsqueeze(-1)).squeeze(-1);
     return -(right * weights).sum() / weights.sum();

@@ -561,6 +561,10 @@ TEST_F(NavigationTest, BadConfigsAreNamed) {
               HasSubstr("to must not be before from"));
   EXPECT_THAT(complaint("imitation", "dagger: {from: 1, to: 5, stop_from: 1}\n"),
               HasSubstr("stop_from must be in [0, 1)"));
+  EXPECT_THAT(complaint("imitation", "forward_weight: 0\n"),
+              HasSubstr("forward_weight must be positive"));
+  EXPECT_THAT(complaint("ppo", "agent: {stop_steps: 2}\n"),
+              HasSubstr("stop_steps needs stop_from"));
   EXPECT_THAT(complaint("distillation", "policy_start: nowhere.safetensors\n"),
               HasSubstr("setting: rgb"));
   EXPECT_THAT(complaint("distillation", "setting: rgb\n"), HasSubstr("policy_start is missing"));
