@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/training/rl/navigation/navigation_scenes.h"
 
+#include <mutex>
+
 #include "benchmark/episodes/scene_cache.h"
 #include "sim/base/error.h"
 #include "sim/math/rng.h"
@@ -10,6 +12,16 @@ namespace bulletnav::bench {
 namespace {
 
 constexpr std::array kKinds = {Difficulty::kEasy, Difficulty::kMedium, Difficulty::kHard};
+
+sim::WorldOptions OptionsOf(const NavigationData& data, const std::filesystem::path& scene) {
+  sim::WorldOptions options;
+  options.import = data.import.options();
+  options.backend = sim::Backend::kEmbree;  // the same pictures with and without a GPU
+  if (data.looks) {
+    options.import.finish = DrawLook(*data.looks, data.seed, scene.filename().string());
+  }
+  return options;
+}
 
 bool CanDraw(EpisodeDrawer* drawer, Difficulty kind) {
   try {
@@ -56,15 +68,17 @@ NavigationScenes::NavigationScenes(const NavigationData& data, const sim::BodySp
   const std::vector<std::filesystem::path> files = ScenesOf(data.as_data());
   if (files.empty()) throw sim::KeyError("data", "data names no scenes; see configs/train");
   scenes_.resize(files.size());
-  sim::WorldOptions options;
-  options.import = data.import.options();
-  options.backend = sim::Backend::kEmbree;  // the same pictures with and without a GPU
-  SceneCache cache(options);
-  cache.WarnOfGrey(warn);
+  std::mutex warning;
+  const Warn warn_alone = [&](const std::string& text) {
+    const std::lock_guard lock(warning);
+    warn(text);
+  };
   sim::WorkerPool pool(threads);
   pool.ForEach(static_cast<int>(files.size()), [&](int i, int) {
     Scene& scene = scenes_[static_cast<std::size_t>(i)];
     scene.file = files[static_cast<std::size_t>(i)];
+    SceneCache cache(OptionsOf(data, scene.file));
+    if (warn) cache.WarnOfGrey(warn_alone);
     cache.Expect(scene.file);
     scene.ground = cache.LoadGround(scene.file);
     scene.world = cache.Get(scene.file);

@@ -22,8 +22,11 @@ struct NavigationData {
   std::optional<DataHouses> houses;       // in addition
   std::optional<HousesSpec> more_houses;  // in addition, all of them; made if they are not there
   ImportSpec import;                      // of all scenes
-  std::uint64_t seed = 0;                 // of the episodes
-  int episodes = 0;  // always the first so many of DrawInTurn; 0: others without end
+  /// How scenes are drawn, each in one look for the whole training; bodies walk in them as they
+  /// are. Absent: as their files say.
+  std::optional<LooksSpec> looks;
+  std::uint64_t seed = 0;  // of the episodes and the looks
+  int episodes = 0;        // always the first so many of DrawInTurn; 0: others without end
 
   template <class V>
   void Visit(V& v) {
@@ -31,6 +34,7 @@ struct NavigationData {
     v("houses", houses);
     v("more_houses", more_houses);
     v("import", import);
+    v("looks", looks);
     v("seed", seed);
     v("episodes", episodes);
   }

@@ -120,6 +120,29 @@ Shown Look(PolicyTask* task) {
   return shown;
 }
 
+TEST_F(NavigationTest, LooksChangeWhatIsDrawnAndNothingElse) {
+  sim::WorkerPool pool(1);
+  const auto begin = [&](const NavigationData& data) {
+    NavigationScenes scenes(data, {}, 1);
+    NavigationLanes lanes(Spec(false), &scenes, &pool);
+    for (int lane = 0; lane < 4; ++lane) lanes.Begin(lane, 0);
+    const std::vector<int> turn(4, static_cast<int>(sim::Action::kTurnLeft));
+    std::vector<LaneOutcome> outcomes(4);
+    lanes.Step(turn, outcomes);
+    return Look(&lanes);
+  };
+  NavigationData data = Data();
+  const Shown plain = begin(data);
+  data.looks = LooksSpec{};
+  data.looks->share = 0.0;
+  EXPECT_EQ(begin(data), plain);
+  data.looks->share = 1.0;
+  const Shown other = begin(data);
+  EXPECT_EQ(other.numbers, plain.numbers);
+  EXPECT_NE(other.pictures, plain.pictures);
+  EXPECT_EQ(begin(data), other);
+}
+
 TEST_F(NavigationTest, EverySecondLaneSeesDepth) {
   NavigationScenes scenes(Data(), {}, 1);
   sim::WorkerPool pool(1);
