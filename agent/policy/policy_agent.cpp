@@ -18,6 +18,7 @@ void PolicyAgent::Reset(const Panorama& goal, std::uint64_t seed) {
   last_.reset();
   first_step_.reset();
   stops_in_row_ = 0;
+  stopped_in_vain_ = false;
   seed_ = seed;
 }
 
@@ -48,7 +49,9 @@ std::array<float, 4> PolicyAgent::HoldBackStop(std::array<float, 4> probabilitie
   const bool else_to_do = std::any_of(probabilities.begin() + 1, probabilities.end(), [](float p) {
     return p > 0.0f;
   });
-  if (stops_in_row_ < config_.stop_steps && else_to_do) probabilities[kStop] = 0.0f;
+  if (last_ == sim::Action::kStop) stopped_in_vain_ = true;
+  const bool held = stopped_in_vain_ || stops_in_row_ < config_.stop_steps;
+  if (held && else_to_do) probabilities[kStop] = 0.0f;
   return probabilities;
 }
 

@@ -58,7 +58,8 @@ class PolicyAgent : public Agent {
   Belief belief() const override;
 
  private:
-  /// Without the probability of a stop, if too few steps in a row have said so.
+  /// Without the probability of a stop, if too few steps in a row have said so, or if the body
+  /// has stopped before and the episode went on: to stop is then of no use.
   std::array<float, 4> HoldBackStop(std::array<float, 4> probabilities);
 
   Config config_;
@@ -69,6 +70,7 @@ class PolicyAgent : public Agent {
   std::optional<sim::Action> last_;
   std::optional<int> first_step_;  // of the way to this goal
   int stops_in_row_ = 0;           // steps that said so, up to now
+  bool stopped_in_vain_ = false;
   std::uint64_t seed_ = 0;
 };
 

@@ -76,10 +76,10 @@ TEST_F(PolicyAgentTest, DrawsActionsByTheirProbabilities) {
   const auto policy = std::make_shared<Stub>(std::array{0.1f, 0.6f, 0.3f, 0.0f});
   PolicyAgent agent({}, policy);
   PolicyAgent likeliest({.sample = false}, policy);
-  agent.Reset({seven_, {}}, 5);
   likeliest.Reset({seven_, {}}, 5);
   std::array<int, 4> counts{};
   for (int step = 0; step < 2000; ++step) {
+    agent.Reset({seven_, {}}, static_cast<std::uint64_t>(step));  // a stop ends an episode
     ++counts[static_cast<std::size_t>(Act(&agent, step))];
     EXPECT_EQ(Act(&likeliest, step), sim::Action::kMoveForward);
   }
@@ -96,8 +96,8 @@ TEST_F(PolicyAgentTest, StopsOnlyWhenItIsSureIfItIsToldSo) {
   sure.Reset({seven_, {}}, 5);
   for (int step = 0; step < 50; ++step) {
     EXPECT_NE(Act(&doubting, step), sim::Action::kStop);
-    EXPECT_EQ(Act(&sure, step), sim::Action::kStop);
   }
+  EXPECT_EQ(Act(&sure, 0), sim::Action::kStop);
 }
 
 TEST_F(PolicyAgentTest, StopsOnlyAfterSoManySureStepsInARow) {
@@ -120,6 +120,20 @@ TEST_F(PolicyAgentTest, StopsOnlyAfterSoManySureStepsInARow) {
   agent.NextGoal({eight_, {}}, 6);
   EXPECT_EQ(next(sure), sim::Action::kMoveForward);
   EXPECT_EQ(next({1.0f, 0.0f, 0.0f, 0.0f}), sim::Action::kStop);  // there is nothing else to do
+}
+
+TEST_F(PolicyAgentTest, GoesOnAfterAStopInVain) {
+  for (const double stop_from : {0.0, 0.5}) {
+    const auto policy = std::make_shared<Stub>(std::array{1.0f, 0.0f, 0.0f, 0.0f});
+    PolicyAgent agent({.stop_from = stop_from}, policy);
+    agent.Reset({seven_, {}}, 5);
+    EXPECT_EQ(Act(&agent, 0), sim::Action::kStop);
+    policy->probabilities = {0.9f, 0.1f, 0.0f, 0.0f};
+    for (int step = 1; step < 40; ++step) EXPECT_EQ(Act(&agent, step), sim::Action::kMoveForward);
+    agent.NextGoal({eight_, {}}, 6);
+    policy->probabilities = {1.0f, 0.0f, 0.0f, 0.0f};
+    EXPECT_EQ(Act(&agent, 40), sim::Action::kStop);
+  }
 }
 
 TEST_F(PolicyAgentTest, SureStepsNeedAProbabilityFromWhichTheyCount) {
