@@ -42,7 +42,9 @@ class PolicyAgent : public Agent {
       if (!(stop_from >= 0.0 && stop_from < 1.0)) throw sim::Error("stop_from must be in [0, 1)");
       if (stop_steps < 1) throw sim::Error("stop_steps must be at least 1");
       if (stop_steps > 1 && stop_from == 0.0) {
-        throw sim::Error("stop_steps needs stop_from: say from which probability on a step counts");
+        throw sim::Error(
+            "stop_steps needs stop_from: say from which probability on a step counts, or set "
+            "stop_steps: 1");
       }
     }
   };
