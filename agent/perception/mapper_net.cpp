@@ -136,4 +136,13 @@ std::shared_ptr<MapperNet> LoadMapper(const std::filesystem::path& file) {
   return net;
 }
 
+void TakeMapper(const std::filesystem::path& file, MapperNet* net) {
+  const TensorFile content = ReadTensorFile(file);
+  MapperConfig theirs = MapperConfigOf(content, file);
+  theirs.dropout = net->config().dropout;
+  theirs.precision = net->config().precision;
+  if (theirs != net->config()) throw OtherShape(file, kMapperKey);
+  SetWeights(content, "", file, net);
+}
+
 }  // namespace bulletnav::agent

@@ -53,5 +53,7 @@ void SaveMapper(const MapperNet& net, std::map<std::string, std::string> notes, 
                 const std::filesystem::path& file);
 /// Throws FileError, also if the configuration is missing or bad.
 std::shared_ptr<MapperNet> LoadMapper(const std::filesystem::path& file);
+/// As TakeNet, for a mapper.
+void TakeMapper(const std::filesystem::path& file, MapperNet* net);
 
 }  // namespace bulletnav::agent

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "agent/models/config_in_weights.h"
-#include "sim/base/error.h"
 
 namespace bulletnav::agent {
 ModelConfig ModelConfigOf(const TensorFile& weights, const std::filesystem::path& file) {
@@ -13,6 +12,12 @@ ModelConfig ModelConfigOf(const TensorFile& weights, const std::filesystem::path
 
 MapperConfig MapperConfigOf(const TensorFile& weights, const std::filesystem::path& file) {
   return ConfigInWeights<MapperConfig>(weights, kMapperKey, file, "a mapper; train it again");
+}
+
+sim::FileError OtherShape(const std::filesystem::path& file, const std::string& key) {
+  return {file, key,
+          "is of another shape than the net to train; `bulletnav weights` shows it: give the "
+          "config's block 'model' the same"};
 }
 
 void RequireRig(const Rig& rig, const ModelConfig& config, const std::filesystem::path& file) {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>
+#include <string>
 
 #include "agent/models/safetensors.h"
 #include "agent/observation.h"
 #include "agent/perception/mapper_config.h"
 #include "agent/perception/model_config.h"
+#include "sim/base/error.h"
 
 namespace bulletnav::agent {
 
@@ -18,6 +20,9 @@ inline constexpr const char* kMapperKey = "mapper";
 /// is missing or bad.
 ModelConfig ModelConfigOf(const TensorFile& weights, const std::filesystem::path& file);
 MapperConfig MapperConfigOf(const TensorFile& weights, const std::filesystem::path& file);
+
+/// What to throw where weights are to be trained on in a net of another shape; `key` holds theirs.
+sim::FileError OtherShape(const std::filesystem::path& file, const std::string& key);
 
 /// Throws Error unless a rig gives what the model takes: 128 x 512 panoramas with colour and, by
 /// its configuration, depth.

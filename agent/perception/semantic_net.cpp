@@ -39,4 +39,14 @@ std::shared_ptr<SemanticNet> LoadNet(const std::filesystem::path& file) {
   return net;
 }
 
+void TakeNet(const std::filesystem::path& file, SemanticNet* net) {
+  const TensorFile content = ReadTensorFile(file);
+  ModelConfig theirs = ModelConfigOf(content, file);
+  theirs.dropout = net->config().dropout;
+  theirs.precision = net->config().precision;
+  theirs.norm = net->config().norm;
+  if (theirs != net->config()) throw OtherShape(file, kModelKey);
+  SetWeights(content, "", file, net);
+}
+
 }  // namespace bulletnav::agent

@@ -36,5 +36,8 @@ void SaveNet(const SemanticNet& net, std::map<std::string, std::string> notes, S
              const std::filesystem::path& file);
 /// Throws FileError, also if the configuration is missing or bad.
 std::shared_ptr<SemanticNet> LoadNet(const std::filesystem::path& file);
+/// Gives a net the weights of a file, to be trained on from there. Throws FileError, also if they
+/// are of a net of another shape.
+void TakeNet(const std::filesystem::path& file, SemanticNet* net);
 
 }  // namespace bulletnav::agent

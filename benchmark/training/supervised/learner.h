@@ -2,7 +2,9 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -52,5 +54,8 @@ class Learner {
   virtual void Save(std::map<std::string, std::string> notes,
                     const std::filesystem::path& file) const = 0;
 };
+
+/// Always the same net.
+using LearnerMaker = std::function<std::unique_ptr<Learner>()>;
 
 }  // namespace bulletnav::bench

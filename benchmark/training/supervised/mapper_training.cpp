@@ -9,6 +9,7 @@
 #include "agent/integer/quantised_file.h"
 #include "agent/perception/mapper_net.h"
 #include "agent/perception/quantise.h"
+#include "benchmark/base/shipped_file.h"
 #include "benchmark/training/core/registry.h"
 #include "benchmark/training/supervised/answer_batches.h"
 #include "benchmark/training/supervised/augment.h"
@@ -34,7 +35,9 @@ agent::Rig RigOf(const MapperTrainConfig& config) {
 class MapperLearner final : public Learner {
  public:
   explicit MapperLearner(const MapperTrainConfig& config)
-      : config_(config), rng_(config.seed, "train_mapper"), net_(config.model, config.seed) {}
+      : config_(config), rng_(config.seed, "train_mapper"), net_(config.model, config.seed) {
+    if (config.start) agent::TakeMapper(ShippedOr(*config.start), &net_);
+  }
 
   torch::nn::Module& net() override { return net_; }
 
@@ -101,18 +104,19 @@ class MapperLearner final : public Learner {
   agent::MapperNet net_;
 };
 
+LearnerMaker MakerOf(const MapperTrainConfig& config) {
+  return [config] {
+    return std::make_unique<MapperLearner>(config);
+  };
+}
+
 }  // namespace
 
 MapperTraining::MapperTraining(const Config& config, const TrainContext& context)
-    : MapperTraining(config, LoadBatches(config, true, context)) {}
+    : MapperTraining(config, LoadBatches(config, MakerOf(config), true, context)) {}
 
 MapperTraining::MapperTraining(const Config& config, BatchSources batches)
-    : SupervisedTraining(
-          config,
-          [config] {
-            return std::make_unique<MapperLearner>(config);
-          },
-          std::move(batches)) {}
+    : SupervisedTraining(config, MakerOf(config), std::move(batches)) {}
 
 std::string MapperTraining::title() const {
   return "The mapper from colour";

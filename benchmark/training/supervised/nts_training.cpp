@@ -9,6 +9,7 @@
 #include "agent/integer/quantised_file.h"
 #include "agent/perception/quantise.h"
 #include "agent/perception/semantic_net.h"
+#include "benchmark/base/shipped_file.h"
 #include "benchmark/training/core/registry.h"
 #include "benchmark/training/supervised/answer_batches.h"
 #include "benchmark/training/supervised/augment.h"
@@ -25,7 +26,9 @@ namespace {
 class NtsLearner final : public Learner {
  public:
   explicit NtsLearner(const TrainConfig& config)
-      : config_(config), rng_(config.seed, "train_nts"), net_(config.model, config.seed) {}
+      : config_(config), rng_(config.seed, "train_nts"), net_(config.model, config.seed) {
+    if (config.start) agent::TakeNet(ShippedOr(*config.start), &net_);
+  }
 
   torch::nn::Module& net() override { return net_; }
 
@@ -107,18 +110,20 @@ class NtsLearner final : public Learner {
   agent::SemanticNet net_;
 };
 
+LearnerMaker MakerOf(const TrainConfig& config) {
+  return [config] {
+    return NtsTraining::MakeLearner(config);
+  };
+}
+
 }  // namespace
 
 NtsTraining::NtsTraining(const Config& config, const TrainContext& context)
-    : NtsTraining(config, LoadBatches(config, config.model.uses_depth(), context)) {}
+    : NtsTraining(config,
+                  LoadBatches(config, MakerOf(config), config.model.uses_depth(), context)) {}
 
 NtsTraining::NtsTraining(const Config& config, BatchSources batches)
-    : SupervisedTraining(
-          config,
-          [config] {
-            return MakeLearner(config);
-          },
-          std::move(batches)) {}
+    : SupervisedTraining(config, MakerOf(config), std::move(batches)) {}
 
 std::unique_ptr<Learner> NtsTraining::MakeLearner(const Config& config) {
   return std::make_unique<NtsLearner>(config);

@@ -8,7 +8,9 @@
 
 #include <fmt/core.h>
 
+#include "agent/models/model_registry.h"
 #include "benchmark/base/program_version.h"
+#include "benchmark/base/shipped_file.h"
 #include "benchmark/base/warn_line.h"
 #include "benchmark/training/supervised/scene_batches.h"
 #include "benchmark/training/supervised/train_lanes.h"
@@ -42,7 +44,9 @@ std::shared_ptr<const BatchSource> Batches(const DataConfig& data, const BatchSp
 
 }  // namespace
 
-BatchSources LoadBatches(const SupervisedPlan& plan, bool with_depth, const TrainContext& context) {
+BatchSources LoadBatches(const SupervisedPlan& plan, const LearnerMaker& make, bool with_depth,
+                         const TrainContext& context) {
+  make();
   if (!plan.data) throw sim::KeyError("data", "there is no block 'data'; see configs/train");
   const DataConfig validation = ValidationData(plan);
   for (const DataConfig& data : {*plan.data, validation}) {
@@ -57,6 +61,7 @@ BatchSources LoadBatches(const SupervisedPlan& plan, bool with_depth, const Trai
 struct SupervisedTraining::Work {
   SupervisedPlan plan;
   LearnerMaker make;
+  std::int64_t frames_before = 0;  // of the weights that it goes on from
   BatchSources batches;
   sim::WorkerPool pool;
   std::unique_ptr<Learner> learner;
@@ -67,8 +72,10 @@ SupervisedTraining::SupervisedTraining(const SupervisedPlan& plan, LearnerMaker 
                                        BatchSources batches) {
   const int threads = std::min(plan.lanes, static_cast<int>(std::thread::hardware_concurrency()));
   std::unique_ptr<Learner> learner = make();
-  work_.reset(new Work{plan, std::move(make), std::move(batches), sim::WorkerPool(threads),
-                       std::move(learner), std::nullopt});
+  const std::int64_t frames_before =
+      plan.start ? agent::FramesTrained(ShippedOr(*plan.start)).value_or(0) : 0;
+  work_.reset(new Work{plan, std::move(make), frames_before, std::move(batches),
+                       sim::WorkerPool(threads), std::move(learner), std::nullopt});
 }
 
 SupervisedTraining::~SupervisedTraining() = default;
@@ -92,6 +99,10 @@ Measures SupervisedTraining::Validate() {
 
 std::int64_t SupervisedTraining::FramesAfter(int steps) const {
   return std::int64_t{steps} * work_->plan.frames();
+}
+
+std::int64_t SupervisedTraining::FramesBefore() const {
+  return work_->frames_before;
 }
 
 void SupervisedTraining::Save(std::map<std::string, std::string> notes,

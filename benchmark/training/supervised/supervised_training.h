@@ -2,7 +2,6 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -12,12 +11,11 @@
 
 #include "benchmark/training/core/registry.h"
 #include "benchmark/training/core/training.h"
+#include "benchmark/training/supervised/learner.h"
 #include "benchmark/training/supervised/pair_batch.h"
 #include "benchmark/training/supervised/train_config.h"
 
 namespace bulletnav::bench {
-
-class Learner;
 
 /// What a training learns from and what it is tried on.
 struct BatchSources {
@@ -25,16 +23,16 @@ struct BatchSources {
   std::shared_ptr<const BatchSource> validation;  // batches number 0 on
 };
 
-/// Makes and labels what the plan's data lack, and loads it. Throws Error, also if there is no
-/// block `data`; see SceneBatches.
-BatchSources LoadBatches(const SupervisedPlan& plan, bool with_depth, const TrainContext& context);
+/// Makes and labels what the plan's data lack, and loads it; `make` is tried first, since weights
+/// to start from that are bad are better told of before minutes of work. Throws Error, also if
+/// there is no block `data`; see SceneBatches.
+BatchSources LoadBatches(const SupervisedPlan& plan, const LearnerMaker& make, bool with_depth,
+                         const TrainContext& context);
 
 /// A training of a Learner from batches, in lanes; the same bits on any number of threads.
 class SupervisedTraining : public Training {
  public:
-  /// `make`: always the same net.
-  SupervisedTraining(const SupervisedPlan& plan, std::function<std::unique_ptr<Learner>()> make,
-                     BatchSources batches);
+  SupervisedTraining(const SupervisedPlan& plan, LearnerMaker make, BatchSources batches);
   ~SupervisedTraining() override;
   SupervisedTraining(const SupervisedTraining&) = delete;
   SupervisedTraining& operator=(const SupervisedTraining&) = delete;
@@ -45,6 +43,7 @@ class SupervisedTraining : public Training {
   double Learn(const TrainStep& step) override;
   Measures Validate() override;
   std::int64_t FramesAfter(int steps) const override;
+  std::int64_t FramesBefore() const override;
   std::string frames_are() const override { return "panoramas"; }
   void Save(std::map<std::string, std::string> notes,
             const std::filesystem::path& file) const override;

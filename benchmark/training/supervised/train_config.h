@@ -14,6 +14,7 @@ namespace bulletnav::bench {
 
 /// What all trainings from labelled panoramas are told.
 struct SupervisedPlan : TrainPlan {
+  std::optional<std::string> start;      // weights to go on from; default: none
   std::optional<DataConfig> data;        // what SceneBatches learns from
   std::optional<DataConfig> validation;  // and is tried on; default: the houses' split "val"
   AugmentSpec augment;
@@ -36,6 +37,7 @@ struct SupervisedPlan : TrainPlan {
   void VisitData(V& v) {
     v("task", task);
     v.Required("out", out);
+    v("start", start);
     v("data", data);
     v("validation", validation);
   }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -9,9 +8,6 @@
 #include "sim/threads/worker_pool.h"
 
 namespace bulletnav::bench {
-
-/// Always the same net.
-using LearnerMaker = std::function<std::unique_ptr<Learner>()>;
 
 /// The parts that a step of training falls into, which threads take side by side. Each has the
 /// parameters of the trained net and gradients and running means of its own, so that what a step

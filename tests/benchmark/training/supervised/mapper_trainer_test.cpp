@@ -66,6 +66,22 @@ TEST_F(MapperTrainerTest, QuantisesAtItsEndAndTellsBothAccuracies) {
   tests::ExpectIntegersBesideWeights(folder_.path());
 }
 
+TEST_F(MapperTrainerTest, StartsFromWeightsOfItsShape) {
+  MapperTrainConfig config = TinyConfig(folder_.path() / "first");
+  Watcher watcher;
+  Train(config, &watcher);
+  config.start = (folder_.path() / "first/weights.safetensors").string();
+  config.out = (folder_.path() / "second").string();
+  config.optimiser.learning_rate = 1e-12;  // too little to change a stored number
+  Train(config, &watcher);
+  const auto first = agent::ReadTensorFile(*config.start).tensors;
+  const auto second = agent::ReadTensorFile(folder_.path() / "second/weights.safetensors").tensors;
+  EXPECT_EQ(first.at("rays.weight"), second.at("rays.weight"));
+
+  config.model.features = 8;
+  EXPECT_THROW(Train(config, &watcher), sim::FileError);
+}
+
 TEST_F(MapperTrainerTest, AgentsCanUseWhatItWrites) {
   const MapperTrainConfig config = TinyConfig(folder_.path());
   Watcher watcher;

@@ -6,6 +6,8 @@
 
 #include "agent/models/model_registry.h"
 #include "agent/models/safetensors.h"
+#include "agent/perception/semantic_net.h"
+#include "agent/perception/weights.h"
 #include "benchmark/training/core/training_log.h"
 #include "benchmark/training/supervised/nts_training.h"
 #include "sim/base/error.h"
@@ -93,6 +95,41 @@ TEST_F(TrainNtsTest, QuantisesAtItsEndAndTellsBothAccuracies) {
   Watcher watcher;
   Train(config, &watcher);
   tests::ExpectIntegersBesideWeights(folder_.path());
+}
+
+TEST_F(TrainNtsTest, StartsFromWeights) {
+  TrainConfig config = TinyConfig(folder_.path() / "first");
+  Watcher watcher;
+  Train(config, &watcher);
+  config.start = (folder_.path() / "first/weights.safetensors").string();
+  config.out = (folder_.path() / "second").string();
+  config.optimiser.learning_rate = 1e-12;  // all but none
+  Train(config, &watcher);
+
+  const auto first = agent::ReadTensorFile(*config.start).tensors;
+  const auto second = agent::ReadTensorFile(folder_.path() / "second/weights.safetensors").tensors;
+  agent::SemanticNet net(config.model, 0);
+  const auto parameters = net.named_parameters();
+  for (const auto& item : parameters) {
+    EXPECT_TRUE(at::allclose(agent::FromStored(first.at(item.key())),
+                             agent::FromStored(second.at(item.key())), 0.0, 1e-9))
+        << item.key();
+  }
+  EXPECT_EQ(agent::FramesTrained(folder_.path() / "second/weights.safetensors"), 96);
+  EXPECT_THAT(sim::ReadTextFile(folder_.path() / "second/weights.md"),
+              HasSubstr("48 panoramas in all, on"));
+}
+
+TEST_F(TrainNtsTest, SaysWhatIsWrongWithWeightsToStartFrom) {
+  TrainConfig config = TinyConfig(folder_.path() / "first");
+  EXPECT_EQ(Complaint(config), "none");
+  config.start = (folder_.path() / "first/weights.safetensors").string();
+  config.out = folder_.path() / "second";
+  config.model.pair_features = 16;
+  EXPECT_THAT(Complaint(config),
+              AllOf(HasSubstr("weights.safetensors"), HasSubstr("of another shape")));
+  config.start = (folder_.path() / "none.safetensors").string();
+  EXPECT_THAT(Complaint(config), HasSubstr("none.safetensors"));
 }
 
 TEST_F(TrainNtsTest, RefusesToGoOnByAnotherConfig) {

@@ -22,6 +22,7 @@ TEST(TrainConfig, ShippedConfigsLoad) {
     const auto config = sim::LoadYaml<TrainConfig>(Shipped(name));
     EXPECT_EQ(config.model.uses_depth(), name == "nts_rgbd");
   }
+  EXPECT_TRUE(sim::LoadYaml<TrainConfig>(Shipped("own_scenes")).start);
   EXPECT_EQ(ValidationData(sim::LoadYaml<MapperTrainConfig>(Shipped("mapper_rgb"))).houses->split,
             "val");
 }
