@@ -17,7 +17,12 @@ Config ConfigInWeights(const TensorFile& weights, const char* key,
                        const std::filesystem::path& file, const std::string& whose) {
   const auto found = weights.metadata.find(key);
   if (found == weights.metadata.end()) {
-    throw sim::FileError(file, "", "does not hold the weights of " + whose);
+    const auto task = weights.metadata.find("task");
+    throw sim::FileError(file, "",
+                         "does not hold the weights of " + whose +
+                             (task == weights.metadata.end()
+                                  ? ""
+                                  : ", or name another file: this is of task: " + task->second));
   }
   return sim::LoadYamlText<Config>(found->second, file);
 }

@@ -14,7 +14,7 @@ const ModelRegistration registration(
     [](const std::filesystem::path& weights, const Rig& rig) {
       const TensorFile content = ReadTensorFile(weights);
       const PolicyConfig config = PolicyConfigOf(content, weights);
-      RequirePolicyRig(rig, config, weights);
+      RequirePolicyRig(rig, content, weights);
       const QuantisedNet net = ReadQuantised(content, weights);
       return MadeOfIntegers(weights, kTrainPolicyAgain, [&] {
         return std::make_shared<IntegerPolicy>(config, net);

@@ -80,7 +80,7 @@ namespace {
 const ModelRegistration registration(kPolicyKey,
                                      [](const std::filesystem::path& weights, const Rig& rig) {
                                        const std::shared_ptr<PolicyNet> net = LoadPolicy(weights);
-                                       RequirePolicyRig(rig, net->config(), weights);
+                                       RequirePolicyRig(rig, ReadTensorFile(weights), weights);
                                        net->eval();
                                        net->Fold();
                                        return std::make_shared<LearnedPolicy>(net);

@@ -5,6 +5,19 @@
 #include <utility>
 
 namespace bulletnav::agent {
+namespace {
+
+std::shared_ptr<PolicyModel> WithoutMap(std::shared_ptr<PolicyModel> policy) {
+  if (!policy->sees_map()) return policy;
+  throw sim::Error(
+      "these weights are of a policy that is shown a map, which metric_map_rl takes; this agent "
+      "needs those of one that is not");
+}
+
+}  // namespace
+
+PolicyAgent::PolicyAgent(const Config& config, const AgentContext& context)
+    : PolicyAgent(config, WithoutMap(context.models.Need<PolicyModel>(kPolicy)), context.rig) {}
 
 PolicyAgent::PolicyAgent(const Config& config, std::shared_ptr<PolicyModel> policy, const Rig& rig)
     : config_(config), policy_(std::move(policy)) {

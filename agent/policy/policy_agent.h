@@ -49,8 +49,8 @@ class PolicyAgent : public Agent {
     }
   };
 
-  PolicyAgent(const Config& config, const AgentContext& context)
-      : PolicyAgent(config, context.models.Need<PolicyModel>(kPolicy), context.rig) {}
+  /// Throws Error if the policy sees a map: MetricMapRl takes those.
+  PolicyAgent(const Config& config, const AgentContext& context);
   /// Throws Error if the policy sees a map and the rig has no depth.
   PolicyAgent(const Config& config, std::shared_ptr<PolicyModel> policy, const Rig& rig = {});
 

@@ -11,13 +11,17 @@ namespace bulletnav::agent {
 /// What is to be done about a file whose integers cannot be used.
 inline constexpr const char* kTrainPolicyAgain = "train the policy again";
 
+/// A note in the metadata of weights that see with another encoder than they were trained with.
+inline constexpr const char* kStitchedKey = "stitched";
+
 /// The configuration of the policy that weights belong to. Throws FileError if it is missing or
 /// bad.
 PolicyConfig PolicyConfigOf(const TensorFile& weights, const std::filesystem::path& file);
 
-/// Throws FileError unless a rig gives what the policy takes: panoramas of 128 x 512 with colour
-/// and, if it is shown a map, depth.
-void RequirePolicyRig(const Rig& rig, const PolicyConfig& config,
-                      const std::filesystem::path& file);
+/// Throws FileError unless a rig is the body that the policy was trained in: one that sees
+/// cylindrical panoramas of 128 x 512 with colour, from 1.25 m, and depth or none as in the setting
+/// of its training. Weights that do not tell their setting, and those with another encoder stitched
+/// in, may have depth or not, but for those of a map.
+void RequirePolicyRig(const Rig& rig, const TensorFile& weights, const std::filesystem::path& file);
 
 }  // namespace bulletnav::agent

@@ -17,6 +17,8 @@
 #include "benchmark/evaluate_perception/perception_config.h"
 #include "benchmark/runs/agent_models.h"
 #include "benchmark/training/supervised/calibration.h"
+#include "sim/base/error.h"
+#include "sim/base/require_writable.h"
 #include "sim/config/yaml_reader.h"
 
 namespace bulletnav::bench {
@@ -36,6 +38,13 @@ void QuantiseFile(const QuantiseOptions& options) {
   const fs::path weights = FindWeights(config.weights);
   const fs::path out = options.out.empty() ? weights : fs::path(options.out);
   const agent::TensorFile content = agent::ReadTensorFile(weights);
+  if (!content.metadata.contains(agent::kMapperKey) &&
+      !content.metadata.contains(agent::kModelKey)) {
+    throw sim::FileError(weights, "",
+                         "holds neither a semantic model nor a mapper; policies are put in "
+                         "integers by `bulletnav train` itself");
+  }
+  sim::RequireWritable(out);
   MakeHousesOf(config.data, CommittedVersion(), 0, StartLine);
   torch::Tensor input;
   if (content.metadata.contains(agent::kMapperKey)) {

@@ -53,11 +53,12 @@ BodyPose RandomPose(const sim::NavmeshQuery& query, sim::CapsuleBody* body, sim:
 }
 
 /// Free places drawn evenly from the walkable floor, seen in random directions.
-std::vector<BodyPose> RandomPoses(const sim::World& world, int count, std::uint64_t seed) {
-  world.RequireFloor();
+std::vector<BodyPose> RandomPoses(const sim::World& world, const RenderOptions& options) {
+  sim::RequireFloor(options.scene.file, world.report(), world.navmesh());
   const sim::NavmeshQuery query(world.navmesh());
-  sim::Rng rng(sim::RngKey{seed, world.id()});
+  sim::Rng rng(sim::RngKey{options.seed, world.id()});
   sim::CapsuleBody body(world.physics(), {});
+  const int count = std::max(1, options.random);
   std::vector<BodyPose> poses;
   poses.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) poses.push_back(RandomPose(query, &body, &rng));
@@ -106,9 +107,9 @@ void Render(const RenderOptions& options) {
   const std::string grey = DrawnGrey(options.scene.file, world->report());
   if (!grey.empty()) WarnLine(grey);
   const auto renderer = world->render_scene().MakeRenderer(spec);
-  const std::vector<BodyPose> poses =
-      options.pose.empty() ? RandomPoses(*world, std::max(1, options.random), options.seed)
-                           : std::vector<BodyPose>{GivenPose(*world, options)};
+  const std::vector<BodyPose> poses = options.pose.empty()
+                                          ? RandomPoses(*world, options)
+                                          : std::vector<BodyPose>{GivenPose(*world, options)};
   sim::PictureNoise noise(sim::NamedSensorNoise(options.sensor_noise), spec);
   const sim::Rng random(options.seed, "render");
   std::vector<std::uint8_t> color(3 * size.pixels());

@@ -12,6 +12,7 @@
 #include "benchmark/cli/progress.h"
 #include "benchmark/cli/shipped_config.h"
 #include "benchmark/training/rl/navigation/policy_stitching.h"
+#include "sim/base/require_writable.h"
 #include "sim/config/override.h"
 #include "sim/config/yaml_reader.h"
 
@@ -38,6 +39,7 @@ void AddStitchCommand(CLI::App* program) {
     const std::filesystem::path file = ShippedConfig(options->config);
     StitchConfig config;
     sim::YamlReader::Read(sim::ReadWithOverrides(file, options->overrides), config);
+    sim::RequireWritable(options->out);
     const double explained = Stitch(config, options->out, {.start = StartLine});
     fmt::print("{:.1f}% of the variance of its codes is explained; written to {}\n",
                100.0 * explained, options->out.string());

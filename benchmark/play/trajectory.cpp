@@ -15,14 +15,15 @@ namespace {
 
 constexpr std::string_view kActionLetters = "SFLR";  // in the order of sim::Action
 
-/// Fit to be part of a file's name.
+/// Fit to be a file's name, another one for each text: two results must not share a file.
 std::string FileName(std::string_view text) {
-  constexpr std::string_view kSafe = "-_.+=";
+  constexpr char kFirstPrinted = ' ';
+  constexpr char kDeleted = '\x7f';
   std::string name;
   for (const char c : text) {
-    const bool is_plain = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') ||
-                          (c >= 'A' && c <= 'Z') || kSafe.find(c) != std::string_view::npos;
-    name += is_plain ? c : '_';
+    const auto byte = static_cast<unsigned char>(c);
+    const bool is_kept = byte >= kFirstPrinted && c != kDeleted && c != '/' && c != '%';
+    name += is_kept ? std::string(1, c) : fmt::format("%{:02X}", byte);
   }
   return name;
 }

@@ -62,7 +62,9 @@ Json ParseJson(std::string_view text, const std::filesystem::path& file, int fir
     const std::size_t byte = e.byte > 0 ? e.byte - 1 : 0;
     fail(LineAndColumn(text, byte, first_line), WhyBad(text, byte));
   } catch (const typename Json::exception&) {
-    fail("", {"holds a number too large for this program", "mend it"});
+    const bool is_one_line = text.find('\n') == std::string_view::npos;
+    fail(is_one_line ? std::to_string(first_line) : "",
+         {"holds a number too large for this program", "mend it"});
   }
   return {};
 }

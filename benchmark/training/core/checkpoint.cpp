@@ -4,10 +4,12 @@
 #include <bit>
 #include <charconv>
 #include <cmath>
+#include <string>
 #include <system_error>
 #include <utility>
 
 #include "agent/perception/weights.h"
+#include "benchmark/base/warn_line.h"
 #include "sim/base/error.h"
 #include "sim/base/files.h"
 #include "sim/base/temporary_folder.h"
@@ -70,8 +72,9 @@ std::optional<Checkpoints::Found> Checkpoints::Find() const {
   if (fs::exists(newest_)) {
     try {
       return Found{newest_, ReadCheckpoint(newest_)};
-    } catch (const sim::Error&) {
+    } catch (const sim::Error& error) {
       if (!fs::exists(previous_)) throw;
+      WarnLine(std::string(error.what()) + "; going on from " + previous_.string());
     }
   }
   return Found{previous_, ReadCheckpoint(previous_)};

@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <numeric>
 
+#include <fmt/core.h>
+
 #include "agent/perception/one_thread.h"
+#include "benchmark/base/memory.h"
 #include "sim/base/check.h"
 #include "sim/math/rng.h"
 
@@ -153,6 +156,19 @@ struct Actor::Record {
   bool asks = false;
 };
 
+/// Of what it keeps, which is there twice when the steps are put together.
+void Actor::CheckMemory(const PlaySpec& spec, const Record& record) const {
+  const bool keeps_pictures = record.keeps_pictures || spec.pictures;
+  const bool keeps_codes = goal_codes_.defined() && !record.keeps_pictures;
+  const double codes = keeps_codes ? static_cast<double>(goal_codes_.size(1)) : 0.0;
+  const double numbers = task_->observation_size() + codes;
+  const double step = sizeof(LaneStep) + numbers * sizeof(float) +
+                      (keeps_pictures ? static_cast<double>(task_->picture_bytes()) : 0.0);
+  const double all = 2.0 * step * spec.steps * static_cast<double>(lanes());
+  RequireMemory(all, fmt::format("a rollout of {} steps in {} lanes", spec.steps, lanes()),
+                "take a shorter rollout or fewer lanes");
+}
+
 Actor::Record Actor::BeginRecord(const PlaySpec& spec) {
   Record record;
   const bool has_pictures = task_->picture_bytes() > 0;
@@ -162,6 +178,8 @@ Actor::Record Actor::BeginRecord(const PlaySpec& spec) {
   record.goal_of_lane.resize(lanes());
   std::iota(record.goal_of_lane.begin(), record.goal_of_lane.end(), 0);
   AddGoals(record.goal_of_lane, &record);
+  if (!has_checked_memory_) CheckMemory(spec, record);
+  has_checked_memory_ = true;
   return record;
 }
 

@@ -70,7 +70,8 @@ class Actor {
   /// episodes.
   Actor(PolicyTask* task, ActorCritic* net, sim::WorkerPool* pool, int group, std::uint64_t seed);
 
-  /// `moments`: of returns, that the net's values are normalised by.
+  /// `moments`: of returns, that the net's values are normalised by. Throws sim::Error if the first
+  /// rollout does not fit into memory.
   Rollout Play(const PlaySpec& spec, const RunningMoments& moments);
 
   /// Of lanes in which the teacher always acts nothing is asked while they play; their memory is
@@ -90,6 +91,7 @@ class Actor {
   /// Sets the codes of what was seen.
   ActorCritic::Output Ask(Now* now);
   Record BeginRecord(const PlaySpec& spec);
+  void CheckMemory(const PlaySpec& spec, const Record& record) const;
   /// Of lanes whose goal is new.
   void AddGoals(const std::vector<std::int64_t>& lanes, Record* record);
   std::vector<int> Choose(const PlaySpec& spec, Record* record, ActorCritic::Output* output);
@@ -114,6 +116,7 @@ class Actor {
   torch::Tensor goal_codes_;
   std::vector<std::uint64_t> episodes_;
   std::vector<std::uint64_t> steps_;
+  bool has_checked_memory_ = false;
 };
 
 }  // namespace bulletnav::bench

@@ -2,6 +2,9 @@
 #include "agent/policy/integer_policy.h"
 
 #include <cmath>
+#include <map>
+#include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 
@@ -185,6 +188,56 @@ TEST(IntegerPolicy, WithAMapNeedsDepth) {
   EXPECT_THROW(LoadModel(file, rig), sim::FileError);
   AddQuantised(QuantisedOf(net.get()), file, file);
   EXPECT_THROW(LoadModel(file, rig), sim::FileError);
+}
+
+TEST(IntegerPolicy, ActsInTheSettingOfItsTrainingAlone) {
+  const std::shared_ptr<PolicyNet> net = Decided(SmallPolicy(Fusion::kLate));
+  const tests::TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "policy.safetensors";
+  const auto acts = [&](bool has_depth) {
+    Rig rig;
+    rig.has_depth = has_depth;
+    try {
+      LoadModel(file, rig);
+    } catch (const sim::FileError& error) {
+      EXPECT_THAT(error.what(), testing::HasSubstr("trained in the setting rgb"));
+      return false;
+    }
+    return true;
+  };
+  struct Case {
+    std::map<std::string, std::string> notes;
+    bool with_depth, without;
+  };
+  const std::vector<Case> cases = {
+      {{}, true, true},
+      {{{"training", "task: ppo\nsetting: rgbd\n"}}, true, false},
+      {{{"training", "setting: rgb"}}, false, true},
+      {{{"training", "setting: both"}}, true, true},
+      {{{"training", "setting: rgbd"}, {"stitched", "to another"}}, true, true}};
+  for (const Case& one : cases) {
+    SavePolicy(*net, one.notes, StoredType::kFloat32, file);
+    EXPECT_EQ(acts(true), one.with_depth);
+    EXPECT_EQ(acts(false), one.without);
+    AddQuantised(QuantisedOf(net.get()), file, file);
+    EXPECT_EQ(acts(true), one.with_depth);
+    EXPECT_EQ(acts(false), one.without);
+  }
+}
+
+TEST(IntegerPolicy, ActsInTheBodyOfItsTrainingAlone) {
+  const tests::TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "policy.safetensors";
+  SavePolicy(*Decided(SmallPolicy(Fusion::kLate)), {}, StoredType::kFloat32, file);
+  Rig low;
+  low.camera_height = 0.4f;
+  EXPECT_THROW(LoadModel(file, low), sim::FileError);
+  Rig near;
+  near.panorama.max_depth_m = 3.0f;
+  EXPECT_THROW(LoadModel(file, near), sim::FileError);
+  Rig other;
+  other.panorama.projection = sim::Projection::kEquirectangular;
+  EXPECT_THROW(LoadModel(file, other), sim::FileError);
 }
 
 TEST(IntegerPolicy, RefusesLayersOfAnotherShape) {

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/play/trajectory.h"
 
+#include <filesystem>
+#include <set>
+#include <string>
+
 #include <gmock/gmock.h>
 
 #include "sim/base/error.h"
@@ -102,10 +106,17 @@ TEST(Trajectory, DamageIsNamedWithItsPlace) {
               HasSubstr("poses[0]"));
 }
 
-TEST(Trajectory, PathsHaveNoLettersThatFileNamesShouldNotHave) {
+TEST(Trajectory, PathsAreFileNamesAndNoTwoResultsShareOne) {
   const ResultKey key = {"my agent", "rgbd", "noise", 3, "data/../hou se.basis.glb", "../a/b:1"};
   EXPECT_EQ(TrajectoryPath("run", key),
-            "run/trajectories/my_agent-rgbd-noise-3/hou_se.basis-.._a_b_1.json");
+            "run/trajectories/my agent-rgbd-noise-3/hou se.basis-..%2Fa%2Fb:1.json");
+  std::set<std::filesystem::path> paths;
+  for (const char* name : {"a b", "a_b", "a/b", "a%2Fb", "ü", "ö", "家", "宅", "a\nb"}) {
+    const ResultKey of_agent = {name, "rgbd", "noise", 0, "house.glb", "1"};
+    const ResultKey of_scene = {"nts", "rgbd", "noise", 0, std::string("house.glb"), name};
+    EXPECT_TRUE(paths.insert(TrajectoryPath("run", of_agent)).second) << name;
+    EXPECT_TRUE(paths.insert(TrajectoryPath("run", of_scene)).second) << name;
+  }
 }
 
 }  // namespace

@@ -125,7 +125,11 @@ TEST(ParseJson, SaysWhereAndWhatToDo) {
             }),
             "x:1:6: the JSON ends too early: the file is cut off; make it again");
   EXPECT_EQ(ComplaintOf([] {
-              ParseJson<FloatJson>("[1e39]", "x");
+              ParseJson<FloatJson>("[1e39]", "x", 7);
+            }),
+            "x:7: holds a number too large for this program; mend it");
+  EXPECT_EQ(ComplaintOf([] {
+              ParseJson<FloatJson>("[1,\n1e39]", "x");
             }),
             "x: holds a number too large for this program; mend it");
 }

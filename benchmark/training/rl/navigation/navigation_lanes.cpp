@@ -6,6 +6,9 @@
 #include <numeric>
 #include <utility>
 
+#include <fmt/core.h>
+
+#include "benchmark/base/memory.h"
 #include "sim/base/check.h"
 
 namespace bulletnav::bench {
@@ -25,6 +28,16 @@ Task Drawn(Task task, DrawMode draw, int rows) {
   task.panorama.rows = rows;
   task.panorama.cols = 4 * rows;
   return task;
+}
+
+/// Throws if so many bodies' panoramas do not fit into memory.
+std::size_t LanesThatFit(const NavigationSpec& spec) {
+  constexpr double kPixelBytes = 2 * (3 + sizeof(float));  // what is seen and the goal
+  const double pixels =
+      static_cast<double>(Drawn(spec.task, spec.draw, spec.rows).panorama.pixels());
+  RequireMemory(spec.lanes * pixels * kPixelBytes, fmt::format("playing in {} lanes", spec.lanes),
+                "take fewer lanes");
+  return static_cast<std::size_t>(spec.lanes);
 }
 
 }  // namespace
@@ -49,7 +62,7 @@ NavigationLanes::NavigationLanes(const NavigationSpec& spec, NavigationScenes* s
       scenes_(scenes),
       pool_(pool),
       draw_(spec.draw),
-      lanes_(static_cast<std::size_t>(spec.lanes)),
+      lanes_(LanesThatFit(spec)),
       all_(lanes_.size()) {
   std::iota(all_.begin(), all_.end(), 0);
   for (const int lane : all_) {

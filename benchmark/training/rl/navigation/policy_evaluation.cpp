@@ -64,8 +64,14 @@ std::vector<PolicyEvaluationRow> EvaluatePolicy(const PolicyEvaluationConfig& co
                                                 const std::filesystem::path& weights,
                                                 const PolicyTrials& trials, int workers,
                                                 const TrainContext& context) {
+  if (trials.shuffle_goals && config.episodes < 2) {
+    throw sim::Error("goals of one episode alone cannot be shuffled; play more episodes");
+  }
   const std::vector<std::string> settings = SettingsOf(config.setting);
-  const int limit = Load(weights, Task{}, settings.back() == "rgbd")->step_limit();
+  int limit = 0;
+  for (const std::string& setting : settings) {
+    limit = Load(weights, Task{}, setting == "rgbd")->step_limit();
+  }
   const Task task = TaskOf(config, limit);
   NavigationScenes scenes = LoadNavigationScenes(config.data, context, "loading scenes", workers);
   const PolicyValidation validation(&scenes, task, config.episodes);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "agent/models/model_registry.h"
+#include "agent/policy/policy_file.h"
 #include "agent/policy/stitch_policy.h"
 #include "benchmark/base/shipped_file.h"
 #include "benchmark/play/environment.h"
@@ -58,7 +59,7 @@ double Stitch(const StitchConfig& config, const std::filesystem::path& out,
   const torch::Tensor pictures = Pictures(&scenes, policy->config().rows, config.pictures);
   const double explained = agent::StitchPolicy(pictures, other, policy.get());
   std::map<std::string, std::string> notes = agent::ReadTensorFile(weights).metadata;
-  notes["stitched"] = config.weights + " to the encoder of " + config.encoder;
+  notes[agent::kStitchedKey] = config.weights + " to the encoder of " + config.encoder;
   agent::SavePolicy(*policy, std::move(notes), agent::StoredType::kBfloat16, out);
   return explained;
 }

@@ -78,6 +78,16 @@ struct Played {
   Actor actor;
 };
 
+TEST(Rollout, ThatDoesNotFitIntoMemoryIsRefusedBeforeItIsPlayed) {
+  Played played;
+  try {
+    played.Play(2'000'000'000);  // steps of four lanes: 800 GB
+    FAIL();
+  } catch (const sim::Error& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("a rollout of 2000000000 steps in 4 lanes takes"));
+  }
+}
+
 torch::Tensor AllLanes() {
   return torch::arange(0, 4, torch::kInt64);
 }

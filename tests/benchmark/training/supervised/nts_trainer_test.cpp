@@ -82,7 +82,11 @@ TEST_F(TrainNtsTest, DamagedCheckpointFallsBackToTheOneBefore) {
   bytes.resize(bytes.size() / 2);
   sim::WriteFileAtomically(folder_.path() / "checkpoint.safetensors", bytes);
   Watcher rest;
+  testing::internal::CaptureStderr();
   Train(config, &rest);
+  EXPECT_THAT(testing::internal::GetCapturedStderr(),
+              AllOf(HasSubstr("warning"), HasSubstr("/checkpoint.safetensors"),
+                    HasSubstr("going on from")));
   EXPECT_EQ(rest.resumed(), 2);
   fs::remove(folder_.path() / "checkpoint_previous.safetensors");
   sim::WriteFileAtomically(folder_.path() / "checkpoint.safetensors", bytes);
