@@ -69,9 +69,7 @@ KittiFolder ReadKittiFolder(const fs::path& folder) {
 
 KittiWriter::KittiWriter(fs::path folder, const Intrinsics& intrinsics)
     : folder_(std::move(folder)), intrinsics_(intrinsics) {
-  if (fs::exists(folder_ / "times.txt")) {
-    throw sim::FileError(folder_, "", "holds a recording already; name another folder");
-  }
+  ExpectNoRecording(folder_);
 }
 
 void KittiWriter::Add(const RecordedFrame& frame) {

@@ -38,7 +38,7 @@ KittiFolder ReadKittiFolder(const std::filesystem::path& folder);
 /// Writes a recording as such a folder, with depth/. Frames may lack poses, but then all lack them.
 class KittiWriter final : public RecordingWriter {
  public:
-  /// Throws sim::FileError if the folder holds a recording already.
+  /// Throws sim::FileError if the folder holds a recording of either kind already.
   KittiWriter(std::filesystem::path folder, const Intrinsics& intrinsics);
 
   void Add(const RecordedFrame& frame) override;

@@ -146,6 +146,9 @@ int WriteGraph(const ExportSpec& spec, const Chosen& chosen) {
 
 int ExportRecording(const ExportSpec& spec, const std::function<void(int)>& advance) {
   const Chosen chosen = Choose(spec);
+  if (fs::exists(spec.out) && fs::equivalent(spec.source, spec.out)) {
+    throw sim::FileError(spec.out, "", "is what is exported; name another --out");
+  }
   if (spec.format == RecordingFormat::kG2o) return WriteGraph(spec, chosen);
   const int frames = chosen.drive.is_recording ? CopyFrames(spec, chosen, advance)
                                                : WriteFrames(spec, chosen, advance);

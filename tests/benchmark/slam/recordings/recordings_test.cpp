@@ -192,6 +192,31 @@ TEST_F(Recordings, BadRecordingsAreToldInALine) {
   EXPECT_THAT(complaint(bad), HasSubstr("neither depth/ nor image_3/"));
 }
 
+TEST_F(Recordings, AFolderThatHoldsARecordingOfEitherKindIsLeftAlone) {
+  const fs::path tum = Record<TumWriter>("tum", true);
+  const fs::path kitti = Record<KittiWriter>("kitti", true);
+  const auto pictures = [](const fs::path& folder) {
+    return std::distance(fs::recursive_directory_iterator(folder), {});
+  };
+  const auto in_tum = pictures(tum);
+  const auto in_kitti = pictures(kitti);
+  for (const fs::path& source : {tum, kitti}) {
+    for (const fs::path& out : {tum, kitti, tum / "../kitti"}) {
+      EXPECT_THROW(ImportRecording({.source = source, .out = out}), sim::FileError);
+    }
+  }
+  for (const RecordingFormat format : {RecordingFormat::kTum, RecordingFormat::kKitti}) {
+    for (const fs::path& out : {tum, kitti}) {
+      EXPECT_THAT(([&] {
+                    ExportRecording({.source = tum, .out = out, .format = format});
+                  }),
+                  ThrowsMessage<sim::FileError>(HasSubstr("name another")));
+    }
+  }
+  EXPECT_EQ(pictures(tum), in_tum);
+  EXPECT_EQ(pictures(kitti), in_kitti);
+}
+
 TEST_F(Recordings, WhatLosesItsWayIsNoOdometry) {
   const fs::path folder = folder_.path() / "blank";
   TumWriter writer(folder, kCamera);
