@@ -10,6 +10,7 @@
 
 #include "agent/slam/features/stereo.h"
 #include "benchmark/slam/io/kitti_folder.h"
+#include "benchmark/slam/io/recording_check.h"
 #include "benchmark/slam/io/tum.h"
 #include "benchmark/slam/io/tum_writer.h"
 #include "benchmark/slam/recordings/visual_odometry.h"
@@ -80,21 +81,9 @@ Source Open(const ImportRecordingSpec& spec) {
   return source;
 }
 
-std::string SizeOf(int width, int height) {
-  return fmt::format("{} x {}", width, height);
-}
-
 DepthPicture DepthOf(const Source& source, const SourceFrame& frame, const sim::Image& color) {
   if (!frame.depth.empty()) {
-    DepthPicture depth = ReadDepth(frame.depth, source.depth_units);
-    if (depth.width != color.width || depth.height != color.height) {
-      throw sim::FileError(frame.depth, "",
-                           fmt::format("is of {} pixels, but {} of {}; bring depth to the "
-                                       "colour camera's pixels",
-                                       SizeOf(depth.width, depth.height), frame.color.string(),
-                                       SizeOf(color.width, color.height)));
-    }
-    return depth;
+    return ReadDepth(frame.depth, source.depth_units);
   }
   const sim::Image right = ReadRgb(frame.right);
   if (right.width != color.width || right.height != color.height) {
@@ -107,17 +96,6 @@ DepthPicture DepthOf(const Source& source, const SourceFrame& frame, const sim::
   stereo.baseline_m = source.baseline_m;
   return {color.width, color.height,
           agent::StereoDepth(color.pixels, right.pixels, color.width, color.height, stereo)};
-}
-
-void CheckCamera(const Source& source, const fs::path& folder, const sim::Image& color) {
-  const Intrinsics& k = source.intrinsics;
-  const bool is_inside = k.cx > 0.0 && k.cx < color.width && k.cy > 0.0 && k.cy < color.height;
-  if (is_inside) return;
-  throw sim::FileError(
-      folder, "",
-      fmt::format("the principal point {}, {} lies outside of pictures of {} pixels; give the "
-                  "intrinsics of these pictures with --intrinsics fx,fy,cx,cy",
-                  k.cx, k.cy, SizeOf(color.width, color.height)));
 }
 
 /// The pose of each frame, where there is one near in time.
@@ -139,7 +117,8 @@ class Importer {
         truth_(PosesOf(source_, source_.truth)),
         odometry_(PosesOf(source_, source_.odometry)),
         writer_(MakeRecordingWriter(spec.format, spec.out, source_.intrinsics)),
-        visual_(source_.intrinsics) {
+        visual_(source_.intrinsics),
+        check_(spec.source, source_.intrinsics) {
     outcome_.format = source_.format;
     outcome_.is_visual = source_.odometry.empty();
   }
@@ -149,9 +128,7 @@ class Importer {
       Take(i);
       if (advance) advance(static_cast<int>(i) + 1);
     }
-    if (!has_depth_) {
-      throw sim::FileError(spec_.source, "", "no picture of depth has any; is it of 16 bits?");
-    }
+    check_.Finish();
     outcome_.guessed = visual_.guessed();
     if (2 * visual_.guessed() > visual_.steps()) {
       throw sim::FileError(
@@ -171,22 +148,9 @@ class Importer {
     RecordedFrame frame;
     frame.time = from.time;
     frame.color = ReadRgb(from.color);
-    if (i == 0) {
-      CheckCamera(source_, spec_.source, frame.color);
-      first_ = {frame.color.width, frame.color.height};
-    }
-    if (std::pair(frame.color.width, frame.color.height) != first_) {
-      throw sim::FileError(from.color, "",
-                           fmt::format("is of {} pixels, the first picture of {}; all frames must "
-                                       "come from one camera",
-                                       SizeOf(frame.color.width, frame.color.height),
-                                       SizeOf(first_.first, first_.second)));
-    }
+    check_.TakeColor(from.color, frame.color);
     frame.depth = DepthOf(source_, from, frame.color);
-    has_depth_ = has_depth_ || std::any_of(frame.depth.metres.begin(), frame.depth.metres.end(),
-                                           [](float metres) {
-                                             return metres > 0.0F;
-                                           });
+    check_.TakeDepth(from.depth.empty() ? from.right : from.depth, frame.depth);
     frame.truth = truth_[i];
     if (frame.truth) ++outcome_.with_truth;
     frame.odometry = OdometryOf(i, frame);
@@ -209,9 +173,8 @@ class Importer {
   std::vector<std::optional<agent::SpatialPose>> odometry_;
   std::unique_ptr<RecordingWriter> writer_;
   VisualOdometry visual_;
+  RecordingCheck check_;
   ImportOutcome outcome_;
-  std::pair<int, int> first_;
-  bool has_depth_ = false;
 };
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "benchmark/slam/io/file_frames.h"
+#include "benchmark/slam/io/recording_check.h"
 #include "sim/base/error.h"
 
 namespace bulletnav::bench {
@@ -61,6 +62,7 @@ DriveSource::DriveSource(const SlamConfig& config, const Drive& drive) {
 
 DriveSource::Recording DriveSource::Read(const fs::path& folder) {
   Recording recording;
+  recording.place = folder;
   recording.folder = ReadTumFolder(folder, {});
   std::vector<double> times;
   for (const TumFrame& frame : recording.folder.frames) times.push_back(frame.time);
@@ -110,16 +112,20 @@ void DriveSource::ForEach(const std::function<void(const DriveFrame&)>& take) co
     });
     return;
   }
+  RecordingCheck check(recording_->place, recording_->folder.intrinsics);
   for (std::size_t i = 0; i < recording_->folder.frames.size(); ++i) {
     const TumFrame& frame = recording_->folder.frames[i];
     DriveFrame read;
     read.time = frame.time;
     read.color = ReadRgb(frame.color);
+    check.TakeColor(frame.color, read.color);
     read.depth = ReadTumDepth(frame.depth);
+    check.TakeDepth(frame.depth, read.depth);
     read.odometry = recording_->odometry[i];
     read.truth = recording_->truth[i];
     take(read);
   }
+  check.Finish();
 }
 
 }  // namespace bulletnav::bench

@@ -34,10 +34,12 @@ class DriveSource {
   const sim::World* world() const { return world_.get(); }
   bool has_truth() const;
 
+  /// Throws sim::FileError for pictures of a recording as import does, see RecordingCheck.
   void ForEach(const std::function<void(const DriveFrame&)>& take) const;
 
  private:
   struct Recording {
+    std::filesystem::path place;
     TumFolder folder;
     std::vector<sim::PlanarPose> odometry;            // by frame
     std::vector<std::optional<sim::BodyPose>> truth;  // by frame

@@ -89,6 +89,17 @@ class Recordings : public ::testing::Test {
     return ImportRecording({.source = source, .out = folder_.path() / out});
   }
 
+  /// The results of a run on one recording.
+  fs::path Run(const fs::path& recording) const {
+    const SlamConfig config = LoadSlamConfig(folder_.Write(
+        "r.yaml",
+        "recordings: [" + recording.string() +
+            "]\napart_m: 1\ndetectors: [{detector: seqslam, parameters: {length: 1}}]\n"));
+    fs::path run = folder_.path() / "run" / recording.filename();
+    RunSlam(config, run, {});
+    return run;
+  }
+
   tests::TemporaryFolder folder_;
 };
 
@@ -217,6 +228,56 @@ TEST_F(Recordings, AFolderThatHoldsARecordingOfEitherKindIsLeftAlone) {
   EXPECT_EQ(pictures(kitti), in_kitti);
 }
 
+/// Whatever way a recording comes in, its pictures are checked.
+TEST_F(Recordings, RunRefusesWhatImportRefuses) {
+  const auto expect_both = [this](const fs::path& bad, const std::string& complaint) {
+    fs::remove_all(folder_.path() / "in");
+    EXPECT_THAT(
+        [&] {
+          Import(bad, "in");
+        },
+        ThrowsMessage<sim::FileError>(HasSubstr(complaint)));
+    EXPECT_THAT(
+        [&] {
+          Run(bad);
+        },
+        ThrowsMessage<sim::FileError>(HasSubstr(complaint)));
+  };
+  fs::path bad = Record<TumWriter>("small", true);
+  WriteTumDepth(bad / "depth/000001.png", {2, 2, {1.0F, 1.0F, 1.0F, 1.0F}});
+  expect_both(bad, "depth/000001.png: is of 2 x 2 pixels, but");
+  bad = Record<TumWriter>("sizes", true);
+  sim::WritePng(bad / "rgb/000002.png", sim::Image(kWidth, kHeight - 1, 3));
+  expect_both(bad, "rgb/000002.png: is of 160 x 119 pixels, the first picture of 160 x 120");
+  bad = Record<TumWriter>("point", true);
+  sim::WriteFileAtomically(bad / "calibration.txt", "525 525 319.5 239.5\n");
+  expect_both(bad, "principal point 319.5, 239.5 lies outside");
+  bad = Record<TumWriter>("empty", true);
+  for (int i = 0; i < 4; ++i) {
+    WriteTumDepth(bad / "depth" / ("00000" + std::to_string(i) + ".png"),
+                  {kWidth, kHeight, std::vector<float>(kWidth * kHeight)});
+  }
+  expect_both(bad, "no picture of depth has any");
+  bad = Record<TumWriter>("pixel", true);
+  sim::WriteFileAtomically(bad / "calibration.txt", "1 1 0.5 0.5\n");
+  for (int i = 0; i < 4; ++i) {
+    const std::string name = "00000" + std::to_string(i) + ".png";
+    sim::WritePng(bad / "rgb" / name, sim::Image(1, 1, 3));
+    WriteTumDepth(bad / "depth" / name, {1, 1, {1.0F}});
+  }
+  expect_both(bad, "rgb/000000.png: is of 1 x 1 pixels; corners need");
+}
+
+TEST_F(Recordings, RunTellsWhatMustBeImportedFirst) {
+  for (const fs::path& other : {Record<KittiWriter>("kitti", true), folder_.path()}) {
+    EXPECT_THAT(
+        [&] {
+          Run(other);
+        },
+        ThrowsMessage<sim::FileError>(HasSubstr("slam import")));
+  }
+}
+
 TEST_F(Recordings, WhatLosesItsWayIsNoOdometry) {
   const fs::path folder = folder_.path() / "blank";
   TumWriter writer(folder, kCamera);
@@ -235,12 +296,7 @@ TEST_F(Recordings, WhatLosesItsWayIsNoOdometry) {
 }
 
 TEST_F(Recordings, ResultsAndGraphsGoOut) {
-  const fs::path tum = Record<TumWriter>("tum", true);
-  const SlamConfig config = LoadSlamConfig(folder_.Write(
-      "r.yaml", "recordings: [" + tum.string() +
-                    "]\napart_m: 1\ndetectors: [{detector: seqslam, parameters: {length: 1}}]\n"));
-  const fs::path run = folder_.path() / "run";
-  RunSlam(config, run, {});
+  const fs::path run = Run(Record<TumWriter>("tum", true));
   EXPECT_EQ(ExportRecording({.source = run, .out = folder_.path() / "out"}), 4);
   EXPECT_EQ(ReadTumTrajectory(folder_.path() / "out/seqslam.txt").size(), 4u);
   ExportSpec graph = {.source = run,
