@@ -92,6 +92,12 @@ DepthPicture DepthOf(const Source& source, const SourceFrame& frame, const sim::
   agent::StereoSpec stereo;
   // What is nearer than a quarter of the picture is wide is left out, as are as many columns.
   stereo.disparities = std::clamp(color.width / 64 * 16, 16, stereo.disparities);
+  if (color.width <= stereo.disparities) {
+    throw sim::FileError(frame.color, "",
+                         fmt::format("is of {} pixels; stereo needs more than {} columns: give "
+                                     "wider pictures, or depth in depth/",
+                                     SizeText(color.width, color.height), stereo.disparities));
+  }
   stereo.fx = source.intrinsics.fx;
   stereo.baseline_m = source.baseline_m;
   return {color.width, color.height,

@@ -158,6 +158,22 @@ TEST_F(Recordings, AHandMadeStereoSequenceGetsDepthAndOdometry) {
   EXPECT_NEAR(depth.metres[60 * kWidth + 100], 2.0, 0.15);
 }
 
+TEST_F(Recordings, StereoOfNarrowPicturesIsRefused) {
+  folder_.Write("s/times.txt", "0\n");
+  for (const auto& [width, height] : {std::pair(15, 64), std::pair(16, 16), std::pair(16, 40)}) {
+    folder_.Write("s/calib.txt", "P2: 9 0 4 0 0 9 4 0 0 0 1 0\nP3: 9 0 4 -20 0 9 4 0 0 0 1 0\n");
+    for (const char* side : {"image_2", "image_3"}) {
+      sim::WritePng(folder_.path() / "s" / side / "000000.png", sim::Image(width, height, 3));
+    }
+    EXPECT_THAT(
+        [&] {
+          Import(folder_.path() / "s", "in");
+        },
+        ThrowsMessage<sim::FileError>(
+            AllOf(HasSubstr("image_2/000000.png"), HasSubstr("more than 16 columns"))));
+  }
+}
+
 TEST_F(Recordings, BadRecordingsAreToldInALine) {
   const auto complaint = [this](const fs::path& source) -> std::string {
     try {
