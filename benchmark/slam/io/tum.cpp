@@ -135,6 +135,21 @@ std::vector<std::optional<agent::SpatialPose>> PosesAt(std::span<const double> t
   return poses;
 }
 
+std::vector<std::optional<agent::SpatialPose>> TruthAt(std::span<const double> times,
+                                                       const CameraTrajectory& truth,
+                                                       const fs::path& file) {
+  auto poses = PosesAt(times, truth, kPoseApart);
+  const bool fits = std::any_of(poses.begin(), poses.end(), [](const auto& pose) {
+    return pose.has_value();
+  });
+  if (truth.empty() || times.empty() || fits) return poses;
+  throw sim::FileError(
+      file, "",
+      fmt::format("no pose is within {} s of a frame: poses are from {} to {}, frames from {} to "
+                  "{}; bring them to one clock, or leave the file out",
+                  kPoseApart, truth.front().time, truth.back().time, times.front(), times.back()));
+}
+
 TumFolder ReadTumFolder(const fs::path& folder, const TumOptions& options) {
   TumFolder read;
   read.intrinsics =

@@ -37,13 +37,21 @@ struct Source {
   double baseline_m = 0.0;
   std::vector<SourceFrame> frames;
   CameraTrajectory truth;
+  fs::path truth_file;
   CameraTrajectory odometry;
 };
 
 Source OpenTum(const ImportRecordingSpec& spec) {
   constexpr double kTumDepthUnits = 5000.0;
   TumFolder folder = ReadTumFolder(spec.source, {spec.most_apart, spec.intrinsics});
-  Source source{"TUM", kTumDepthUnits, folder.intrinsics, 0.0, {}, std::move(folder.truth), {}};
+  Source source{"TUM",
+                kTumDepthUnits,
+                folder.intrinsics,
+                0.0,
+                {},
+                std::move(folder.truth),
+                spec.source / "groundtruth.txt",
+                {}};
   for (const TumFrame& frame : folder.frames) {
     source.frames.push_back({frame.time, frame.color, frame.depth, {}});
   }
@@ -60,6 +68,7 @@ Source OpenKitti(const ImportRecordingSpec& spec) {
                 folder.baseline_m,
                 {},
                 std::move(folder.truth),
+                spec.source / "poses.txt",
                 std::move(folder.odometry)};
   for (const KittiFrame& frame : folder.frames) {
     source.frames.push_back({frame.time, frame.color, frame.depth, frame.right});
@@ -77,7 +86,10 @@ Source Open(const ImportRecordingSpec& spec) {
   }
   Source source = is_tum ? OpenTum(spec) : OpenKitti(spec);
   if (!spec.odometry.empty()) source.odometry = ReadTumTrajectory(spec.odometry);
-  if (!spec.truth.empty()) source.truth = ReadTumTrajectory(spec.truth);
+  if (!spec.truth.empty()) {
+    source.truth = ReadTumTrajectory(spec.truth);
+    source.truth_file = spec.truth;
+  }
   return source;
 }
 
@@ -104,14 +116,11 @@ DepthPicture DepthOf(const Source& source, const SourceFrame& frame, const sim::
           agent::StereoDepth(color.pixels, right.pixels, color.width, color.height, stereo)};
 }
 
-/// The pose of each frame, where there is one near in time.
-std::vector<std::optional<agent::SpatialPose>> PosesOf(const Source& source,
-                                                       const CameraTrajectory& trajectory) {
-  constexpr double kMostApart = 0.05;
+std::vector<double> TimesOf(const Source& source) {
   std::vector<double> times;
   times.reserve(source.frames.size());
   for (const SourceFrame& frame : source.frames) times.push_back(frame.time);
-  return PosesAt(times, trajectory, kMostApart);
+  return times;
 }
 
 /// A recording while it is read frame by frame.
@@ -120,8 +129,8 @@ class Importer {
   explicit Importer(const ImportRecordingSpec& spec)
       : spec_(spec),
         source_(Open(spec)),
-        truth_(PosesOf(source_, source_.truth)),
-        odometry_(PosesOf(source_, source_.odometry)),
+        truth_(TruthAt(TimesOf(source_), source_.truth, source_.truth_file)),
+        odometry_(PosesAt(TimesOf(source_), source_.odometry, kPoseApart)),
         writer_(MakeRecordingWriter(spec.format, spec.out, source_.intrinsics)),
         visual_(source_.intrinsics),
         check_(spec.source, source_.intrinsics) {
@@ -168,9 +177,9 @@ class Importer {
     if (odometry_[i]) return *odometry_[i];
     const fs::path file = spec_.odometry.empty() ? spec_.source / "odometry.txt" : spec_.odometry;
     throw sim::FileError(file, "",
-                         fmt::format("has no pose within 0.05 s of the frame at {}; add it, or "
+                         fmt::format("has no pose within {} s of the frame at {}; add it, or "
                                      "leave the frame out",
-                                     frame.time));
+                                     kPoseApart, frame.time));
   }
 
   const ImportRecordingSpec& spec_;

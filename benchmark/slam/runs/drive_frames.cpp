@@ -16,8 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kMostApart = 0.05;  // seconds between a frame and its pose
-
 }  // namespace
 
 TraversalSpec TraversalOf(const SlamConfig& config, int actions, std::uint64_t seed) {
@@ -72,20 +70,20 @@ DriveSource::Recording DriveSource::Read(const fs::path& folder) {
                          "is not there; write the odometry added up as 't x y z qx qy qz qw' of "
                          "the camera, a line a frame");
   }
-  const auto measured = PosesAt(times, ReadTumTrajectory(odometry), kMostApart);
+  const auto measured = PosesAt(times, ReadTumTrajectory(odometry), kPoseApart);
   recording.odometry.reserve(times.size());
   for (std::size_t i = 0; i < times.size(); ++i) {
     if (!measured[i]) {
       throw sim::FileError(odometry, "",
                            fmt::format("has no pose within {} s of the frame at {}; leave the "
                                        "frame out or add the pose",
-                                       kMostApart, times[i]));
+                                       kPoseApart, times[i]));
     }
     recording.odometry.push_back(PlanarFromFile(*measured[i]));
   }
   const sim::PlanarPose back = sim::Inverse(recording.odometry.front());
   for (sim::PlanarPose& pose : recording.odometry) pose = sim::Compose(back, pose);
-  const auto truth = PosesAt(times, recording.folder.truth, kMostApart);
+  const auto truth = TruthAt(times, recording.folder.truth, folder / "groundtruth.txt");
   recording.truth.resize(times.size());
   for (std::size_t i = 0; i < times.size(); ++i) {
     if (truth[i]) recording.truth[i] = BodyFromFile(*truth[i], 0.0);

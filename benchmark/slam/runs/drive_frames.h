@@ -26,7 +26,8 @@ struct DriveFrame {
 class DriveSource {
  public:
   /// Loads the scene, or the lists of a recording. Throws sim::FileError, also for a recording
-  /// without odometry.txt, or whose odometry or truth lacks the time of a frame.
+  /// without odometry.txt, whose odometry lacks the time of a frame, or whose truth has none of
+  /// any.
   DriveSource(const SlamConfig& config, const Drive& drive);
 
   CameraLens lens() const;

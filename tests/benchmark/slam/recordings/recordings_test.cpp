@@ -14,6 +14,7 @@
 #include "benchmark/slam/recordings/export_recording.h"
 #include "benchmark/slam/recordings/import_recording.h"
 #include "benchmark/slam/runs/slam_runner.h"
+#include "benchmark/slam/runs/slam_table.h"
 #include "sim/base/error.h"
 #include "sim/base/files.h"
 #include "sim/math/rng.h"
@@ -25,6 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::ThrowsMessage;
 
 constexpr int kWidth = 160;
@@ -292,6 +294,35 @@ TEST_F(Recordings, RunTellsWhatMustBeImportedFirst) {
         },
         ThrowsMessage<sim::FileError>(HasSubstr("slam import")));
   }
+}
+
+TEST_F(Recordings, TruthOnAnotherClockIsAnError) {
+  const fs::path bad = Record<TumWriter>("clocks", true);
+  sim::WriteFileAtomically(bad / "groundtruth.txt", "100 0 0 0 0 0 0 1\n100.5 1 0 0 0 0 0 1\n");
+  const auto complains = ThrowsMessage<sim::FileError>(
+      AllOf(HasSubstr("groundtruth.txt"), HasSubstr("from 100 to 100.5, frames from 0 to 0.3"),
+            HasSubstr("one clock")));
+  EXPECT_THAT(
+      [&] {
+        Import(bad, "in");
+      },
+      complains);
+  EXPECT_THAT(
+      [&] {
+        Run(bad);
+      },
+      complains);
+}
+
+TEST_F(Recordings, AFrameWithoutATruePoseIsTold) {
+  const fs::path most = Record<TumWriter>("most", true);
+  sim::WriteFileAtomically(most / "groundtruth.txt",
+                           "0 0 0 0 -0.5 0.5 -0.5 0.5\n0.1 0 0 0 -0.5 0.5 -0.5 0.5\n");
+  const fs::path run = Run(most);
+  const SlamConfig config = ReadSlamRun(run);
+  EXPECT_THAT(SlamTables(config, ReadSlamResults(config, run)),
+              AllOf(HasSubstr("most: 2 of 4 frames have a true pose; figures need all"),
+                    Not(HasSubstr("without ground truth"))));
 }
 
 TEST_F(Recordings, WhatLosesItsWayIsNoOdometry) {
