@@ -169,6 +169,7 @@ TumFolder ReadTumFolder(const fs::path& folder, const TumOptions& options) {
                     "not synchronised; mend their times, or allow more",
                     read.frames.size(), colors.size(), options.most_apart));
   }
+  read.left_out = static_cast<int>(colors.size() - read.frames.size());
   const fs::path truth = folder / "groundtruth.txt";
   if (fs::exists(truth)) read.truth = ReadTumTrajectory(truth);
   return read;

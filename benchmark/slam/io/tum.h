@@ -58,6 +58,7 @@ struct TumFrame {
 struct TumFolder {
   Intrinsics intrinsics;
   std::vector<TumFrame> frames;
+  int left_out = 0;        // colour pictures without one of depth
   CameraTrajectory truth;  // groundtruth.txt; empty if there is none
 };
 

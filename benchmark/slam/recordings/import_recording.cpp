@@ -39,6 +39,7 @@ struct Source {
   CameraTrajectory truth;
   fs::path truth_file;
   CameraTrajectory odometry;
+  int left_out = 0;  // pictures
 };
 
 Source OpenTum(const ImportRecordingSpec& spec) {
@@ -55,6 +56,7 @@ Source OpenTum(const ImportRecordingSpec& spec) {
   for (const TumFrame& frame : folder.frames) {
     source.frames.push_back({frame.time, frame.color, frame.depth, {}});
   }
+  source.left_out = folder.left_out;
   const fs::path odometry = spec.source / "odometry.txt";
   if (fs::exists(odometry)) source.odometry = ReadTumTrajectory(odometry);
   return source;
@@ -135,6 +137,7 @@ class Importer {
         visual_(source_.intrinsics),
         check_(spec.source, source_.intrinsics) {
     outcome_.format = source_.format;
+    outcome_.left_out = source_.left_out;
     outcome_.is_visual = source_.odometry.empty();
   }
 

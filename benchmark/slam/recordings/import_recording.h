@@ -27,6 +27,7 @@ struct ImportOutcome {
   std::string format;  // "TUM" or "KITTI"
   int frames = 0;
   int with_truth = 0;
+  int left_out = 0;        // pictures without one of depth near in time
   bool is_visual = false;  // odometry was made from pictures
   int guessed = 0;         // steps of it that were not seen
 };

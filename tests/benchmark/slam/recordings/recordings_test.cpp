@@ -119,6 +119,15 @@ TEST_F(Recordings, ImportTakesWhatExportWrote) {
   }
 }
 
+TEST_F(Recordings, PicturesWithoutDepthAreCounted) {
+  const fs::path tum = Record<TumWriter>("tum", true);
+  sim::WriteFileAtomically(tum / "depth.txt",
+                           "0 depth/000000.png\n0.1 depth/000001.png\n0.33 depth/000003.png\n");
+  const ImportOutcome outcome = Import(tum, "in");
+  EXPECT_EQ(outcome.frames, 2);
+  EXPECT_EQ(outcome.left_out, 2);
+}
+
 TEST_F(Recordings, KittiGoesOutAndComesIn) {
   const fs::path tum = Record<TumWriter>("tum", true);
   const fs::path kitti = folder_.path() / "kitti";
