@@ -41,9 +41,9 @@ CameraTrajectory PosesOf(const fs::path& folder, const char* name) {
 
 }  // namespace
 
-KittiFolder ReadKittiFolder(const fs::path& folder) {
+KittiFolder ReadKittiFolder(const fs::path& folder, const std::optional<Intrinsics>& intrinsics) {
   KittiFolder read;
-  read.intrinsics = ReadKittiCalibration(folder / "calib.txt", kLeft);
+  read.intrinsics = intrinsics ? *intrinsics : ReadKittiCalibration(folder / "calib.txt", kLeft);
   const std::vector<double> times = ReadKittiTimes(folder / "times.txt");
   if (times.empty()) throw sim::FileError(folder / "times.txt", "", "there are no times");
   const bool has_depth = fs::exists(folder / "depth");

@@ -63,15 +63,10 @@ Source OpenTum(const ImportRecordingSpec& spec) {
 }
 
 Source OpenKitti(const ImportRecordingSpec& spec) {
-  KittiFolder folder = ReadKittiFolder(spec.source);
-  Source source{"KITTI",
-                kKittiDepthUnits,
-                spec.intrinsics.value_or(folder.intrinsics),
-                folder.baseline_m,
-                {},
-                std::move(folder.truth),
-                spec.source / "poses.txt",
-                std::move(folder.odometry)};
+  KittiFolder folder = ReadKittiFolder(spec.source, spec.intrinsics);
+  Source source{
+      "KITTI", kKittiDepthUnits,        folder.intrinsics,         folder.baseline_m,
+      {},      std::move(folder.truth), spec.source / "poses.txt", std::move(folder.odometry)};
   for (const KittiFrame& frame : folder.frames) {
     source.frames.push_back({frame.time, frame.color, frame.depth, frame.right});
   }

@@ -169,6 +169,22 @@ TEST_F(Recordings, AHandMadeStereoSequenceGetsDepthAndOdometry) {
   EXPECT_NEAR(depth.metres[60 * kWidth + 100], 2.0, 0.15);
 }
 
+TEST_F(Recordings, GivenIntrinsicsReplaceKittisCalibration) {
+  const fs::path kitti = Record<KittiWriter>("kitti", true);
+  ImportRecordingSpec spec = {.source = kitti, .out = folder_.path() / "in", .intrinsics = kCamera};
+  sim::WriteFileAtomically(kitti / "calib.txt", "P0: 1 0 0 0 0 1 0 0 0 0 1 0\n");
+  EXPECT_THAT(
+      [&] {
+        Import(kitti, "none");
+      },
+      ThrowsMessage<sim::FileError>(HasSubstr("P2")));
+  EXPECT_EQ(ImportRecording(spec).frames, 4);
+  fs::remove(kitti / "calib.txt");
+  spec.out = folder_.path() / "again";
+  EXPECT_EQ(ImportRecording(spec).frames, 4);
+  EXPECT_EQ(ReadTumFolder(spec.out, {}).intrinsics.fx, kCamera.fx);
+}
+
 TEST_F(Recordings, StereoOfNarrowPicturesIsRefused) {
   folder_.Write("s/times.txt", "0\n");
   for (const auto& [width, height] : {std::pair(15, 64), std::pair(16, 16), std::pair(16, 40)}) {
