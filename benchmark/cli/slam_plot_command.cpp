@@ -88,7 +88,7 @@ class ScenePlans {
  public:
   explicit ScenePlans(const SlamConfig& config) : options_(WorldOptionsOf(config.import)) {}
 
-  /// None of a recording, or where the scene is gone. Good until the next call.
+  /// None of a recording, or where the scene is gone or not known. Good until the next call.
   const std::optional<SceneMap>& Of(const Drive& drive) {
     if (drive.source == source_) return map_;
     source_ = drive.source;
@@ -117,9 +117,8 @@ void DrawSlamRun(const fs::path& folder) {
   std::vector<HeadingCounts> headings(config.detectors.size());
   for (std::size_t i = 0; i < headings.size(); ++i) headings[i].name = config.detectors[i].name;
   ScenePlans plans(config);
-  for (const Drive& drive : DrivesOf(config)) {
+  for (const Drive& drive : DrivesDone(config, folder)) {
     const fs::path place = DriveFolder(folder, drive.name);
-    if (!HasDrive(place)) continue;
     const std::optional<SceneMap>& map = plans.Of(drive);
     WriteFigure(DriveFigure(PictureOf(config, place), map), plots / drive.name);
     drawn += 1 + DrawFrames(config, place, plots / drive.name, map);

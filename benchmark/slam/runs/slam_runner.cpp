@@ -2,6 +2,7 @@
 #include "benchmark/slam/runs/slam_runner.h"
 
 #include <memory>
+#include <set>
 #include <string>
 
 #include "benchmark/base/program_version.h"
@@ -55,6 +56,25 @@ std::shared_ptr<const agent::Vocabulary> Vocabulary(const SlamConfig& config,
   return vocabulary;
 }
 
+std::set<std::string> NamesDone(const fs::path& folder) {
+  std::set<std::string> names;
+  const fs::path drives = folder / "drives";
+  if (!fs::is_directory(drives)) return names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(drives)) {
+    if (HasDrive(entry.path())) names.insert(entry.path().filename().string());
+  }
+  return names;
+}
+
+/// None where houses, scenes or recordings are gone.
+std::vector<Drive> DrivesIfThere(const SlamConfig& config) {
+  try {
+    return DrivesOf(config);
+  } catch (const sim::Error&) {
+    return {};
+  }
+}
+
 }  // namespace
 
 fs::path DriveFolder(const fs::path& folder, const std::string& drive) {
@@ -93,11 +113,23 @@ SlamConfig ReadSlamRun(const fs::path& folder) {
   return LoadSlamConfig(file);
 }
 
+std::vector<Drive> DrivesDone(const SlamConfig& config, const fs::path& folder) {
+  std::vector<Drive> done;
+  std::set<std::string> left = NamesDone(folder);
+  for (const Drive& drive : DrivesIfThere(config)) {
+    if (left.erase(drive.name) > 0) done.push_back(drive);
+  }
+  for (const std::string& name : left) {
+    Drive& drive = done.emplace_back();
+    drive.name = name;
+  }
+  return done;
+}
+
 std::vector<DriveResult> ReadSlamResults(const SlamConfig& config, const fs::path& folder) {
   std::vector<DriveResult> results;
-  for (const Drive& drive : DrivesOf(config)) {
-    const fs::path place = DriveFolder(folder, drive.name);
-    if (HasDrive(place)) results.push_back(ReadDriveResult(place));
+  for (const Drive& drive : DrivesDone(config, folder)) {
+    results.push_back(ReadDriveResult(DriveFolder(folder, drive.name)));
   }
   if (results.empty()) {
     throw sim::FileError(folder, "", "has no drive that is done; ./bulletnav slam run plays them");
