@@ -7,6 +7,7 @@
 
 #include "benchmark/base/program_version.h"
 #include "benchmark/slam/runs/drive_files.h"
+#include "benchmark/slam/runs/slam_fingerprints.h"
 #include "benchmark/slam/runs/vocabulary.h"
 #include "sim/base/error.h"
 #include "sim/base/files.h"
@@ -88,7 +89,9 @@ std::vector<DriveResult> RunSlam(const SlamConfig& config, const fs::path& folde
   KeepConfig(config, folder);
   MakeAllHouses(config, options);
   std::vector<Drive> left;
-  for (const Drive& drive : DrivesOf(config)) {
+  const std::vector<Drive> drives = DrivesOf(config);
+  KeepFingerprints(config, folder);
+  for (const Drive& drive : drives) {
     if (!HasDrive(DriveFolder(folder, drive.name))) left.push_back(drive);
   }
   if (!left.empty()) {

@@ -17,7 +17,8 @@ struct SlamRunOptions {
 /// Makes houses, grows the vocabulary and plays every drive of a config that `folder` has no result
 /// of yet; a folder a drive, below `folder`/drives. Results depend on the config alone, not on
 /// workers or on how often the run was stopped. Throws sim::FileError, also if the folder holds
-/// results of another config, and sim::FolderBusy.
+/// results of another config, or of recordings or weights that have changed since, see
+/// KeepFingerprints; and sim::FolderBusy.
 std::vector<DriveResult> RunSlam(const SlamConfig& config, const std::filesystem::path& folder,
                                  const SlamRunOptions& options);
 

@@ -350,6 +350,29 @@ TEST_F(Recordings, AFrameWithoutATruePoseIsTold) {
                     Not(HasSubstr("without ground truth"))));
 }
 
+TEST_F(Recordings, ARunDoesNotGoOnWithAChangedRecording) {
+  const fs::path tum = Record<TumWriter>("tum", true);
+  const fs::path run = Run(tum);
+  Run(tum);
+  const fs::path fingerprints = run / "fingerprints.yaml";
+  const std::string before = sim::ReadTextFile(fingerprints);
+  fs::rename(tum / "groundtruth.txt", tum / "away");
+  const auto run_again = [&] {
+    Run(tum);
+  };
+  EXPECT_THAT(run_again, ThrowsMessage<sim::FileError>(
+                             AllOf(HasSubstr("tum/groundtruth.txt"), HasSubstr("another --out"))));
+  fs::rename(tum / "away", tum / "groundtruth.txt");
+  const std::string odometry = sim::ReadTextFile(tum / "odometry.txt");
+  sim::WriteFileAtomically(tum / "odometry.txt", odometry + "9 0 0 0 0 0 0 1\n");
+  EXPECT_THAT(run_again, ThrowsMessage<sim::FileError>(HasSubstr("tum/odometry.txt")));
+  sim::WriteFileAtomically(tum / "odometry.txt", odometry);
+  // A folder of before there were fingerprints.
+  fs::remove(fingerprints);
+  Run(tum);
+  EXPECT_EQ(sim::ReadTextFile(fingerprints), before);
+}
+
 TEST_F(Recordings, WhatLosesItsWayIsNoOdometry) {
   const fs::path folder = folder_.path() / "blank";
   TumWriter writer(folder, kCamera);
