@@ -2,7 +2,9 @@
 #include "benchmark/slam/runs/drive_frames.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include <fmt/core.h>
@@ -15,6 +17,24 @@ namespace bulletnav::bench {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// By frame; none where all cameras are level and at one height.
+std::vector<std::optional<CameraTilt>> TiltsOf(
+    std::span<const std::optional<agent::SpatialPose>> truth) {
+  constexpr double kLevel = 1e-4;  // radians, metres: as files are rounded
+  std::vector<std::optional<CameraTilt>> tilts(truth.size());
+  const CameraTilt* first = nullptr;
+  bool is_level = true;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    if (!truth[i]) continue;
+    tilts[i] = CameraTilt{LevelFromCamera(*truth[i]), truth[i]->position.z()};
+    if (first == nullptr) first = &*tilts[i];
+    is_level = is_level && std::abs(tilts[i]->height - first->height) < kLevel &&
+               (tilts[i]->level_from_camera - Eigen::Matrix3d::Identity()).norm() < kLevel;
+  }
+  if (is_level) tilts.assign(truth.size(), std::nullopt);
+  return tilts;
+}
 
 }  // namespace
 
@@ -88,6 +108,7 @@ DriveSource::Recording DriveSource::Read(const fs::path& folder) {
   for (std::size_t i = 0; i < times.size(); ++i) {
     if (truth[i]) recording.truth[i] = BodyFromFile(*truth[i], 0.0);
   }
+  recording.tilts = TiltsOf(truth);
   return recording;
 }
 
@@ -121,6 +142,7 @@ void DriveSource::ForEach(const std::function<void(const DriveFrame&)>& take) co
     check.TakeDepth(frame.depth, read.depth);
     read.odometry = recording_->odometry[i];
     read.truth = recording_->truth[i];
+    read.tilt = recording_->tilts[i];
     take(read);
   }
   check.Finish();

@@ -115,6 +115,7 @@ class DrivePlay {
     played_.odometry.push_back(frame.odometry);
     if (frame.truth) {
       truth_frames_.push_back({*frame.truth, Coarsened(frame.depth, eye_.lens()), seen.comparable});
+      truth_frames_.back().seen.tilt = frame.tilt;
       played_.truth.push_back(*frame.truth);
     }
     kept_.push_back(std::move(corners));
