@@ -53,11 +53,20 @@ void CountHeadings(const SlamConfig& config, const fs::path& place,
   }
 }
 
+sim::Image Decoded(const fs::path& file) {
+  try {
+    return sim::DecodeImage(sim::ReadFile(file));
+  } catch (const sim::ImageError& e) {
+    throw sim::FileError(file, "",
+                         std::string(e.what()) + "; remove the drive's folder and play it again");
+  }
+}
+
 /// A grey picture of results; none where there is none.
 sim::Image ReadGrey(const fs::path& file) {
   sim::Image grey;
   if (!fs::exists(file)) return grey;
-  const sim::Image picture = sim::DecodeImage(sim::ReadFile(file));
+  const sim::Image picture = Decoded(file);
   grey = sim::Image(picture.width, picture.height, 1);
   for (std::size_t i = 0; i < grey.pixels.size(); ++i) grey.pixels[i] = picture.pixels[4 * i];
   return grey;

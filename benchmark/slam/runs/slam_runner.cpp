@@ -113,6 +113,12 @@ SlamConfig ReadSlamRun(const fs::path& folder) {
   if (!fs::exists(file)) {
     throw sim::FileError(folder, "", "holds no results of 'slam run'");
   }
+  const sim::YamlNode root = sim::ParseYaml(sim::ReadTextFile(file), file);
+  if (root.yaml().IsMap() && !root.yaml()["detectors"]) {
+    throw sim::FileError(file, "",
+                         "names no 'detectors', so it is of another command than 'slam run'; name "
+                         "a folder of results of that");
+  }
   return LoadSlamConfig(file);
 }
 

@@ -390,6 +390,20 @@ TEST_F(Recordings, WhatLosesItsWayIsNoOdometry) {
   EXPECT_FALSE(fs::exists(folder_.path() / "in/rgb.txt"));
 }
 
+TEST_F(Recordings, ChoicesThatCannotBeMadeAreRefused) {
+  const fs::path tum = Record<TumWriter>("tum", true);
+  const fs::path out = folder_.path() / "out";
+  EXPECT_THAT(([&] {
+                ExportRecording({.source = tum, .out = out, .drive = "nosuch"});
+              }),
+              ThrowsMessage<sim::Error>(HasSubstr("leave --drive out")));
+  EXPECT_THAT(([&] {
+                ExportRecording({.source = tum, .out = out, .detector = "bow"});
+              }),
+              ThrowsMessage<sim::Error>(HasSubstr("--format g2o")));
+  EXPECT_FALSE(fs::exists(out));
+}
+
 TEST_F(Recordings, ResultsAndGraphsGoOut) {
   const fs::path run = Run(Record<TumWriter>("tum", true));
   EXPECT_EQ(ExportRecording({.source = run, .out = folder_.path() / "out"}), 4);

@@ -93,6 +93,15 @@ TEST_F(SlamRunner, ResultsAreReadWithoutTheirScenes) {
       ThrowsMessage<sim::FileError>(HasSubstr("no drive that is done")));
 }
 
+TEST_F(SlamRunner, ResultsOfAnotherCommandAreTold) {
+  folder_.Write("played/config.yaml", "name: real_scenes\nepisodes: {file: all.json}\n");
+  EXPECT_THAT(
+      [&] {
+        ReadSlamRun(path("played"));
+      },
+      ThrowsMessage<sim::FileError>(HasSubstr("of another command than 'slam run'")));
+}
+
 TEST_F(SlamRunner, AFolderOfAnotherConfigIsLeftAlone) {
   RunSlam(Config(), path("run"), {});
   const SlamConfig other = Config("name: other\n");
