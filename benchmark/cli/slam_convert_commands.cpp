@@ -51,6 +51,12 @@ void Import(ImportOptions options) {
                "again, and it went on as before\n",
                outcome.guessed, outcome.frames - 1);
   }
+  if (outcome.left_out > 0) {
+    fmt::print(stderr,
+               "{} of {} pictures were left out: none of depth is within {} s; --most-apart allows "
+               "more\n",
+               outcome.left_out, outcome.frames + outcome.left_out, options.spec.most_apart);
+  }
 }
 
 }  // namespace

@@ -53,11 +53,20 @@ void CountHeadings(const SlamConfig& config, const fs::path& place,
   }
 }
 
+sim::Image Decoded(const fs::path& file) {
+  try {
+    return sim::DecodeImage(sim::ReadFile(file));
+  } catch (const sim::ImageError& e) {
+    throw sim::FileError(file, "",
+                         std::string(e.what()) + "; remove the drive's folder and play it again");
+  }
+}
+
 /// A grey picture of results; none where there is none.
 sim::Image ReadGrey(const fs::path& file) {
   sim::Image grey;
   if (!fs::exists(file)) return grey;
-  const sim::Image picture = sim::DecodeImage(sim::ReadFile(file));
+  const sim::Image picture = Decoded(file);
   grey = sim::Image(picture.width, picture.height, 1);
   for (std::size_t i = 0; i < grey.pixels.size(); ++i) grey.pixels[i] = picture.pixels[4 * i];
   return grey;
@@ -88,7 +97,7 @@ class ScenePlans {
  public:
   explicit ScenePlans(const SlamConfig& config) : options_(WorldOptionsOf(config.import)) {}
 
-  /// None of a recording, or where the scene is gone. Good until the next call.
+  /// None of a recording, or where the scene is gone or not known. Good until the next call.
   const std::optional<SceneMap>& Of(const Drive& drive) {
     if (drive.source == source_) return map_;
     source_ = drive.source;
@@ -117,9 +126,8 @@ void DrawSlamRun(const fs::path& folder) {
   std::vector<HeadingCounts> headings(config.detectors.size());
   for (std::size_t i = 0; i < headings.size(); ++i) headings[i].name = config.detectors[i].name;
   ScenePlans plans(config);
-  for (const Drive& drive : DrivesOf(config)) {
+  for (const Drive& drive : DrivesDone(config, folder)) {
     const fs::path place = DriveFolder(folder, drive.name);
-    if (!HasDrive(place)) continue;
     const std::optional<SceneMap>& map = plans.Of(drive);
     WriteFigure(DriveFigure(PictureOf(config, place), map), plots / drive.name);
     drawn += 1 + DrawFrames(config, place, plots / drive.name, map);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The command that drives. It is in bulletnav-slam.so; see slam.h.
+#include <charconv>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <string>
 
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
@@ -19,6 +22,15 @@ struct SlamTraverseOptions {
   std::filesystem::path out;
   TraversalSpec traversal;
 };
+
+/// Empty for a seed. CLI11 would make other numbers of -1 and of what is too large.
+std::string SeedTrouble(const std::string& text) {
+  std::uint64_t seed = 0;
+  const char* end = text.data() + text.size();
+  const auto [last, error] = std::from_chars(text.data(), end, seed);
+  if (error == std::errc() && last == end) return "";
+  return "expected a whole number from 0 to 18446744073709551615, got '" + text + "'";
+}
 
 void DriveAndRecord(const SlamTraverseOptions& options) {
   options.traversal.Validate();
@@ -49,6 +61,7 @@ void AddSlamTraverseCommand(CLI::App* slam) {
       ->check(CLI::Range(1, 1'000'000))
       ->capture_default_str();
   command->add_option("--seed", traversal.seed, "Of the route and the noise")
+      ->check(SeedTrouble)
       ->capture_default_str();
   AddEnumOption(command, "--noise", &traversal.noise, "Of motion and odometry")
       ->default_str("ans_released");

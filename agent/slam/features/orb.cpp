@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "agent/slam/features/orb.h"
 
+#include <algorithm>
 #include <cstddef>
 
+#include <fmt/core.h>
 #include <opencv2/features2d.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -15,7 +17,15 @@ void OrbSpec::Validate() const {
   if (features < 1 || levels < 1 || fast_threshold < 1) {
     throw sim::Error("expected features, levels and fast_threshold of at least 1");
   }
+  constexpr int kMostFeatures = 100'000;
+  constexpr int kMostLevels = 32;
+  constexpr double kMostScale = 10.0;
+  if (features > kMostFeatures) {
+    throw sim::Error("expected features of at most 100000");
+  }
+  if (levels > kMostLevels) throw sim::Error("expected levels of at most 32");
   if (!(scale > 1.0)) throw sim::Error("scale must be above 1");
+  if (!(scale <= kMostScale)) throw sim::Error("expected a scale of at most 10");
 }
 
 namespace {
@@ -23,7 +33,19 @@ namespace {
 constexpr int kPatch = 31;    // pixels around a corner that are described, and of edges without any
 constexpr int kEnlarged = 2;  // of panoramas
 
+/// Throws if a level of the pyramid has no pixel.
+void CheckLevels(const cv::Mat& grey, const OrbSpec& spec) {
+  double side = std::min(grey.cols, grey.rows);
+  for (int level = 1; level < spec.levels; ++level) side /= spec.scale;
+  if (side >= 0.5) return;
+  throw sim::Error(fmt::format(
+      "corners: {} levels, each {} times smaller, are too many for pictures of {} x {} pixels; "
+      "lower 'levels' or 'scale' of 'orb', or take larger pictures",
+      spec.levels, spec.scale, grey.cols, grey.rows));
+}
+
 OrbFeatures FindIn(const cv::Mat& grey, const OrbSpec& spec) {
+  CheckLevels(grey, spec);
   const auto orb =
       cv::ORB::create(spec.features, static_cast<float>(spec.scale), spec.levels, kPatch, 0, 2,
                       cv::ORB::HARRIS_SCORE, kPatch, spec.fast_threshold);

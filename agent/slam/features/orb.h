@@ -23,9 +23,9 @@ struct OrbFeatures {
 };
 
 struct OrbSpec {
-  int features = 1000;  // at most
-  double scale = 1.2;   // between levels of the pyramid
-  int levels = 8;
+  int features = 1000;      // at most; up to 100,000
+  double scale = 1.2;       // between levels of the pyramid, up to 10
+  int levels = 8;           // up to 32
   int fast_threshold = 20;  // grey values between a corner and its circle
 
   template <class V>
@@ -39,8 +39,8 @@ struct OrbSpec {
 };
 
 /// ORB of an RGB picture [height, width, 3], by OpenCV in the calling thread; the same each time.
-/// None in a picture without corners. Throws sim::Error if the spec is bad or the picture has not
-/// as many bytes as its size says.
+/// None in a picture without corners. Throws sim::Error if the spec is bad, if the picture has not
+/// as many bytes as its size says, or is too small for so many levels.
 /// Source: Rublee et al., "ORB: an efficient alternative to SIFT or SURF", ICCV 2011.
 OrbFeatures FindOrb(std::span<const std::uint8_t> rgb, int width_px, int height_px,
                     const OrbSpec& spec);

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 
+#include <fmt/core.h>
 #include <opencv2/calib3d.hpp>
 
 #include "agent/slam/features/grey.h"
@@ -21,6 +22,12 @@ std::vector<float> StereoDepth(std::span<const std::uint8_t> left,
                                std::span<const std::uint8_t> right, int width_px, int height_px,
                                const StereoSpec& spec) {
   spec.Validate();
+  if (width_px <= spec.disparities) {
+    throw sim::Error(
+        fmt::format("pictures of {} x {} pixels are too narrow for stereo, which tries "
+                    "{} columns; take wider ones",
+                    width_px, height_px, spec.disparities));
+  }
   const cv::Mat a = GreyOf(left, width_px, height_px);
   const cv::Mat b = GreyOf(right, width_px, height_px);
   // Penalties of small and large steps as OpenCV advises; unsure pixels are left out.

@@ -17,7 +17,8 @@ struct StereoSpec {
 
 /// Depth along the left camera's axis in metres [height, width], 0 where there is none, of two
 /// rectified RGB pictures [height, width, 3], by OpenCV in the calling thread. Throws sim::Error if
-/// the spec is bad or a picture has not as many bytes as its size says.
+/// the spec is bad, a picture is not wider than `disparities`, or has not as many bytes as its size
+/// says.
 /// Source: Hirschmueller, "Stereo processing by semiglobal matching and mutual information", PAMI
 /// 2008.
 std::vector<float> StereoDepth(std::span<const std::uint8_t> left,

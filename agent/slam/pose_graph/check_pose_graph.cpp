@@ -17,15 +17,26 @@ namespace {
 /// Of the length of a quaternion, and of what is symmetric: files have six digits.
 constexpr double kRounding = 1e-5;
 
+/// Squares of what is larger are soon infinite.
+constexpr double kFarthest = 1e12;
+constexpr double kSurest = 1e24;
+
+std::optional<std::string> NumberTrouble(double largest) {
+  if (!std::isfinite(largest)) return "the pose is not finite; leave it out or mend what wrote it";
+  if (largest > kFarthest) {
+    return "the pose has a number beyond 1e12; leave it out or mend what wrote it";
+  }
+  return {};
+}
+
 std::optional<std::string> PoseTrouble(const sim::PlanarPose& pose) {
-  if (std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.yaw)) return {};
-  return "the pose is not finite; leave it out or mend what wrote it";
+  // A sum, since comparing with no number finds nothing.
+  return NumberTrouble(std::abs(pose.x) + std::abs(pose.y) + std::abs(pose.yaw));
 }
 
 std::optional<std::string> PoseTrouble(const SpatialPose& pose) {
-  if (!pose.position.allFinite() || !pose.rotation.coeffs().allFinite()) {
-    return "the pose is not finite; leave it out or mend what wrote it";
-  }
+  const double sum = pose.position.cwiseAbs().sum() + pose.rotation.coeffs().cwiseAbs().sum();
+  if (auto trouble = NumberTrouble(sum)) return trouble;
   if (std::abs(pose.rotation.norm() - 1.0) > kRounding) {
     return "the quaternion is not of length 1; normalise it";
   }
@@ -36,6 +47,9 @@ template <class Matrix>
 std::optional<std::string> InformationTrouble(const Matrix& information) {
   if (!information.allFinite()) return "the information is not finite; leave the edge out";
   const double largest = information.cwiseAbs().maxCoeff();
+  if (largest > kSurest) {
+    return "the information has a number beyond 1e24; give the inverse of a covariance";
+  }
   const Matrix twist = information - information.transpose();
   if (twist.cwiseAbs().maxCoeff() > kRounding * largest) {
     return "the information is not symmetric; give the inverse of a covariance";

@@ -7,9 +7,9 @@
 
 namespace bulletnav::agent {
 
-/// What is wrong with a vertex or an edge by itself, and the remedy: numbers that are not finite,
-/// rotations that are none, an edge from a vertex to itself, information that is not symmetric or
-/// not positive definite. Nothing if all is well.
+/// What is wrong with a vertex or an edge by itself, and the remedy: numbers that are not finite
+/// or too large to square, rotations that are none, an edge from a vertex to itself, information
+/// that is not symmetric or not positive definite. Nothing if all is well.
 template <class Pose>
 std::optional<std::string> Trouble(const PoseVertex<Pose>& vertex);
 template <class Pose>

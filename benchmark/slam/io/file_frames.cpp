@@ -33,6 +33,11 @@ sim::PlanarPose PlanarFromFile(const agent::SpatialPose& X_FC) {
   return {X_FC.position.x(), X_FC.position.y(), std::atan2(ahead.y(), ahead.x())};
 }
 
+Eigen::Matrix3d LevelFromCamera(const agent::SpatialPose& X_FC) {
+  const Eigen::Quaterniond upright = agent::InSpace(PlanarFromFile(X_FC)).rotation;
+  return (upright.conjugate() * X_FC.rotation * BodyFromCamera().conjugate()).toRotationMatrix();
+}
+
 sim::BodyPose BodyFromFile(const agent::SpatialPose& X_FC, double camera_height) {
   const sim::PlanarPose flat = PlanarFromFile(X_FC);
   return {{-flat.y, X_FC.position.z() - camera_height, -flat.x}, flat.yaw};

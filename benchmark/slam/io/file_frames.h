@@ -17,6 +17,10 @@ agent::SpatialPose CameraInFile(const sim::BodyPose& X_WB, double camera_height)
 /// Throws sim::Error if it looks straight up or down, where there is no yaw.
 sim::BodyPose BodyFromFile(const agent::SpatialPose& X_FC, double camera_height);
 
+/// What BodyFromFile leaves out of a camera's rotation: from its own axes ahead, left, up to those
+/// of the upright body. Throws sim::Error as above.
+Eigen::Matrix3d LevelFromCamera(const agent::SpatialPose& X_FC);
+
 /// X_FC of a body's camera that moves in a plane, x ahead and y to the left of where it began.
 agent::SpatialPose CameraInFile(const sim::PlanarPose& X_FB, double camera_height);
 

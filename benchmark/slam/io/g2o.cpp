@@ -109,6 +109,7 @@ class Reader {
       line.Fail(fmt::format("vertex {} is there twice; number vertices apart", id));
     }
     graph_.vertices.push_back({id, Kind::Read(line, 2)});
+    if (const auto trouble = agent::Trouble(graph_.vertices.back())) line.Fail(*trouble);
   }
 
   void TakeEdge(const TextLine& line) {

@@ -61,7 +61,10 @@ std::vector<double> ReadKittiTimes(const std::filesystem::path& file) {
     line.ExpectWords(1, "seconds");
     const double time = line.Number(0);
     if (!times.empty() && time <= times.back()) {
-      line.Fail(fmt::format("time {} is not after the line before it, {}", time, times.back()));
+      line.Fail(
+          fmt::format("time {} is not after the line before it, {}; a line is a picture, so mend "
+                      "the times, or leave out those that are there twice with their pictures",
+                      time, times.back()));
     }
     times.push_back(time);
   });

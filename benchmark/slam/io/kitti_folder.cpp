@@ -41,9 +41,9 @@ CameraTrajectory PosesOf(const fs::path& folder, const char* name) {
 
 }  // namespace
 
-KittiFolder ReadKittiFolder(const fs::path& folder) {
+KittiFolder ReadKittiFolder(const fs::path& folder, const std::optional<Intrinsics>& intrinsics) {
   KittiFolder read;
-  read.intrinsics = ReadKittiCalibration(folder / "calib.txt", kLeft);
+  read.intrinsics = intrinsics ? *intrinsics : ReadKittiCalibration(folder / "calib.txt", kLeft);
   const std::vector<double> times = ReadKittiTimes(folder / "times.txt");
   if (times.empty()) throw sim::FileError(folder / "times.txt", "", "there are no times");
   const bool has_depth = fs::exists(folder / "depth");
@@ -69,9 +69,7 @@ KittiFolder ReadKittiFolder(const fs::path& folder) {
 
 KittiWriter::KittiWriter(fs::path folder, const Intrinsics& intrinsics)
     : folder_(std::move(folder)), intrinsics_(intrinsics) {
-  if (fs::exists(folder_ / "times.txt")) {
-    throw sim::FileError(folder_, "", "holds a recording already; name another folder");
-  }
+  ExpectNoRecording(folder_);
 }
 
 void KittiWriter::Add(const RecordedFrame& frame) {

@@ -30,15 +30,17 @@ inline constexpr double kKittiDepthUnits = 256.0;
 /// Reads a sequence of KITTI's odometry benchmark: calib.txt, times.txt, image_2/000000.png and so
 /// on, one for each time, and depth/ (16-bit PNGs of 256 a metre) or image_3/ with the same names;
 /// poses.txt, and odometry.txt, which is ours and of the same form, if they are there. No picture
-/// is read. Poses are taken to be those of image_2's camera.
+/// is read. With `intrinsics` given, calib.txt is asked for the distance of stereo cameras alone,
+/// and may lack where there is depth/. Poses are taken to be those of image_2's camera.
 /// Throws sim::FileError as the readers in kitti.h do, for pictures that are not there, for folders
 /// without depth and right pictures, and for stereo without a distance between the cameras.
-KittiFolder ReadKittiFolder(const std::filesystem::path& folder);
+KittiFolder ReadKittiFolder(const std::filesystem::path& folder,
+                            const std::optional<Intrinsics>& intrinsics = {});
 
 /// Writes a recording as such a folder, with depth/. Frames may lack poses, but then all lack them.
 class KittiWriter final : public RecordingWriter {
  public:
-  /// Throws sim::FileError if the folder holds a recording already.
+  /// Throws sim::FileError if the folder holds a recording of either kind already.
   KittiWriter(std::filesystem::path folder, const Intrinsics& intrinsics);
 
   void Add(const RecordedFrame& frame) override;

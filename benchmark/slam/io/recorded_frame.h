@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <filesystem>
 #include <optional>
 
 #include "benchmark/slam/io/pictures.h"
@@ -15,6 +16,10 @@ struct RecordedFrame {
   std::optional<agent::SpatialPose> truth;
   std::optional<agent::SpatialPose> odometry;  // added up, in a frame of its own
 };
+
+/// Throws sim::FileError if a folder holds a recording of either kind, TUM's rgb.txt or KITTI's
+/// times.txt: writing another one there would mix or replace its files.
+void ExpectNoRecording(const std::filesystem::path& folder);
 
 /// Writes frames as a folder of some format, which is a recording once it is finished.
 class RecordingWriter {

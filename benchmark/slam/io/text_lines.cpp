@@ -78,7 +78,11 @@ void ForEachLine(const std::filesystem::path& file,
   int number = 0;
   for (std::size_t begin = 0; begin < all.size();) {
     const std::size_t end = std::min(all.find('\n', begin), all.size());
-    const TextLine line(file, ++number, WordsOf(all.substr(begin, end - begin)));
+    const std::string_view part = all.substr(begin, end - begin);
+    const TextLine line(file, ++number, WordsOf(part));
+    if (part.find('\0') != std::string_view::npos) {
+      line.Fail("there is a byte of 0, so this is no text or is damaged; write the file again");
+    }
     if (!line.words().empty() && !line.words()[0].starts_with('#')) take(line);
     begin = end + 1;
   }

@@ -32,7 +32,8 @@ class TextLine {
 };
 
 /// Calls `take` with each line that is not empty and no comment, which starts with '#'. A line is
-/// good for the call alone. Throws sim::FileError if the file cannot be read.
+/// good for the call alone. Throws sim::FileError if the file cannot be read or a line has a byte
+/// of 0.
 void ForEachLine(const std::filesystem::path& file,
                  const std::function<void(const TextLine&)>& take);
 

@@ -135,6 +135,21 @@ std::vector<std::optional<agent::SpatialPose>> PosesAt(std::span<const double> t
   return poses;
 }
 
+std::vector<std::optional<agent::SpatialPose>> TruthAt(std::span<const double> times,
+                                                       const CameraTrajectory& truth,
+                                                       const fs::path& file) {
+  auto poses = PosesAt(times, truth, kPoseApart);
+  const bool fits = std::any_of(poses.begin(), poses.end(), [](const auto& pose) {
+    return pose.has_value();
+  });
+  if (truth.empty() || times.empty() || fits) return poses;
+  throw sim::FileError(
+      file, "",
+      fmt::format("no pose is within {} s of a frame: poses are from {} to {}, frames from {} to "
+                  "{}; bring them to one clock, or leave the file out",
+                  kPoseApart, truth.front().time, truth.back().time, times.front(), times.back()));
+}
+
 TumFolder ReadTumFolder(const fs::path& folder, const TumOptions& options) {
   TumFolder read;
   read.intrinsics =
@@ -154,6 +169,7 @@ TumFolder ReadTumFolder(const fs::path& folder, const TumOptions& options) {
                     "not synchronised; mend their times, or allow more",
                     read.frames.size(), colors.size(), options.most_apart));
   }
+  read.left_out = static_cast<int>(colors.size() - read.frames.size());
   const fs::path truth = folder / "groundtruth.txt";
   if (fs::exists(truth)) read.truth = ReadTumTrajectory(truth);
   return read;

@@ -40,6 +40,15 @@ std::vector<std::optional<agent::SpatialPose>> PosesAt(std::span<const double> t
                                                        const CameraTrajectory& trajectory,
                                                        double most);
 
+/// Seconds between a frame and its pose, at most.
+inline constexpr double kPoseApart = 0.05;
+
+/// The true poses of a recording's frames within kPoseApart, read from `file`. Throws
+/// sim::FileError if there are poses, but none of any frame.
+std::vector<std::optional<agent::SpatialPose>> TruthAt(std::span<const double> times,
+                                                       const CameraTrajectory& truth,
+                                                       const std::filesystem::path& file);
+
 struct TumFrame {
   double time = 0.0;  // of the colour picture
   std::filesystem::path color;
@@ -49,6 +58,7 @@ struct TumFrame {
 struct TumFolder {
   Intrinsics intrinsics;
   std::vector<TumFrame> frames;
+  int left_out = 0;        // colour pictures without one of depth
   CameraTrajectory truth;  // groundtruth.txt; empty if there is none
 };
 

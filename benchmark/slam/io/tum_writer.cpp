@@ -6,16 +6,13 @@
 #include <fmt/core.h>
 
 #include "benchmark/slam/io/tum.h"
-#include "sim/base/error.h"
 #include "sim/base/files.h"
 
 namespace bulletnav::bench {
 
 TumWriter::TumWriter(std::filesystem::path folder, const Intrinsics& intrinsics)
     : folder_(std::move(folder)), intrinsics_(intrinsics) {
-  if (std::filesystem::exists(folder_ / "rgb.txt")) {
-    throw sim::FileError(folder_, "", "holds a recording already; name another folder");
-  }
+  ExpectNoRecording(folder_);
 }
 
 void TumWriter::Add(const RecordedFrame& frame) {

@@ -57,6 +57,10 @@ Chosen Choose(const ExportSpec& spec) {
                          "holds neither a recording (rgb.txt) nor results of slam run "
                          "(config.yaml); name such a folder");
   }
+  if (!spec.drive.empty()) {
+    throw sim::FileError(spec.source, "",
+                         "is a recording and has no drives to choose from; leave --drive out");
+  }
   Chosen chosen;
   const std::string name = spec.source.filename().string();
   chosen.drive = {name, spec.source, true, 0, 0, name};
@@ -145,7 +149,13 @@ int WriteGraph(const ExportSpec& spec, const Chosen& chosen) {
 }  // namespace
 
 int ExportRecording(const ExportSpec& spec, const std::function<void(int)>& advance) {
+  if (!spec.detector.empty() && spec.format != RecordingFormat::kG2o) {
+    throw sim::Error("--detector chooses a pose graph, so it needs --format g2o; leave it out");
+  }
   const Chosen chosen = Choose(spec);
+  if (fs::exists(spec.out) && fs::equivalent(spec.source, spec.out)) {
+    throw sim::FileError(spec.out, "", "is what is exported; name another --out");
+  }
   if (spec.format == RecordingFormat::kG2o) return WriteGraph(spec, chosen);
   const int frames = chosen.drive.is_recording ? CopyFrames(spec, chosen, advance)
                                                : WriteFrames(spec, chosen, advance);

@@ -18,8 +18,8 @@ struct ExportSpec {
 
 /// Writes a recording, or a drive of results, which is driven again, as another format; how many
 /// frames. Of results a TUM folder has each detector's trajectory too, as DETECTOR.txt.
-/// Throws sim::FileError for sources of neither kind and for an `out` that holds a recording,
-/// sim::Error for drives and detectors that are not there, naming those that are.
+/// Throws sim::FileError for sources of neither kind and for an `out` that is the source or holds a
+/// recording, sim::Error for drives and detectors that are not there, naming those that are.
 int ExportRecording(const ExportSpec& spec, const std::function<void(int frames)>& advance = {});
 
 }  // namespace bulletnav::bench

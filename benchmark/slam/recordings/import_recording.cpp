@@ -10,6 +10,7 @@
 
 #include "agent/slam/features/stereo.h"
 #include "benchmark/slam/io/kitti_folder.h"
+#include "benchmark/slam/io/recording_check.h"
 #include "benchmark/slam/io/tum.h"
 #include "benchmark/slam/io/tum_writer.h"
 #include "benchmark/slam/recordings/visual_odometry.h"
@@ -36,30 +37,36 @@ struct Source {
   double baseline_m = 0.0;
   std::vector<SourceFrame> frames;
   CameraTrajectory truth;
+  fs::path truth_file;
   CameraTrajectory odometry;
+  int left_out = 0;  // pictures
 };
 
 Source OpenTum(const ImportRecordingSpec& spec) {
   constexpr double kTumDepthUnits = 5000.0;
   TumFolder folder = ReadTumFolder(spec.source, {spec.most_apart, spec.intrinsics});
-  Source source{"TUM", kTumDepthUnits, folder.intrinsics, 0.0, {}, std::move(folder.truth), {}};
+  Source source{"TUM",
+                kTumDepthUnits,
+                folder.intrinsics,
+                0.0,
+                {},
+                std::move(folder.truth),
+                spec.source / "groundtruth.txt",
+                {}};
   for (const TumFrame& frame : folder.frames) {
     source.frames.push_back({frame.time, frame.color, frame.depth, {}});
   }
+  source.left_out = folder.left_out;
   const fs::path odometry = spec.source / "odometry.txt";
   if (fs::exists(odometry)) source.odometry = ReadTumTrajectory(odometry);
   return source;
 }
 
 Source OpenKitti(const ImportRecordingSpec& spec) {
-  KittiFolder folder = ReadKittiFolder(spec.source);
-  Source source{"KITTI",
-                kKittiDepthUnits,
-                spec.intrinsics.value_or(folder.intrinsics),
-                folder.baseline_m,
-                {},
-                std::move(folder.truth),
-                std::move(folder.odometry)};
+  KittiFolder folder = ReadKittiFolder(spec.source, spec.intrinsics);
+  Source source{
+      "KITTI", kKittiDepthUnits,        folder.intrinsics,         folder.baseline_m,
+      {},      std::move(folder.truth), spec.source / "poses.txt", std::move(folder.odometry)};
   for (const KittiFrame& frame : folder.frames) {
     source.frames.push_back({frame.time, frame.color, frame.depth, frame.right});
   }
@@ -76,25 +83,16 @@ Source Open(const ImportRecordingSpec& spec) {
   }
   Source source = is_tum ? OpenTum(spec) : OpenKitti(spec);
   if (!spec.odometry.empty()) source.odometry = ReadTumTrajectory(spec.odometry);
-  if (!spec.truth.empty()) source.truth = ReadTumTrajectory(spec.truth);
+  if (!spec.truth.empty()) {
+    source.truth = ReadTumTrajectory(spec.truth);
+    source.truth_file = spec.truth;
+  }
   return source;
-}
-
-std::string SizeOf(int width, int height) {
-  return fmt::format("{} x {}", width, height);
 }
 
 DepthPicture DepthOf(const Source& source, const SourceFrame& frame, const sim::Image& color) {
   if (!frame.depth.empty()) {
-    DepthPicture depth = ReadDepth(frame.depth, source.depth_units);
-    if (depth.width != color.width || depth.height != color.height) {
-      throw sim::FileError(frame.depth, "",
-                           fmt::format("is of {} pixels, but {} of {}; bring depth to the "
-                                       "colour camera's pixels",
-                                       SizeOf(depth.width, depth.height), frame.color.string(),
-                                       SizeOf(color.width, color.height)));
-    }
-    return depth;
+    return ReadDepth(frame.depth, source.depth_units);
   }
   const sim::Image right = ReadRgb(frame.right);
   if (right.width != color.width || right.height != color.height) {
@@ -103,31 +101,23 @@ DepthPicture DepthOf(const Source& source, const SourceFrame& frame, const sim::
   agent::StereoSpec stereo;
   // What is nearer than a quarter of the picture is wide is left out, as are as many columns.
   stereo.disparities = std::clamp(color.width / 64 * 16, 16, stereo.disparities);
+  if (color.width <= stereo.disparities) {
+    throw sim::FileError(frame.color, "",
+                         fmt::format("is of {} pixels; stereo needs more than {} columns: give "
+                                     "wider pictures, or depth in depth/",
+                                     SizeText(color.width, color.height), stereo.disparities));
+  }
   stereo.fx = source.intrinsics.fx;
   stereo.baseline_m = source.baseline_m;
   return {color.width, color.height,
           agent::StereoDepth(color.pixels, right.pixels, color.width, color.height, stereo)};
 }
 
-void CheckCamera(const Source& source, const fs::path& folder, const sim::Image& color) {
-  const Intrinsics& k = source.intrinsics;
-  const bool is_inside = k.cx > 0.0 && k.cx < color.width && k.cy > 0.0 && k.cy < color.height;
-  if (is_inside) return;
-  throw sim::FileError(
-      folder, "",
-      fmt::format("the principal point {}, {} lies outside of pictures of {} pixels; give the "
-                  "intrinsics of these pictures with --intrinsics fx,fy,cx,cy",
-                  k.cx, k.cy, SizeOf(color.width, color.height)));
-}
-
-/// The pose of each frame, where there is one near in time.
-std::vector<std::optional<agent::SpatialPose>> PosesOf(const Source& source,
-                                                       const CameraTrajectory& trajectory) {
-  constexpr double kMostApart = 0.05;
+std::vector<double> TimesOf(const Source& source) {
   std::vector<double> times;
   times.reserve(source.frames.size());
   for (const SourceFrame& frame : source.frames) times.push_back(frame.time);
-  return PosesAt(times, trajectory, kMostApart);
+  return times;
 }
 
 /// A recording while it is read frame by frame.
@@ -136,11 +126,13 @@ class Importer {
   explicit Importer(const ImportRecordingSpec& spec)
       : spec_(spec),
         source_(Open(spec)),
-        truth_(PosesOf(source_, source_.truth)),
-        odometry_(PosesOf(source_, source_.odometry)),
+        truth_(TruthAt(TimesOf(source_), source_.truth, source_.truth_file)),
+        odometry_(PosesAt(TimesOf(source_), source_.odometry, kPoseApart)),
         writer_(MakeRecordingWriter(spec.format, spec.out, source_.intrinsics)),
-        visual_(source_.intrinsics) {
+        visual_(source_.intrinsics),
+        check_(spec.source, source_.intrinsics) {
     outcome_.format = source_.format;
+    outcome_.left_out = source_.left_out;
     outcome_.is_visual = source_.odometry.empty();
   }
 
@@ -149,9 +141,7 @@ class Importer {
       Take(i);
       if (advance) advance(static_cast<int>(i) + 1);
     }
-    if (!has_depth_) {
-      throw sim::FileError(spec_.source, "", "no picture of depth has any; is it of 16 bits?");
-    }
+    check_.Finish();
     outcome_.guessed = visual_.guessed();
     if (2 * visual_.guessed() > visual_.steps()) {
       throw sim::FileError(
@@ -171,22 +161,9 @@ class Importer {
     RecordedFrame frame;
     frame.time = from.time;
     frame.color = ReadRgb(from.color);
-    if (i == 0) {
-      CheckCamera(source_, spec_.source, frame.color);
-      first_ = {frame.color.width, frame.color.height};
-    }
-    if (std::pair(frame.color.width, frame.color.height) != first_) {
-      throw sim::FileError(from.color, "",
-                           fmt::format("is of {} pixels, the first picture of {}; all frames must "
-                                       "come from one camera",
-                                       SizeOf(frame.color.width, frame.color.height),
-                                       SizeOf(first_.first, first_.second)));
-    }
+    check_.TakeColor(from.color, frame.color);
     frame.depth = DepthOf(source_, from, frame.color);
-    has_depth_ = has_depth_ || std::any_of(frame.depth.metres.begin(), frame.depth.metres.end(),
-                                           [](float metres) {
-                                             return metres > 0.0F;
-                                           });
+    check_.TakeDepth(from.depth.empty() ? from.right : from.depth, frame.depth);
     frame.truth = truth_[i];
     if (frame.truth) ++outcome_.with_truth;
     frame.odometry = OdometryOf(i, frame);
@@ -198,9 +175,9 @@ class Importer {
     if (odometry_[i]) return *odometry_[i];
     const fs::path file = spec_.odometry.empty() ? spec_.source / "odometry.txt" : spec_.odometry;
     throw sim::FileError(file, "",
-                         fmt::format("has no pose within 0.05 s of the frame at {}; add it, or "
+                         fmt::format("has no pose within {} s of the frame at {}; add it, or "
                                      "leave the frame out",
-                                     frame.time));
+                                     kPoseApart, frame.time));
   }
 
   const ImportRecordingSpec& spec_;
@@ -209,9 +186,8 @@ class Importer {
   std::vector<std::optional<agent::SpatialPose>> odometry_;
   std::unique_ptr<RecordingWriter> writer_;
   VisualOdometry visual_;
+  RecordingCheck check_;
   ImportOutcome outcome_;
-  std::pair<int, int> first_;
-  bool has_depth_ = false;
 };
 
 }  // namespace

@@ -27,6 +27,7 @@ struct ImportOutcome {
   std::string format;  // "TUM" or "KITTI"
   int frames = 0;
   int with_truth = 0;
+  int left_out = 0;        // pictures without one of depth near in time
   bool is_visual = false;  // odometry was made from pictures
   int guessed = 0;         // steps of it that were not seen
 };
@@ -41,9 +42,9 @@ std::unique_ptr<RecordingWriter> MakeRecordingWriter(RecordingFormat format,
 /// depth. Throws sim::FileError, one line with the file and the remedy: for sources of neither
 /// kind, what readers of tum.h and kitti_folder.h find (missing or unsynchronised pictures, times
 /// that do not rise, unknown intrinsics), damaged pictures, pictures of different sizes, a
-/// principal point outside of them, depth that is empty throughout, frames without odometry, and
-/// visual odometry that lost its way in more than half of the steps. What was written until then
-/// has no lists and is no recording.
+/// principal point outside of them, depth that is empty throughout, frames without odometry, truth
+/// of which no pose is near a frame in time, and visual odometry that lost its way in more than
+/// half of the steps. What was written until then has no lists and is no recording.
 ImportOutcome ImportRecording(const ImportRecordingSpec& spec,
                               const std::function<void(int frames)>& advance = {});
 

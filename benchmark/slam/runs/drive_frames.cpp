@@ -2,12 +2,15 @@
 #include "benchmark/slam/runs/drive_frames.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include <fmt/core.h>
 
 #include "benchmark/slam/io/file_frames.h"
+#include "benchmark/slam/io/recording_check.h"
 #include "sim/base/error.h"
 
 namespace bulletnav::bench {
@@ -15,7 +18,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kMostApart = 0.05;  // seconds between a frame and its pose
+/// By frame; none where all cameras are level and at one height.
+std::vector<std::optional<CameraTilt>> TiltsOf(
+    std::span<const std::optional<agent::SpatialPose>> truth) {
+  constexpr double kLevel = 1e-4;  // radians, metres: as files are rounded
+  std::vector<std::optional<CameraTilt>> tilts(truth.size());
+  const CameraTilt* first = nullptr;
+  bool is_level = true;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    if (!truth[i]) continue;
+    tilts[i] = CameraTilt{LevelFromCamera(*truth[i]), truth[i]->position.z()};
+    if (first == nullptr) first = &*tilts[i];
+    is_level = is_level && std::abs(tilts[i]->height - first->height) < kLevel &&
+               (tilts[i]->level_from_camera - Eigen::Matrix3d::Identity()).norm() < kLevel;
+  }
+  if (is_level) tilts.assign(truth.size(), std::nullopt);
+  return tilts;
+}
 
 }  // namespace
 
@@ -61,6 +80,7 @@ DriveSource::DriveSource(const SlamConfig& config, const Drive& drive) {
 
 DriveSource::Recording DriveSource::Read(const fs::path& folder) {
   Recording recording;
+  recording.place = folder;
   recording.folder = ReadTumFolder(folder, {});
   std::vector<double> times;
   for (const TumFrame& frame : recording.folder.frames) times.push_back(frame.time);
@@ -70,24 +90,25 @@ DriveSource::Recording DriveSource::Read(const fs::path& folder) {
                          "is not there; write the odometry added up as 't x y z qx qy qz qw' of "
                          "the camera, a line a frame");
   }
-  const auto measured = PosesAt(times, ReadTumTrajectory(odometry), kMostApart);
+  const auto measured = PosesAt(times, ReadTumTrajectory(odometry), kPoseApart);
   recording.odometry.reserve(times.size());
   for (std::size_t i = 0; i < times.size(); ++i) {
     if (!measured[i]) {
       throw sim::FileError(odometry, "",
                            fmt::format("has no pose within {} s of the frame at {}; leave the "
                                        "frame out or add the pose",
-                                       kMostApart, times[i]));
+                                       kPoseApart, times[i]));
     }
     recording.odometry.push_back(PlanarFromFile(*measured[i]));
   }
   const sim::PlanarPose back = sim::Inverse(recording.odometry.front());
   for (sim::PlanarPose& pose : recording.odometry) pose = sim::Compose(back, pose);
-  const auto truth = PosesAt(times, recording.folder.truth, kMostApart);
+  const auto truth = TruthAt(times, recording.folder.truth, folder / "groundtruth.txt");
   recording.truth.resize(times.size());
   for (std::size_t i = 0; i < times.size(); ++i) {
     if (truth[i]) recording.truth[i] = BodyFromFile(*truth[i], 0.0);
   }
+  recording.tilts = TiltsOf(truth);
   return recording;
 }
 
@@ -110,16 +131,21 @@ void DriveSource::ForEach(const std::function<void(const DriveFrame&)>& take) co
     });
     return;
   }
+  RecordingCheck check(recording_->place, recording_->folder.intrinsics);
   for (std::size_t i = 0; i < recording_->folder.frames.size(); ++i) {
     const TumFrame& frame = recording_->folder.frames[i];
     DriveFrame read;
     read.time = frame.time;
     read.color = ReadRgb(frame.color);
+    check.TakeColor(frame.color, read.color);
     read.depth = ReadTumDepth(frame.depth);
+    check.TakeDepth(frame.depth, read.depth);
     read.odometry = recording_->odometry[i];
     read.truth = recording_->truth[i];
+    read.tilt = recording_->tilts[i];
     take(read);
   }
+  check.Finish();
 }
 
 }  // namespace bulletnav::bench

@@ -7,6 +7,7 @@
 #include "benchmark/slam/io/tum.h"
 #include "benchmark/slam/runs/slam_config.h"
 #include "benchmark/slam/truth/camera_lens.h"
+#include "benchmark/slam/truth/covisibility.h"
 #include "sim/image/image.h"
 #include "sim/world.h"
 
@@ -14,19 +15,21 @@ namespace bulletnav::bench {
 
 /// A frame of a drive, from the simulator or from files.
 struct DriveFrame {
-  double time = 0.0;                   // seconds
-  sim::Image color;                    // RGB
-  DepthPicture depth;                  // along the camera's axis; of panoramas level
-  std::vector<float> ranges;           // of panoramas: along the rays
-  sim::PlanarPose odometry;            // added up, from the first frame's body
-  std::optional<sim::BodyPose> truth;  // where it is known; for measuring only
+  double time = 0.0;                    // seconds
+  sim::Image color;                     // RGB
+  DepthPicture depth;                   // along the camera's axis; of panoramas level
+  std::vector<float> ranges;            // of panoramas: along the rays
+  sim::PlanarPose odometry;             // added up, from the first frame's body
+  std::optional<sim::BodyPose> truth;   // where it is known; for measuring only
+  std::optional<CameraTilt> tilt = {};  // with it: of a recording whose camera is not always level
 };
 
 /// The frames of a drive, one after the other.
 class DriveSource {
  public:
   /// Loads the scene, or the lists of a recording. Throws sim::FileError, also for a recording
-  /// without odometry.txt, or whose odometry or truth lacks the time of a frame.
+  /// without odometry.txt, whose odometry lacks the time of a frame, or whose truth has none of
+  /// any.
   DriveSource(const SlamConfig& config, const Drive& drive);
 
   CameraLens lens() const;
@@ -34,13 +37,16 @@ class DriveSource {
   const sim::World* world() const { return world_.get(); }
   bool has_truth() const;
 
+  /// Throws sim::FileError for pictures of a recording as import does, see RecordingCheck.
   void ForEach(const std::function<void(const DriveFrame&)>& take) const;
 
  private:
   struct Recording {
+    std::filesystem::path place;
     TumFolder folder;
     std::vector<sim::PlanarPose> odometry;            // by frame
     std::vector<std::optional<sim::BodyPose>> truth;  // by frame
+    std::vector<std::optional<CameraTilt>> tilts;     // by frame
   };
   static Recording Read(const std::filesystem::path& folder);
 

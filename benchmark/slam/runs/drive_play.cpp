@@ -77,7 +77,11 @@ class DrivePlay {
     }
     played_.result.frames = static_cast<int>(kept_.size());
     played_.result.travelled_m = travel_.metres();
-    if (source_.has_truth()) Measure();
+    if (source_.has_truth()) {
+      Measure();
+    } else if (!truth_frames_.empty()) {
+      played_.result.with_truth = static_cast<int>(truth_frames_.size());
+    }
     for (const RunningDetector& running : detectors_) Close(running);
     if (truth_) CloseWithTruth();
     played_.times["corners"] = TimesOf(corners_ms_);
@@ -111,6 +115,7 @@ class DrivePlay {
     played_.odometry.push_back(frame.odometry);
     if (frame.truth) {
       truth_frames_.push_back({*frame.truth, Coarsened(frame.depth, eye_.lens()), seen.comparable});
+      truth_frames_.back().seen.tilt = frame.tilt;
       played_.truth.push_back(*frame.truth);
     }
     kept_.push_back(std::move(corners));

@@ -103,6 +103,8 @@ struct DriveResult {
   int actions = 0;
   int frames = 0;
   double travelled_m = 0.0;  // as odometry has it
+  /// Frames whose true pose is known, if not all: then there are no figures.
+  std::optional<int> with_truth;
   std::optional<BothErrors> odometry;
   std::vector<DetectorResult> detectors;
   std::optional<LoopOutcome> true_loops;  // the bound: loops and motions from the truth
@@ -114,6 +116,7 @@ struct DriveResult {
     v("actions", actions);
     v("frames", frames);
     v("travelled_m", travelled_m);
+    v("with_truth", with_truth);
     v("odometry", odometry);
     v("detectors", detectors);
     v("true_loops", true_loops);

@@ -150,6 +150,12 @@ Drive RecordingOf(const std::string& recording) {
   if (!fs::exists(recording)) {
     throw sim::FileError(recording, "", "is not there; see 'recordings'");
   }
+  if (!fs::exists(fs::path(recording) / "rgb.txt")) {
+    throw sim::FileError(recording, "",
+                         "is no recording of slam run's: rgb.txt is not there; bring a TUM folder "
+                         "or a sequence of KITTI's in with ./bulletnav slam import FOLDER --out "
+                         "RECORDING, and name that in 'recordings'");
+  }
   const fs::path folder = fs::path(recording).lexically_normal();
   const fs::path named = folder.has_filename() ? folder : folder.parent_path();
   const std::string name = named.filename().string();

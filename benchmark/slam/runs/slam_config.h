@@ -203,7 +203,8 @@ struct Drive {
 };
 
 /// All drives of a config, whose houses are made. Throws sim::FileError for scenes or recordings
-/// that are not there, sim::Error if there is no drive at all or two of one name.
+/// that are not there and folders without rgb.txt, sim::Error if there is no drive at all or two of
+/// one name.
 std::vector<Drive> DrivesOf(const SlamConfig& config);
 
 }  // namespace bulletnav::bench

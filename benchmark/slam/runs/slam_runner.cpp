@@ -2,10 +2,12 @@
 #include "benchmark/slam/runs/slam_runner.h"
 
 #include <memory>
+#include <set>
 #include <string>
 
 #include "benchmark/base/program_version.h"
 #include "benchmark/slam/runs/drive_files.h"
+#include "benchmark/slam/runs/slam_fingerprints.h"
 #include "benchmark/slam/runs/vocabulary.h"
 #include "sim/base/error.h"
 #include "sim/base/files.h"
@@ -55,6 +57,25 @@ std::shared_ptr<const agent::Vocabulary> Vocabulary(const SlamConfig& config,
   return vocabulary;
 }
 
+std::set<std::string> NamesDone(const fs::path& folder) {
+  std::set<std::string> names;
+  const fs::path drives = folder / "drives";
+  if (!fs::is_directory(drives)) return names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(drives)) {
+    if (HasDrive(entry.path())) names.insert(entry.path().filename().string());
+  }
+  return names;
+}
+
+/// None where houses, scenes or recordings are gone.
+std::vector<Drive> DrivesIfThere(const SlamConfig& config) {
+  try {
+    return DrivesOf(config);
+  } catch (const sim::Error&) {
+    return {};
+  }
+}
+
 }  // namespace
 
 fs::path DriveFolder(const fs::path& folder, const std::string& drive) {
@@ -68,7 +89,9 @@ std::vector<DriveResult> RunSlam(const SlamConfig& config, const fs::path& folde
   KeepConfig(config, folder);
   MakeAllHouses(config, options);
   std::vector<Drive> left;
-  for (const Drive& drive : DrivesOf(config)) {
+  const std::vector<Drive> drives = DrivesOf(config);
+  KeepFingerprints(config, folder);
+  for (const Drive& drive : drives) {
     if (!HasDrive(DriveFolder(folder, drive.name))) left.push_back(drive);
   }
   if (!left.empty()) {
@@ -90,14 +113,32 @@ SlamConfig ReadSlamRun(const fs::path& folder) {
   if (!fs::exists(file)) {
     throw sim::FileError(folder, "", "holds no results of 'slam run'");
   }
+  const sim::YamlNode root = sim::ParseYaml(sim::ReadTextFile(file), file);
+  if (root.yaml().IsMap() && !root.yaml()["detectors"]) {
+    throw sim::FileError(file, "",
+                         "names no 'detectors', so it is of another command than 'slam run'; name "
+                         "a folder of results of that");
+  }
   return LoadSlamConfig(file);
+}
+
+std::vector<Drive> DrivesDone(const SlamConfig& config, const fs::path& folder) {
+  std::vector<Drive> done;
+  std::set<std::string> left = NamesDone(folder);
+  for (const Drive& drive : DrivesIfThere(config)) {
+    if (left.erase(drive.name) > 0) done.push_back(drive);
+  }
+  for (const std::string& name : left) {
+    Drive& drive = done.emplace_back();
+    drive.name = name;
+  }
+  return done;
 }
 
 std::vector<DriveResult> ReadSlamResults(const SlamConfig& config, const fs::path& folder) {
   std::vector<DriveResult> results;
-  for (const Drive& drive : DrivesOf(config)) {
-    const fs::path place = DriveFolder(folder, drive.name);
-    if (HasDrive(place)) results.push_back(ReadDriveResult(place));
+  for (const Drive& drive : DrivesDone(config, folder)) {
+    results.push_back(ReadDriveResult(DriveFolder(folder, drive.name)));
   }
   if (results.empty()) {
     throw sim::FileError(folder, "", "has no drive that is done; ./bulletnav slam run plays them");

@@ -143,6 +143,26 @@ Results Known(std::span<const DriveResult> results, std::optional<int> actions) 
   return known;
 }
 
+/// What lacks figures, and why.
+std::string UnmeasuredLines(std::span<const DriveResult> results) {
+  std::string text;
+  std::size_t without = 0;
+  for (const DriveResult& result : results) {
+    if (result.odometry) continue;
+    if (!result.with_truth) {
+      ++without;
+      continue;
+    }
+    text += fmt::format("{}: {} of {} frames have a true pose; figures need all\n", result.drive,
+                        *result.with_truth, result.frames);
+  }
+  if (without > 0) {
+    text += fmt::format("{} without ground truth: only their loops and trajectories are written\n",
+                        Counted(without, "drive"));
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string SlamTables(const SlamConfig& config, std::span<const DriveResult> results) {
@@ -159,11 +179,7 @@ std::string SlamTables(const SlamConfig& config, std::span<const DriveResult> re
     text += ComparisonTable(config, known);
     text += StageTable(config, known);
   }
-  if (known.size() < results.size()) {
-    text += fmt::format("{} without ground truth: only their loops and trajectories are written\n",
-                        Counted(results.size() - known.size(), "drive"));
-  }
-  return text;
+  return text + UnmeasuredLines(results);
 }
 
 }  // namespace bulletnav::bench

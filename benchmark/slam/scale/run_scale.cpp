@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <fstream>
 #include <memory>
+#include <set>
 #include <utility>
 
 #include <fmt/core.h>
@@ -90,6 +91,19 @@ std::vector<fs::path> ScenesOf(const ScaleConfig& config, sim::Split split,
     if (house.split == split) files.push_back(folder / house.file);
   }
   return files;
+}
+
+/// Copies of a query's frames would count as wrong answers.
+void RequireOnce(const std::vector<fs::path>& own, const std::vector<fs::path>& other) {
+  std::set<fs::path> places;
+  for (const auto* scenes : {&own, &other}) {
+    for (const fs::path& scene : *scenes) {
+      if (places.insert(fs::weakly_canonical(scene)).second) continue;
+      throw sim::FileError(scene, "",
+                           "is there twice among the scenes of queries and others; leave one out "
+                           "of 'query_scenes' or 'other_scenes'");
+    }
+  }
 }
 
 std::vector<KnownDrive> DriveAll(const std::vector<fs::path>& houses,
@@ -231,6 +245,12 @@ PlayedScale PlayScale(const ScaleConfig& config, int workers, const StartProgres
   if (config.houses) MakeHouses(*config.houses, CommittedVersion(), workers, begin);
   const std::vector<fs::path> own = ScenesOf(config, config.queries, config.query_scenes);
   const std::vector<fs::path> other = ScenesOf(config, config.others, config.other_scenes);
+  if (own.empty()) {
+    throw sim::KeyError("query_scenes",
+                        "there is no scene to drive through for queries; name 'query_scenes', or "
+                        "'houses' with some of the split 'queries'");
+  }
+  RequireOnce(own, other);
   RequireFrames(config, other.size());
   const Driving driving(config);
   sim::WorkerPool pool(workers);

@@ -58,7 +58,8 @@ struct PlayedScale {
 
 /// Makes houses that are not there, drives through all of them and searches. The result is a
 /// function of the config, the times are not. Throws sim::FileError for weights that cannot be
-/// used, sim::KeyError if houses have not so many frames, and if no query has a loop.
+/// used and scenes that are there twice, sim::KeyError if there is no scene of queries, if houses
+/// have not so many frames, and if no query has a loop.
 /// Cost: drawing; 100,000 frames take some seven minutes of one core.
 PlayedScale PlayScale(const ScaleConfig& config, int workers, const StartProgress& start);
 

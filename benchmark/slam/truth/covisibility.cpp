@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "agent/slam/pose_graph/spatial_pose.h"
 #include "sim/base/check.h"
 
 namespace bulletnav::bench {
@@ -168,22 +169,56 @@ PanoramaPlaces PlacesOf(const agent::PanoramaLens& lens) {
   return PanoramaPlaces(lens);
 }
 
-template <class Places>
+/// From a level camera to another one as high.
+class LevelStep {
+ public:
+  explicit LevelStep(const sim::PlanarPose& X_AB)
+      : cosine_(static_cast<float>(std::cos(X_AB.yaw))),
+        sine_(static_cast<float>(std::sin(X_AB.yaw))),
+        x_(static_cast<float>(X_AB.x)),
+        y_(static_cast<float>(X_AB.y)) {}
+
+  /// From camera b to a point, both seen from a.
+  Eigen::Vector3f FromB(const Eigen::Vector3f& point) const {
+    return {point.x() - x_, point.y() - y_, point.z()};
+  }
+  /// The same, seen from b.
+  Eigen::Vector3f InB(const Eigen::Vector3f& d) const {
+    return {cosine_ * d.x() + sine_ * d.y(), cosine_ * d.y() - sine_ * d.x(), d.z()};
+  }
+
+ private:
+  float cosine_, sine_, x_, y_;
+};
+
+/// The same between cameras as they are.
+class TiltedStep {
+ public:
+  TiltedStep(const CameraTilt& a, const CameraTilt& b, const sim::PlanarPose& X_AB) {
+    const Eigen::Vector3d level_move(X_AB.x, X_AB.y, b.height - a.height);
+    const Eigen::Matrix3d turn =
+        agent::InSpace(X_AB).rotation.toRotationMatrix() * b.level_from_camera;
+    b_in_a_ = (a.level_from_camera.transpose() * level_move).cast<float>();
+    b_from_a_ = (turn.transpose() * a.level_from_camera).cast<float>();
+  }
+
+  Eigen::Vector3f FromB(const Eigen::Vector3f& point) const { return point - b_in_a_; }
+  Eigen::Vector3f InB(const Eigen::Vector3f& d) const { return b_from_a_ * d; }
+
+ private:
+  Eigen::Vector3f b_in_a_;
+  Eigen::Matrix3f b_from_a_;
+};
+
+template <class Places, class Step>
 double ShareSeenAt(const DepthThumbnail& a, const DepthThumbnail& b, const Places& places,
-                   const sim::PlanarPose& X_AB) {
-  const auto cosine = static_cast<float>(std::cos(X_AB.yaw));
-  const auto sine = static_cast<float>(std::sin(X_AB.yaw));
-  const auto x = static_cast<float>(X_AB.x);
-  const auto y = static_cast<float>(X_AB.y);
+                   const Step& step) {
   int seen = 0;
   for (std::size_t i = 0; i < a.points.size(); ++i) {
-    const Eigen::Vector3f& point = a.points[i];
-    const float dx = point.x() - x;
-    const float dy = point.y() - y;
-    if (a.facing[i].dot(Eigen::Vector3f(-dx, -dy, -point.z())) < -kBehind) continue;
-    const float ahead = cosine * dx + sine * dy;
-    const float left = cosine * dy - sine * dx;
-    const std::optional<Place> place = places.Of(ahead, left, point.z());
+    const Eigen::Vector3f from_b = step.FromB(a.points[i]);
+    if (a.facing[i].dot(Eigen::Vector3f(-from_b)) < -kBehind) continue;
+    const Eigen::Vector3f in_b = step.InB(from_b);
+    const std::optional<Place> place = places.Of(in_b.x(), in_b.y(), in_b.z());
     if (!place) continue;
     const bool is_inside = place->col >= 0.0f && place->row >= 0.0f &&
                            place->col < static_cast<float>(b.depth.width) &&
@@ -231,7 +266,7 @@ DepthThumbnail Coarsened(const DepthPicture& depth, const CameraLens& lens) {
 }
 
 DepthThumbnail ThumbnailOf(DepthPicture coarse, const CameraLens& lens) {
-  DepthThumbnail thumbnail{std::move(coarse), lens, {}, {}};
+  DepthThumbnail thumbnail{std::move(coarse), lens, {}, {}, {}};
   std::visit(
       [&thumbnail](const auto& of) {
         FindPoints(of, &thumbnail);
@@ -244,7 +279,9 @@ double ShareSeen(const DepthThumbnail& a, const DepthThumbnail& b, const sim::Pl
   if (a.points.empty()) return 0.0;
   return std::visit(
       [&](const auto& lens) {
-        return ShareSeenAt(a, b, PlacesOf(lens), X_AB);
+        if (!a.tilt && !b.tilt) return ShareSeenAt(a, b, PlacesOf(lens), LevelStep(X_AB));
+        const TiltedStep step(a.tilt.value_or(CameraTilt{}), b.tilt.value_or(CameraTilt{}), X_AB);
+        return ShareSeenAt(a, b, PlacesOf(lens), step);
       },
       b.lens);
 }

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "agent/slam/features/gftt.h"
+#include "agent/slam/features/stereo.h"
 #include "sim/base/error.h"
 #include "sim/math/rng.h"
 
@@ -104,6 +105,46 @@ TEST(FindOrb, TellsWhatIsWrong) {
         Find(picture, {.scale = 1.0});
       },
       ThrowsMessage<sim::Error>(HasSubstr("scale must be above 1")));
+}
+
+/// OpenCV would tell of it in its own words, or take what memory there is.
+TEST(FindOrb, WhatAPictureCannotHaveIsRefused) {
+  for (const OrbSpec& spec :
+       {OrbSpec{.scale = 50.0}, OrbSpec{.levels = 60}, OrbSpec{.features = 2'000'000'000}}) {
+    EXPECT_THAT(
+        [&] {
+          spec.Validate();
+        },
+        ThrowsMessage<sim::Error>(HasSubstr("at most")));
+  }
+  const Picture picture = Rectangles(0, 0);
+  EXPECT_NO_THROW(Find(picture, {.levels = 20}));
+  EXPECT_THAT(
+      [&] {
+        Find(picture, {.scale = 10.0, .levels = 4});
+      },
+      ThrowsMessage<sim::Error>(HasSubstr("too many for pictures of 200 x 150 pixels")));
+  const std::vector<std::uint8_t> pixel(3);
+  EXPECT_THAT(
+      [&] {
+        FindOrb(pixel, 1, 1, {});
+      },
+      ThrowsMessage<sim::Error>(HasSubstr("take larger pictures")));
+}
+
+/// Where OpenCV would read beyond the picture.
+TEST(StereoDepth, NarrowPicturesAreRefused) {
+  const StereoSpec spec = {.disparities = 16, .fx = 10.0, .baseline_m = 0.1};
+  for (const int width : {1, 8, 15, 16}) {
+    const std::vector<std::uint8_t> rgb(static_cast<std::size_t>(3 * 64 * width));
+    EXPECT_THAT(
+        [&] {
+          StereoDepth(rgb, rgb, width, 64, spec);
+        },
+        ThrowsMessage<sim::Error>(HasSubstr("too narrow for stereo")));
+  }
+  const std::vector<std::uint8_t> rgb(std::size_t{3 * 64 * 17});
+  EXPECT_EQ(StereoDepth(rgb, rgb, 17, 64, spec).size(), std::size_t{64 * 17});
 }
 
 /// Corners apart from each other, with descriptors of those that have enough around them.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/slam/io/file_frames.h"
 
+#include <cmath>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -47,6 +49,18 @@ TEST(FileFrames, MotionIsTheSame) {
   EXPECT_NEAR(motion.x, 0.5, 1e-12);
   EXPECT_NEAR(motion.y, -0.2, 1e-12);
   EXPECT_NEAR(motion.yaw, 0.9, 1e-12);
+}
+
+/// Turned about its own axis x, to the right, a camera looks up: ahead rises.
+TEST(FileFrames, LevelFromCameraIsWhatIsLeftOut) {
+  agent::SpatialPose camera = CameraInFile(sim::PlanarPose{1.0, 2.0, 0.8}, 1.0);
+  EXPECT_LT((LevelFromCamera(camera) - Eigen::Matrix3d::Identity()).norm(), 1e-12);
+  camera.rotation = camera.rotation * agent::RotationBy({0.3, 0.0, 0.0});
+  const Eigen::Matrix3d level = LevelFromCamera(camera);
+  EXPECT_LT((level * Eigen::Vector3d::UnitX() - Eigen::Vector3d(std::cos(0.3), 0.0, std::sin(0.3)))
+                .norm(),
+            1e-12);
+  EXPECT_LT((level * Eigen::Vector3d::UnitY() - Eigen::Vector3d::UnitY()).norm(), 1e-12);
 }
 
 TEST(FileFrames, PitchIsLeftOutAndStraightDownIsAnError) {

@@ -113,7 +113,10 @@ TEST(G2o, TellsFileAndLine) {
   expect(two + "FIX 6\n", "3: there is no vertex 6");
   expect(two + "EDGE_SE2 0 1 1 0 0 1 0 0 -1 0 1\n", "3: the information is not positive definite");
   expect(two + "EDGE_SE2 0 1 1 0 0 inf 0 0 1 0 1\n", "3: 'inf' is not finite");
+  expect("VERTEX_SE2 0 1e300 0 0\n", "1: the pose has a number beyond 1e12");
+  expect(two + "EDGE_SE2 0 1 1 0 0 1e300 0 0 1e300 0 1e300\n", "3: the information has a number");
   expect(two + "EDGE_SE2 1 1 1 0 0 1 0 0 1 0 1\n", "3: it joins a vertex to itself");
+  expect(two + "EDGE" + std::string(1, '\0') + "_SE2 0 1\n", "3: there is a byte of 0");
   EXPECT_THROW(ReadG2o(folder.path() / "none.g2o"), sim::FileError);
 }
 

@@ -86,7 +86,8 @@ TEST(Kitti, TellsFileAndLine) {
       [&] {
         ReadKittiTimes(folder.Write("t.txt", "0\n1\n1\n"));
       },
-      ThrowsMessage<sim::FileError>(HasSubstr("t.txt:3: time 1 is not after")));
+      ThrowsMessage<sim::FileError>(
+          HasSubstr("t.txt:3: time 1 is not after the line before it, 1; ")));
   EXPECT_THAT(
       [&] {
         ReadKittiPoses(folder.Write("q.txt", "1 0 0 0 0 1 0 0 0 0 1\n"));

@@ -14,6 +14,7 @@
 #include "benchmark/slam/recordings/export_recording.h"
 #include "benchmark/slam/recordings/import_recording.h"
 #include "benchmark/slam/runs/slam_runner.h"
+#include "benchmark/slam/runs/slam_table.h"
 #include "sim/base/error.h"
 #include "sim/base/files.h"
 #include "sim/math/rng.h"
@@ -25,6 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::ThrowsMessage;
 
 constexpr int kWidth = 160;
@@ -89,6 +91,17 @@ class Recordings : public ::testing::Test {
     return ImportRecording({.source = source, .out = folder_.path() / out});
   }
 
+  /// The results of a run on one recording.
+  fs::path Run(const fs::path& recording) const {
+    const SlamConfig config = LoadSlamConfig(folder_.Write(
+        "r.yaml",
+        "recordings: [" + recording.string() +
+            "]\napart_m: 1\ndetectors: [{detector: seqslam, parameters: {length: 1}}]\n"));
+    fs::path run = folder_.path() / "run" / recording.filename();
+    RunSlam(config, run, {});
+    return run;
+  }
+
   tests::TemporaryFolder folder_;
 };
 
@@ -104,6 +117,15 @@ TEST_F(Recordings, ImportTakesWhatExportWrote) {
                            "calibration.txt", "rgb/000003.png", "depth/000003.png"}) {
     EXPECT_EQ(sim::ReadFile(folder_.path() / "in" / file), sim::ReadFile(tum / file)) << file;
   }
+}
+
+TEST_F(Recordings, PicturesWithoutDepthAreCounted) {
+  const fs::path tum = Record<TumWriter>("tum", true);
+  sim::WriteFileAtomically(tum / "depth.txt",
+                           "0 depth/000000.png\n0.1 depth/000001.png\n0.33 depth/000003.png\n");
+  const ImportOutcome outcome = Import(tum, "in");
+  EXPECT_EQ(outcome.frames, 2);
+  EXPECT_EQ(outcome.left_out, 2);
 }
 
 TEST_F(Recordings, KittiGoesOutAndComesIn) {
@@ -145,6 +167,38 @@ TEST_F(Recordings, AHandMadeStereoSequenceGetsDepthAndOdometry) {
   EXPECT_NEAR(last.x, 0.0, 0.06);
   const DepthPicture depth = ReadTumDepth(folder_.path() / "in/depth/000001.png");
   EXPECT_NEAR(depth.metres[60 * kWidth + 100], 2.0, 0.15);
+}
+
+TEST_F(Recordings, GivenIntrinsicsReplaceKittisCalibration) {
+  const fs::path kitti = Record<KittiWriter>("kitti", true);
+  ImportRecordingSpec spec = {.source = kitti, .out = folder_.path() / "in", .intrinsics = kCamera};
+  sim::WriteFileAtomically(kitti / "calib.txt", "P0: 1 0 0 0 0 1 0 0 0 0 1 0\n");
+  EXPECT_THAT(
+      [&] {
+        Import(kitti, "none");
+      },
+      ThrowsMessage<sim::FileError>(HasSubstr("P2")));
+  EXPECT_EQ(ImportRecording(spec).frames, 4);
+  fs::remove(kitti / "calib.txt");
+  spec.out = folder_.path() / "again";
+  EXPECT_EQ(ImportRecording(spec).frames, 4);
+  EXPECT_EQ(ReadTumFolder(spec.out, {}).intrinsics.fx, kCamera.fx);
+}
+
+TEST_F(Recordings, StereoOfNarrowPicturesIsRefused) {
+  folder_.Write("s/times.txt", "0\n");
+  for (const auto& [width, height] : {std::pair(15, 64), std::pair(16, 16), std::pair(16, 40)}) {
+    folder_.Write("s/calib.txt", "P2: 9 0 4 0 0 9 4 0 0 0 1 0\nP3: 9 0 4 -20 0 9 4 0 0 0 1 0\n");
+    for (const char* side : {"image_2", "image_3"}) {
+      sim::WritePng(folder_.path() / "s" / side / "000000.png", sim::Image(width, height, 3));
+    }
+    EXPECT_THAT(
+        [&] {
+          Import(folder_.path() / "s", "in");
+        },
+        ThrowsMessage<sim::FileError>(
+            AllOf(HasSubstr("image_2/000000.png"), HasSubstr("more than 16 columns"))));
+  }
 }
 
 TEST_F(Recordings, BadRecordingsAreToldInALine) {
@@ -192,6 +246,133 @@ TEST_F(Recordings, BadRecordingsAreToldInALine) {
   EXPECT_THAT(complaint(bad), HasSubstr("neither depth/ nor image_3/"));
 }
 
+TEST_F(Recordings, AFolderThatHoldsARecordingOfEitherKindIsLeftAlone) {
+  const fs::path tum = Record<TumWriter>("tum", true);
+  const fs::path kitti = Record<KittiWriter>("kitti", true);
+  const auto pictures = [](const fs::path& folder) {
+    return std::distance(fs::recursive_directory_iterator(folder), {});
+  };
+  const auto in_tum = pictures(tum);
+  const auto in_kitti = pictures(kitti);
+  for (const fs::path& source : {tum, kitti}) {
+    for (const fs::path& out : {tum, kitti, tum / "../kitti"}) {
+      EXPECT_THROW(ImportRecording({.source = source, .out = out}), sim::FileError);
+    }
+  }
+  for (const RecordingFormat format : {RecordingFormat::kTum, RecordingFormat::kKitti}) {
+    for (const fs::path& out : {tum, kitti}) {
+      EXPECT_THAT(([&] {
+                    ExportRecording({.source = tum, .out = out, .format = format});
+                  }),
+                  ThrowsMessage<sim::FileError>(HasSubstr("name another")));
+    }
+  }
+  EXPECT_EQ(pictures(tum), in_tum);
+  EXPECT_EQ(pictures(kitti), in_kitti);
+}
+
+/// Whatever way a recording comes in, its pictures are checked.
+TEST_F(Recordings, RunRefusesWhatImportRefuses) {
+  const auto expect_both = [this](const fs::path& bad, const std::string& complaint) {
+    fs::remove_all(folder_.path() / "in");
+    EXPECT_THAT(
+        [&] {
+          Import(bad, "in");
+        },
+        ThrowsMessage<sim::FileError>(HasSubstr(complaint)));
+    EXPECT_THAT(
+        [&] {
+          Run(bad);
+        },
+        ThrowsMessage<sim::FileError>(HasSubstr(complaint)));
+  };
+  fs::path bad = Record<TumWriter>("small", true);
+  WriteTumDepth(bad / "depth/000001.png", {2, 2, {1.0F, 1.0F, 1.0F, 1.0F}});
+  expect_both(bad, "depth/000001.png: is of 2 x 2 pixels, but");
+  bad = Record<TumWriter>("sizes", true);
+  sim::WritePng(bad / "rgb/000002.png", sim::Image(kWidth, kHeight - 1, 3));
+  expect_both(bad, "rgb/000002.png: is of 160 x 119 pixels, the first picture of 160 x 120");
+  bad = Record<TumWriter>("point", true);
+  sim::WriteFileAtomically(bad / "calibration.txt", "525 525 319.5 239.5\n");
+  expect_both(bad, "principal point 319.5, 239.5 lies outside");
+  bad = Record<TumWriter>("empty", true);
+  for (int i = 0; i < 4; ++i) {
+    WriteTumDepth(bad / "depth" / ("00000" + std::to_string(i) + ".png"),
+                  {kWidth, kHeight, std::vector<float>(kWidth * kHeight)});
+  }
+  expect_both(bad, "no picture of depth has any");
+  bad = Record<TumWriter>("pixel", true);
+  sim::WriteFileAtomically(bad / "calibration.txt", "1 1 0.5 0.5\n");
+  for (int i = 0; i < 4; ++i) {
+    const std::string name = "00000" + std::to_string(i) + ".png";
+    sim::WritePng(bad / "rgb" / name, sim::Image(1, 1, 3));
+    WriteTumDepth(bad / "depth" / name, {1, 1, {1.0F}});
+  }
+  expect_both(bad, "rgb/000000.png: is of 1 x 1 pixels; corners need");
+}
+
+TEST_F(Recordings, RunTellsWhatMustBeImportedFirst) {
+  for (const fs::path& other : {Record<KittiWriter>("kitti", true), folder_.path()}) {
+    EXPECT_THAT(
+        [&] {
+          Run(other);
+        },
+        ThrowsMessage<sim::FileError>(HasSubstr("slam import")));
+  }
+}
+
+TEST_F(Recordings, TruthOnAnotherClockIsAnError) {
+  const fs::path bad = Record<TumWriter>("clocks", true);
+  sim::WriteFileAtomically(bad / "groundtruth.txt", "100 0 0 0 0 0 0 1\n100.5 1 0 0 0 0 0 1\n");
+  const auto complains = ThrowsMessage<sim::FileError>(
+      AllOf(HasSubstr("groundtruth.txt"), HasSubstr("from 100 to 100.5, frames from 0 to 0.3"),
+            HasSubstr("one clock")));
+  EXPECT_THAT(
+      [&] {
+        Import(bad, "in");
+      },
+      complains);
+  EXPECT_THAT(
+      [&] {
+        Run(bad);
+      },
+      complains);
+}
+
+TEST_F(Recordings, AFrameWithoutATruePoseIsTold) {
+  const fs::path most = Record<TumWriter>("most", true);
+  sim::WriteFileAtomically(most / "groundtruth.txt",
+                           "0 0 0 0 -0.5 0.5 -0.5 0.5\n0.1 0 0 0 -0.5 0.5 -0.5 0.5\n");
+  const fs::path run = Run(most);
+  const SlamConfig config = ReadSlamRun(run);
+  EXPECT_THAT(SlamTables(config, ReadSlamResults(config, run)),
+              AllOf(HasSubstr("most: 2 of 4 frames have a true pose; figures need all"),
+                    Not(HasSubstr("without ground truth"))));
+}
+
+TEST_F(Recordings, ARunDoesNotGoOnWithAChangedRecording) {
+  const fs::path tum = Record<TumWriter>("tum", true);
+  const fs::path run = Run(tum);
+  Run(tum);
+  const fs::path fingerprints = run / "fingerprints.yaml";
+  const std::string before = sim::ReadTextFile(fingerprints);
+  fs::rename(tum / "groundtruth.txt", tum / "away");
+  const auto run_again = [&] {
+    Run(tum);
+  };
+  EXPECT_THAT(run_again, ThrowsMessage<sim::FileError>(
+                             AllOf(HasSubstr("tum/groundtruth.txt"), HasSubstr("another --out"))));
+  fs::rename(tum / "away", tum / "groundtruth.txt");
+  const std::string odometry = sim::ReadTextFile(tum / "odometry.txt");
+  sim::WriteFileAtomically(tum / "odometry.txt", odometry + "9 0 0 0 0 0 0 1\n");
+  EXPECT_THAT(run_again, ThrowsMessage<sim::FileError>(HasSubstr("tum/odometry.txt")));
+  sim::WriteFileAtomically(tum / "odometry.txt", odometry);
+  // A folder of before there were fingerprints.
+  fs::remove(fingerprints);
+  Run(tum);
+  EXPECT_EQ(sim::ReadTextFile(fingerprints), before);
+}
+
 TEST_F(Recordings, WhatLosesItsWayIsNoOdometry) {
   const fs::path folder = folder_.path() / "blank";
   TumWriter writer(folder, kCamera);
@@ -209,13 +390,22 @@ TEST_F(Recordings, WhatLosesItsWayIsNoOdometry) {
   EXPECT_FALSE(fs::exists(folder_.path() / "in/rgb.txt"));
 }
 
-TEST_F(Recordings, ResultsAndGraphsGoOut) {
+TEST_F(Recordings, ChoicesThatCannotBeMadeAreRefused) {
   const fs::path tum = Record<TumWriter>("tum", true);
-  const SlamConfig config = LoadSlamConfig(folder_.Write(
-      "r.yaml", "recordings: [" + tum.string() +
-                    "]\napart_m: 1\ndetectors: [{detector: seqslam, parameters: {length: 1}}]\n"));
-  const fs::path run = folder_.path() / "run";
-  RunSlam(config, run, {});
+  const fs::path out = folder_.path() / "out";
+  EXPECT_THAT(([&] {
+                ExportRecording({.source = tum, .out = out, .drive = "nosuch"});
+              }),
+              ThrowsMessage<sim::Error>(HasSubstr("leave --drive out")));
+  EXPECT_THAT(([&] {
+                ExportRecording({.source = tum, .out = out, .detector = "bow"});
+              }),
+              ThrowsMessage<sim::Error>(HasSubstr("--format g2o")));
+  EXPECT_FALSE(fs::exists(out));
+}
+
+TEST_F(Recordings, ResultsAndGraphsGoOut) {
+  const fs::path run = Run(Record<TumWriter>("tum", true));
   EXPECT_EQ(ExportRecording({.source = run, .out = folder_.path() / "out"}), 4);
   EXPECT_EQ(ReadTumTrajectory(folder_.path() / "out/seqslam.txt").size(), 4u);
   ExportSpec graph = {.source = run,

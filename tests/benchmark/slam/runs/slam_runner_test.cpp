@@ -75,6 +75,33 @@ TEST_F(SlamRunner, WritesTheSameForAnyNumberOfWorkersAndAfterAKill) {
                     HasSubstr("| seqslam | near |"), HasSubstr("| true loops |")));
 }
 
+/// Results are kept, and moved, without what they were made from.
+TEST_F(SlamRunner, ResultsAreReadWithoutTheirScenes) {
+  const auto results = RunSlam(Config(), path("run"), {});
+  fs::remove(path("room.obj"));
+  fs::rename(path("run"), path("moved"));
+  const SlamConfig config = ReadSlamRun(path("moved"));
+  const auto read = ReadSlamResults(config, path("moved"));
+  ASSERT_EQ(read.size(), 2u);
+  EXPECT_EQ(read[0].drive, "room_60_3");
+  EXPECT_EQ(SlamTables(config, read), SlamTables(config, results));
+  fs::remove_all(path("moved") / "drives");
+  EXPECT_THAT(
+      [&] {
+        ReadSlamResults(config, path("moved"));
+      },
+      ThrowsMessage<sim::FileError>(HasSubstr("no drive that is done")));
+}
+
+TEST_F(SlamRunner, ResultsOfAnotherCommandAreTold) {
+  folder_.Write("played/config.yaml", "name: real_scenes\nepisodes: {file: all.json}\n");
+  EXPECT_THAT(
+      [&] {
+        ReadSlamRun(path("played"));
+      },
+      ThrowsMessage<sim::FileError>(HasSubstr("of another command than 'slam run'")));
+}
+
 TEST_F(SlamRunner, AFolderOfAnotherConfigIsLeftAlone) {
   RunSlam(Config(), path("run"), {});
   const SlamConfig other = Config("name: other\n");

@@ -81,6 +81,16 @@ TEST_F(RunScale, BadConfigsAreTold) {
   EXPECT_THAT(load("sizes: [100000]\n"), ThrowsMessage<sim::Error>(HasSubstr("100000 frames")));
   EXPECT_THAT(load("others: test\nsizes: [61]\n"),
               ThrowsMessage<sim::Error>(HasSubstr("another split")));
+  ScaleConfig config = Config("sizes: [61]\n");
+  config.other_scenes.push_back(
+      (folder_->path() / "houses/../houses" / fs::path(config.query_scenes[0]).filename())
+          .string());
+  const auto play = [&config] {
+    PlayScale(config, 1, {});
+  };
+  EXPECT_THAT(play, ThrowsMessage<sim::FileError>(HasSubstr("is there twice")));
+  config.query_scenes.clear();
+  EXPECT_THAT(play, ThrowsMessage<sim::Error>(HasSubstr("name 'query_scenes'")));
 }
 
 TEST(ScaleConfig, TheShippedOneLoads) {

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark/slam/io/recorded_frame.h"
+
+#include "sim/base/error.h"
+
+namespace bulletnav::bench {
+
+void ExpectNoRecording(const std::filesystem::path& folder) {
+  for (const char* list : {"rgb.txt", "times.txt"}) {
+    if (std::filesystem::exists(folder / list)) {
+      throw sim::FileError(
+          folder, "", std::string("holds a recording already (") + list + "); name another folder");
+    }
+  }
+}
+
+}  // namespace bulletnav::bench
