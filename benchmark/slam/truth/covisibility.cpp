@@ -7,7 +7,8 @@
 #include <optional>
 #include <utility>
 
-#include "agent/slam/pose_graph/spatial_pose.h"
+#include <Eigen/Geometry>
+
 #include "sim/base/check.h"
 
 namespace bulletnav::bench {
@@ -197,7 +198,8 @@ class TiltedStep {
   TiltedStep(const CameraTilt& a, const CameraTilt& b, const sim::PlanarPose& X_AB) {
     const Eigen::Vector3d level_move(X_AB.x, X_AB.y, b.height - a.height);
     const Eigen::Matrix3d turn =
-        agent::InSpace(X_AB).rotation.toRotationMatrix() * b.level_from_camera;
+        Eigen::AngleAxisd(X_AB.yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix() *
+        b.level_from_camera;
     b_in_a_ = (a.level_from_camera.transpose() * level_move).cast<float>();
     b_from_a_ = (turn.transpose() * a.level_from_camera).cast<float>();
   }
