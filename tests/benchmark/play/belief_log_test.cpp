@@ -132,7 +132,7 @@ TEST(BeliefLogTest, IsEmptyForAgentsThatTellNothing) {
 
 TEST(BeliefLogTest, LiesBesideTheTrajectories) {
   const ResultKey key = {"nts", "rgbd", "noise", 3, "a/house.glb", "easy/0"};
-  EXPECT_EQ(BeliefPath("run", key), "run/beliefs/nts-rgbd-noise-3/a_house-easy_0.json.gz");
+  EXPECT_EQ(BeliefPath("run", key), "run/beliefs/nts-rgbd-noise-3/a%2Fhouse-easy%2F0.json.gz");
 }
 
 }  // namespace
