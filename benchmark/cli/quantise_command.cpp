@@ -38,8 +38,8 @@ void QuantiseFile(const QuantiseOptions& options) {
   const fs::path weights = FindWeights(config.weights);
   const fs::path out = options.out.empty() ? weights : fs::path(options.out);
   const agent::TensorFile content = agent::ReadTensorFile(weights);
-  if (!content.metadata.contains(agent::kMapperKey) &&
-      !content.metadata.contains(agent::kModelKey)) {
+  const bool is_mapper = content.metadata.contains(agent::kMapperKey);
+  if (!is_mapper && !content.metadata.contains(agent::kModelKey)) {
     throw sim::FileError(weights, "",
                          "holds neither a semantic model nor a mapper; policies are put in "
                          "integers by `bulletnav train` itself");
@@ -47,7 +47,7 @@ void QuantiseFile(const QuantiseOptions& options) {
   sim::RequireWritable(out);
   MakeHousesOf(config.data, CommittedVersion(), 0, StartLine);
   torch::Tensor input;
-  if (content.metadata.contains(agent::kMapperKey)) {
+  if (is_mapper) {
     const auto net = agent::LoadMapper(weights);
     input = CalibrationInput(config.data, net->config().seeing());
     agent::AddQuantised(agent::Quantise(*net, input), weights, out);

@@ -46,7 +46,7 @@ std::shared_ptr<const BatchSource> Batches(const DataConfig& data, const BatchSp
 
 BatchSources LoadBatches(const SupervisedPlan& plan, const LearnerMaker& make, bool with_depth,
                          const TrainContext& context) {
-  make();
+  if (plan.start) make();
   if (!plan.data) throw sim::KeyError("data", "there is no block 'data'; see configs/train");
   const DataConfig validation = ValidationData(plan);
   for (const DataConfig& data : {*plan.data, validation}) {

@@ -23,8 +23,8 @@ struct BatchSources {
   std::shared_ptr<const BatchSource> validation;  // batches number 0 on
 };
 
-/// Makes and labels what the plan's data lack, and loads it; `make` is tried first, since weights
-/// to start from that are bad are better told of before minutes of work. Throws Error, also if
+/// Makes and labels what the plan's data lack, and loads it. If the plan starts from weights,
+/// `make` is tried first: bad ones are better told of before minutes of work. Throws Error, also if
 /// there is no block `data`; see SceneBatches.
 BatchSources LoadBatches(const SupervisedPlan& plan, const LearnerMaker& make, bool with_depth,
                          const TrainContext& context);
