@@ -13,9 +13,11 @@
 
 #include "benchmark/base/counted.h"
 #include "benchmark/cli/slam_commands.h"
+#include "benchmark/report/run_scene.h"
 #include "benchmark/slam/plots/drive_figure.h"
 #include "benchmark/slam/plots/heading_histogram.h"
 #include "benchmark/slam/plots/matrix_figure.h"
+#include "benchmark/slam/plots/room_figure.h"
 #include "benchmark/slam/plots/sequence_figure.h"
 #include "benchmark/slam/plots/slam_charts.h"
 #include "benchmark/slam/runs/drive_files.h"
@@ -89,7 +91,9 @@ std::size_t DrawFrames(const SlamConfig& config, const fs::path& place, const fs
   WriteFigure(ElbowFigure(sequences), stem.string() + "_elbow");
   if (truth.empty()) return 2;
   WriteFigure(SequenceFigure(truth, sequences, map), stem.string() + "_sequences");
-  return 3;
+  if (!map || !map->plan) return 3;
+  WriteFigure(RoomFigure(truth, sequences, *map->plan), stem.string() + "_rooms");
+  return 4;
 }
 
 /// The plans of scenes; all drives of one come one after the other.
@@ -104,7 +108,8 @@ class ScenePlans {
     map_.reset();
     if (drive.is_recording || !fs::exists(source_)) return map_;
     const auto imported = sim::ImportScene(source_, options_.import);
-    map_ = MakeSceneMap(imported.mesh, sim::Navmesh(imported.mesh, options_.navmesh), std::nullopt);
+    map_ = MakeSceneMap(imported.mesh, sim::Navmesh(imported.mesh, options_.navmesh),
+                        PlanOfScene(source_, options_.import.scale, imported.doors));
     return map_;
   }
 

@@ -40,6 +40,9 @@ void HierarchyConfig::Validate() const {
     throw sim::Error(
         "window must be at least 0, and window_weight and sequence_weight at most 1 together");
   }
+  if (!(cluster_multiple > 0.0 && cluster_multiple <= 10.0)) {
+    throw sim::Error("cluster_multiple must lie above 0 and at most at 10");
+  }
   if (starts < 1 || shortest < 1 || most_clusters < 2 || length < 0) {
     throw sim::Error(
         "starts and shortest must be at least 1, most_clusters at least 2, length at least 0");
@@ -133,8 +136,11 @@ std::vector<LoopCandidate> HierarchyDetector::Finish() {
   std::vector<LoopCandidate> candidates;
   if (frames_.size() == 0) return candidates;
   sim::Rng rng(config_.seed, "clusters");
-  const Clusters clusters = ClusterByElbow(
-      Points(frames_), {.most = config_.most_clusters, .starts = config_.starts}, &rng);
+  const Clusters clusters = ClusterByElbow(Points(frames_),
+                                           {.most = config_.most_clusters,
+                                            .starts = config_.starts,
+                                            .multiple = config_.cluster_multiple},
+                                           &rng);
   std::vector<Sequence> sequences = SequencesOf(clusters.group, config_.shortest);
   if (config_.length > 0) sequences = CutSequences(sequences, config_.length);
   const std::vector<PictureDescriptor> wholes = WholesOf(sequences);

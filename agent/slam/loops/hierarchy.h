@@ -58,6 +58,7 @@ std::vector<Sequence> CutSequences(const std::vector<Sequence>& sequences, int l
 struct HierarchyConfig {
   int most_clusters = 60;
   int starts = 3;               // of clustering, for each number of clusters
+  double cluster_multiple = 1;  // of the number of clusters at the elbow
   int shortest = 3;             // frames of a sequence; shorter ones join a neighbour. 1: they stay
   int length = 0;               // of the pieces that sequences are cut into; 0: they stay whole
   bool seqvlad = false;         // describe sequences by it, else by the mean of their descriptors
@@ -70,6 +71,7 @@ struct HierarchyConfig {
   void Visit(V& v) {
     v("most_clusters", most_clusters);
     v("starts", starts);
+    v("cluster_multiple", cluster_multiple);
     v("shortest", shortest);
     v("length", length);
     v("seqvlad", seqvlad);

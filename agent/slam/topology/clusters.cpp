@@ -97,7 +97,8 @@ int Elbow(std::span<const double> values) {
 }
 
 Clusters ClusterByElbow(const Eigen::MatrixXf& points, const ElbowSpec& spec, sim::Rng* rng) {
-  const int most = std::min(spec.most, static_cast<int>(points.rows()) / kPointsACluster);
+  const auto most_points = static_cast<int>(points.rows());
+  const int most = std::min(spec.most, most_points / kPointsACluster);
   if (most < spec.least) return ClusterPoints(points, 1, 1, rng);
   std::vector<Clusters> all;
   std::vector<int> tried;
@@ -107,7 +108,11 @@ Clusters ClusterByElbow(const Eigen::MatrixXf& points, const ElbowSpec& spec, si
     tried.push_back(k);
     spreads.push_back(all.back().spread);
   }
-  Clusters best = std::move(all[static_cast<std::size_t>(Elbow(spreads))]);
+  const auto elbow = static_cast<std::size_t>(Elbow(spreads));
+  const int wanted =
+      std::clamp(static_cast<int>(std::lround(spec.multiple * tried[elbow])), 1, most_points);
+  Clusters best = wanted == tried[elbow] ? std::move(all[elbow])
+                                         : ClusterPoints(points, wanted, spec.starts, rng);
   best.tried = std::move(tried);
   best.spreads = std::move(spreads);
   return best;

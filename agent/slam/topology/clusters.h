@@ -29,10 +29,11 @@ Clusters ClusterPoints(const Eigen::MatrixXf& points, int k, int starts, sim::Rn
 int Elbow(std::span<const double> values);
 
 struct ElbowSpec {
-  int least = 2;   // clusters
-  int most = 60;   // and at most a tenth of the points
-  int step = 2;    // between numbers that are tried
-  int starts = 3;  // of each number
+  int least = 2;          // clusters
+  int most = 60;          // and at most a tenth of the points
+  int step = 2;           // between numbers that are tried
+  int starts = 3;         // of each number
+  double multiple = 1.0;  // of the number at the elbow that is taken, to see what hangs on it
 };
 
 /// Clusters of as many groups as the elbow of their spreads says. Fewer than 20 points are one

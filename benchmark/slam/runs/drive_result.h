@@ -81,7 +81,11 @@ struct DetectorResult {
   std::map<std::string, RankingOutcome> rankings;  // by kind of loop, see LoopKind
   /// Of covisible pairs alone, by how far the later camera is turned, see HeadingBin.
   std::map<std::string, RankingOutcome> headings;
-  double recall_at_10 = 0.0;  // of frames that have a covisible loop
+  /// Of frames that have a covisible loop, the share with one among their surest pairs. Absent if
+  /// there is no such frame; the first two in results of earlier versions, too.
+  std::optional<double> recall_at_1;
+  std::optional<double> recall_at_5;
+  std::optional<double> recall_at_10;
   std::optional<StageOutcome> stages;
   LoopOutcome outcome;
 
@@ -90,6 +94,8 @@ struct DetectorResult {
     v("name", name);
     v("rankings", rankings);
     v("headings", headings);
+    v("recall_at_1", recall_at_1);
+    v("recall_at_5", recall_at_5);
     v("recall_at_10", recall_at_10);
     v("stages", stages);
     v("outcome", outcome);

@@ -52,8 +52,9 @@ std::vector<Answer> AnswersOf(std::span<const agent::LoopCandidate> named, const
   return answers;
 }
 
-/// Of frames that have a covisible loop, the share whose ten surest pairs hold one.
-double RecallAtTen(std::span<const agent::LoopCandidate> named, const LoopTruth& truth) {
+/// The ten surest pairs of each frame that has a covisible loop.
+std::vector<RankedTruth> RankedQueries(std::span<const agent::LoopCandidate> named,
+                                       const LoopTruth& truth) {
   std::map<int, std::vector<agent::LoopCandidate>> by_frame;
   for (const agent::LoopCandidate& pair : named) by_frame[pair.later].push_back(pair);
   std::vector<RankedTruth> queries;
@@ -69,7 +70,7 @@ double RecallAtTen(std::span<const agent::LoopCandidate> named, const LoopTruth&
       ranked.push_back(truth.Is(LoopKind::kCovisible, pair.later, pair.earlier));
     }
   }
-  return queries.empty() ? 0.0 : RecallAt(queries, kRecallDepth);
+  return queries;
 }
 
 }  // namespace
@@ -87,7 +88,11 @@ void MeasureRanking(std::span<const agent::LoopCandidate> named, const LoopTruth
     result->headings[std::string(NameOf(bin))] =
         RankingOf(AnswersOf(named, truth, LoopKind::kCovisible, bin), pairs);
   }
-  result->recall_at_10 = RecallAtTen(named, truth);
+  const std::vector<RankedTruth> queries = RankedQueries(named, truth);
+  if (queries.empty()) return;
+  result->recall_at_1 = RecallAt(queries, 1);
+  result->recall_at_5 = RecallAt(queries, 5);
+  result->recall_at_10 = RecallAt(queries, kRecallDepth);
 }
 
 BothErrors MeasureBoth(std::span<const sim::BodyPose> truth,

@@ -24,6 +24,7 @@ class Mean {
     ++count_;
   }
   double value() const { return count_ == 0 ? 0.0 : sum_ / count_; }
+  int count() const { return count_; }
 
  private:
   double sum_ = 0.0;
@@ -122,6 +123,32 @@ std::string RankingLines(const std::string& name, const Results& results, std::s
   return text;
 }
 
+/// A cell: the mean over drives that have it.
+std::string MeanShare(const Results& results, std::size_t detector,
+                      std::optional<double> DetectorResult::*share) {
+  Mean mean;
+  for (const DriveResult* result : results) {
+    if (detector >= result->detectors.size()) continue;
+    if (const auto& value = result->detectors[detector].*share) mean.Add(*value);
+  }
+  return mean.count() == 0 ? "  |" : fmt::format(" {:.3f} |", mean.value());
+}
+
+/// How often a frame's surest pairs hold a loop.
+std::string QueryTable(const SlamConfig& config, const Results& results) {
+  std::string text =
+      "Frames that have a covisible loop: the share with one among their surest pairs\n\n"
+      "| | recall@1 | @5 | @10 |\n"
+      "|---|---:|---:|---:|\n";
+  for (std::size_t i = 0; i < config.detectors.size(); ++i) {
+    text += fmt::format("| {} |", config.detectors[i].name);
+    text += MeanShare(results, i, &DetectorResult::recall_at_1);
+    text += MeanShare(results, i, &DetectorResult::recall_at_5);
+    text += MeanShare(results, i, &DetectorResult::recall_at_10) + "\n";
+  }
+  return text + "\n";
+}
+
 std::string RankingTable(const SlamConfig& config, const Results& results) {
   std::string lines;
   for (std::size_t i = 0; i < config.detectors.size(); ++i) {
@@ -131,7 +158,7 @@ std::string RankingTable(const SlamConfig& config, const Results& results) {
   return "Pairs of frames, ranked by score; all that are far enough apart are compared\n\n"
          "| | loops are | guessing | AP | recall at precision 1 | at .99 | at .9 |\n"
          "|---|---|---:|---:|---:|---:|---:|\n" +
-         lines + "\n";
+         lines + "\n" + QueryTable(config, results);
 }
 
 /// Drives of one length whose truth is known.

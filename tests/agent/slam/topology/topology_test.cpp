@@ -78,6 +78,17 @@ TEST(ClusterByElbow, FindsTheNumberOfClouds) {
   EXPECT_EQ(clusters.centres.rows(), 6);
 }
 
+TEST(ClusterByElbow, TakesAMultipleOfTheElbow) {
+  sim::Rng rng(5, "test");
+  const ElbowSpec twice{.most = 18, .step = 1, .starts = 10, .multiple = 2.0};
+  const Clusters clusters = ClusterByElbow(Clouds(6), twice, &rng);
+  EXPECT_EQ(clusters.centres.rows(), 12);
+  EXPECT_EQ(clusters.tried.front(), 2);  // what was tried stays, for the picture
+  sim::Rng again(5, "test");
+  const ElbowSpec half{.most = 18, .step = 1, .starts = 10, .multiple = 0.5};
+  EXPECT_EQ(ClusterByElbow(Clouds(6), half, &again).centres.rows(), 3);
+}
+
 TEST(ClusterByElbow, FewPointsAreOneGroup) {
   sim::Rng rng(6, "test");
   EXPECT_EQ(ClusterByElbow(Clouds(1).topRows(15), {}, &rng).centres.rows(), 1);
