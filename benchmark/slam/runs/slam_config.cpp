@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include "benchmark/episodes/generator.h"
 #include "sim/base/error.h"
 #include "sim/config/override.h"
 #include "sim/house/house_index.h"
@@ -45,7 +46,9 @@ std::vector<fs::path> ScenesOf(const SlamConfig& config) {
       if (!config.split || house.split == *config.split) scenes.push_back(folder / house.file);
     }
   }
-  for (const std::string& scene : config.scenes) {
+  GeneratorSpec named;
+  named.scenes = config.scenes;
+  for (const std::string& scene : ScenesOf(named)) {
     if (!fs::exists(scene)) throw sim::FileError(scene, "", "is not there; see 'scenes'");
     scenes.emplace_back(scene);
   }

@@ -130,7 +130,7 @@ struct SlamConfig {
   std::string name;  // of the folder of results; the config file's if empty
   std::optional<HousesSpec> houses;
   std::optional<sim::Split> split;      // of the houses; all if not given
-  std::vector<std::string> scenes;      // mesh files, in addition
+  std::vector<std::string> scenes;      // mesh files, or folders of them, in addition
   std::vector<std::string> recordings;  // TUM folders with odometry.txt, in addition
   ImportSpec import;
   sim::BodySpec body;

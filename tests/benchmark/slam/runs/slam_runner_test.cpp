@@ -228,6 +228,11 @@ TEST_F(SlamRunner, SomethingMustBeThereToDriveThrough) {
   folder_.Write("other/room.obj", kRoom);
   config.scenes = {path("room.obj").string(), path("other/room.obj").string()};
   EXPECT_EQ(DrivesOf(config)[2].name, "other_room_60_3");
+  config.scenes = {path("other").string()};
+  EXPECT_EQ(DrivesOf(config)[0].source, path("other") / "room.obj");
+  folder_.Write("empty/readme.txt", "no mesh");
+  config.scenes = {path("empty").string()};
+  EXPECT_THROW(DrivesOf(config), sim::FileError);
   config.scenes = {path("room.obj").string(), path("room.obj").string()};
   EXPECT_THAT(
       [&] {
