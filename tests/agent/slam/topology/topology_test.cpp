@@ -15,7 +15,8 @@ Eigen::MatrixXf Clouds(int clouds) {
   sim::Rng rng(7, "clouds");
   Eigen::MatrixXf points(30 * clouds, 2);
   for (int i = 0; i < points.rows(); ++i) {
-    const double angle = 2.0 * M_PI * (i / 30) / clouds;
+    const int cloud = i / 30;
+    const double angle = 2.0 * M_PI * cloud / clouds;
     points(i, 0) = static_cast<float>(10.0 * std::cos(angle) + 0.3 * rng.Normal());
     points(i, 1) = static_cast<float>(10.0 * std::sin(angle) + 0.3 * rng.Normal());
   }
