@@ -7,7 +7,7 @@ namespace bulletnav::agent {
 
 /// How observations become a graph. What the paper leaves open; metres and probabilities.
 /// F_L learns from as many pairs of one node as of two, of which an agent meets five times as many:
-/// what it calls 0.5 is right 3 times of 4 in unseen homes, what it calls 0.8 9 times of 10.
+/// what it calls 0.5 is right 3 times of 4 in unseen homes, 0.8 9 times of 10 (with depth).
 struct GraphSpec {
   double same_node = 0.8;        // F_L from which an observation belongs to a node
   double node_reach = 3.0;       // farther off, by F_R, an observation is a place of its own

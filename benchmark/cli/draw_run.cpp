@@ -12,7 +12,6 @@
 #include <fmt/format.h>
 
 #include "benchmark/base/counted.h"
-#include "benchmark/base/warn_line.h"
 #include "benchmark/cli/progress.h"
 #include "benchmark/play/belief_reader.h"
 #include "benchmark/report/agent_title.h"
@@ -65,16 +64,6 @@ std::vector<EpisodeResult> ChooseFrom(const DrawOptions& options) {
                   wanted.agent.empty() ? "" : " of agent '" + wanted.agent + "'", agents));
 }
 
-std::optional<sim::FloorPlan> PlanOf(const fs::path& scene, double scale,
-                                     const std::vector<sim::DoorLeaf>& doors) {
-  try {
-    return PlanOfScene(scene, scale, doors);
-  } catch (const sim::Error& e) {
-    WarnLine(std::string("drawn without the house's plan: ") + e.what());
-    return std::nullopt;
-  }
-}
-
 /// Draws episodes of one run.
 class Drawer {
  public:
@@ -116,7 +105,7 @@ class Drawer {
     const sim::ImportedScene imported = sim::ImportScene(scene, as_run.import);
     const auto world =
         std::make_shared<const sim::World>(scene.filename().string(), imported, as_run);
-    const auto plan = PlanOf(scene, config_.import.scale, imported.doors);
+    const auto plan = PlanOrWarning(scene, config_.import.scale, imported.doors);
     // By height of the start in steps of rugs and thresholds, so that a plan does not depend on
     // what else is drawn.
     std::map<long, SceneMap> storeys;

@@ -109,7 +109,7 @@ class ScenePlans {
     if (drive.is_recording || !fs::exists(source_)) return map_;
     const auto imported = sim::ImportScene(source_, options_.import);
     map_ = MakeSceneMap(imported.mesh, sim::Navmesh(imported.mesh, options_.navmesh),
-                        PlanOfScene(source_, options_.import.scale, imported.doors));
+                        PlanOrWarning(source_, options_.import.scale, imported.doors));
     return map_;
   }
 

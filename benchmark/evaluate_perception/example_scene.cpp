@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "benchmark/report/room_labels.h"
+#include "benchmark/report/run_scene.h"
 #include "sim/base/error.h"
-#include "sim/house/house_json.h"
-#include "sim/house/turn_leaves.h"
 #include "sim/scene/import.h"
 
 namespace bulletnav::bench {
@@ -23,13 +23,8 @@ DataConfig Finer(const DataConfig& config) {
 /// Of a generated house; a picture without room names will do where there is none.
 std::optional<sim::FloorPlan> PlanBeside(const std::filesystem::path& scene, double scale,
                                          const std::vector<sim::DoorLeaf>& doors) {
-  const std::filesystem::path description = std::filesystem::path(scene).replace_extension(".json");
-  std::error_code unreadable;
-  if (scale != 1.0 || !std::filesystem::exists(description, unreadable)) return std::nullopt;
   try {
-    sim::FloorPlan plan = sim::ReadHouseJson(description).plan;
-    sim::TurnLeaves(doors, &plan);
-    return plan;
+    return PlanOfScene(scene, scale, doors);
   } catch (const sim::Error&) {
     return std::nullopt;
   }
@@ -62,13 +57,11 @@ std::string ExampleScene::RoomOf(int place) const {
   if (!map_.plan) return "";
   const Eigen::Vector3d& at = cases_.samples.poses[static_cast<std::size_t>(place)].position;
   const sim::PlanPoint point(static_cast<float>(at.x()), static_cast<float>(at.z()));
-  for (const sim::Room& room : map_.plan->rooms) {
-    if (!sim::IsInside(room.outline, point)) continue;
-    std::string name(sim::NameOf(room.type));
-    std::replace(name.begin(), name.end(), '_', ' ');
-    return name;
-  }
-  return "";
+  const sim::Room* room = RoomAt(*map_.plan, point);
+  if (room == nullptr) return "";
+  std::string name(sim::NameOf(room->type));
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
 }
 
 }  // namespace bulletnav::bench

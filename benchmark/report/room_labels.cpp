@@ -51,6 +51,13 @@ Point PoleOfInaccessibility(std::span<const Point> outline) {
   return best;
 }
 
+const sim::Room* RoomAt(const sim::FloorPlan& plan, const sim::PlanPoint& point) {
+  for (const sim::Room& room : plan.rooms) {
+    if (sim::IsInside(room.outline, point)) return &room;
+  }
+  return nullptr;
+}
+
 std::vector<MapLabel> RoomLabels(const sim::FloorPlan& plan) {
   std::vector<MapLabel> labels;
   for (const sim::Room& room : plan.rooms) {

@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "benchmark/base/file_hash.h"
+#include "benchmark/base/warn_line.h"
 #include "sim/base/error.h"
 #include "sim/house/house_json.h"
 #include "sim/house/turn_leaves.h"
@@ -18,6 +19,16 @@ std::optional<sim::FloorPlan> PlanOfScene(const std::filesystem::path& scene, do
   sim::FloorPlan plan = sim::ReadHouseJson(description).plan;
   sim::TurnLeaves(doors, &plan);
   return plan;
+}
+
+std::optional<sim::FloorPlan> PlanOrWarning(const std::filesystem::path& scene, double scale,
+                                            const std::vector<sim::DoorLeaf>& doors) {
+  try {
+    return PlanOfScene(scene, scale, doors);
+  } catch (const sim::Error& e) {
+    WarnLine(std::string("drawn without the house's plan: ") + e.what());
+    return std::nullopt;
+  }
 }
 
 void RequireSceneOfRun(const std::filesystem::path& file, const std::string& scene,

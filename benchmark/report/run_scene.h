@@ -17,6 +17,10 @@ namespace bulletnav::bench {
 std::optional<sim::FloorPlan> PlanOfScene(const std::filesystem::path& scene, double scale,
                                           const std::vector<sim::DoorLeaf>& doors);
 
+/// The same for a drawing that can do without: a damaged description is told and left out.
+std::optional<sim::FloorPlan> PlanOrWarning(const std::filesystem::path& scene, double scale,
+                                            const std::vector<sim::DoorLeaf>& doors);
+
 /// Throws sim::FileError if the file of a scene is not the one that a run was made in. `hashes`: of
 /// scenes' contents by name, as in the `fingerprints` of the run's config.yaml; scenes that it does
 /// not name pass.

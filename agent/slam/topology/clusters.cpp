@@ -97,8 +97,8 @@ int Elbow(std::span<const double> values) {
 }
 
 Clusters ClusterByElbow(const Eigen::MatrixXf& points, const ElbowSpec& spec, sim::Rng* rng) {
-  const auto most_points = static_cast<int>(points.rows());
-  const int most = std::min(spec.most, most_points / kPointsACluster);
+  const auto count = static_cast<int>(points.rows());
+  const int most = std::min(spec.most, count / kPointsACluster);
   if (most < spec.least) return ClusterPoints(points, 1, 1, rng);
   std::vector<Clusters> all;
   std::vector<int> tried;
@@ -110,7 +110,7 @@ Clusters ClusterByElbow(const Eigen::MatrixXf& points, const ElbowSpec& spec, si
   }
   const auto elbow = static_cast<std::size_t>(Elbow(spreads));
   const int wanted =
-      std::clamp(static_cast<int>(std::lround(spec.multiple * tried[elbow])), 1, most_points);
+      std::clamp(static_cast<int>(std::lround(spec.multiple * tried[elbow])), 1, count);
   Clusters best = wanted == tried[elbow] ? std::move(all[elbow])
                                          : ClusterPoints(points, wanted, spec.starts, rng);
   best.tried = std::move(tried);

@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include "benchmark/report/palette.h"
+#include "benchmark/report/room_labels.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -19,19 +20,9 @@ constexpr double kGap = 16.0;
 constexpr double kNames = 150.0;  // the rooms' names below the panels
 constexpr double kNumbers = 24.0;
 
-int RoomAt(const sim::FloorPlan& plan, const sim::BodyPose& pose) {
-  const sim::PlanPoint point(static_cast<float>(pose.position.x()),
-                             static_cast<float>(pose.position.z()));
-  for (std::size_t room = 0; room < plan.rooms.size(); ++room) {
-    if (sim::IsInside(plan.rooms[room].outline, point)) return static_cast<int>(room);
-  }
-  return -1;
-}
-
-int ClustersOf(const agent::SequenceTrace& trace) {
-  int most = -1;
-  for (const agent::Sequence& sequence : trace.sequences) most = std::max(most, sequence.cluster);
-  return most + 1;
+const sim::Room* RoomOf(const sim::FloorPlan& plan, const sim::BodyPose& pose) {
+  return RoomAt(plan,
+                {static_cast<float>(pose.position.x()), static_cast<float>(pose.position.z())});
 }
 
 std::ptrdiff_t MostIn(const std::vector<int>& frames) {
@@ -125,11 +116,10 @@ RoomCounts CountRooms(const agent::SequenceTrace& trace, const std::vector<sim::
   for (const agent::Sequence& sequence : trace.sequences) {
     const int last = std::min(sequence.last, static_cast<int>(truth.size()) - 1);
     for (int frame = sequence.first; frame <= last; ++frame) {
-      const int room = RoomAt(plan, truth[static_cast<std::size_t>(frame)]);
-      int* count =
-          room < 0
-              ? &counts.between
-              : &all[static_cast<std::size_t>(room)][static_cast<std::size_t>(sequence.cluster)];
+      const sim::Room* room = RoomOf(plan, truth[static_cast<std::size_t>(frame)]);
+      int* count = room == nullptr ? &counts.between
+                                   : &all[static_cast<std::size_t>(room - plan.rooms.data())]
+                                         [static_cast<std::size_t>(sequence.cluster)];
       ++*count;
     }
   }

@@ -23,12 +23,6 @@ Paint ClusterPaint(int cluster) {
   return TimeColor(turned - std::floor(turned));
 }
 
-int ClustersOf(const agent::SequenceTrace& trace) {
-  int most = -1;
-  for (const agent::Sequence& sequence : trace.sequences) most = std::max(most, sequence.cluster);
-  return most + 1;
-}
-
 struct Drawing {
   std::vector<SequencePanel> panels;
   std::vector<Canvas::Point> way;  // world x, z
@@ -101,6 +95,12 @@ Chart::Series SpreadSeries(const SequencePanel& panel) {
 }
 
 }  // namespace
+
+int ClustersOf(const agent::SequenceTrace& trace) {
+  int most = -1;
+  for (const agent::Sequence& sequence : trace.sequences) most = std::max(most, sequence.cluster);
+  return most + 1;
+}
 
 Figure SequenceFigure(const std::vector<sim::BodyPose>& truth,
                       const std::vector<SequencePanel>& panels,

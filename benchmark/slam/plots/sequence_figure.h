@@ -17,6 +17,9 @@ struct SequencePanel {
   agent::SequenceTrace trace;
 };
 
+/// How many clusters the sequences are of, by the largest number.
+int ClustersOf(const agent::SequenceTrace& trace);
+
 /// The paper's figure 3: the true way, each sequence in the colour of its cluster, with a dot where
 /// it begins; a panel a detector. Frames are on their places by the truth. On the plan of the scene
 /// if there is one.
