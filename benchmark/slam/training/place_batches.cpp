@@ -4,6 +4,7 @@
 #include <numeric>
 #include <utility>
 
+#include "benchmark/slam/training/vary_pictures.h"
 #include "sim/base/check.h"
 #include "sim/base/error.h"
 #include "sim/math/rng.h"
@@ -96,6 +97,7 @@ PlaceBatch PlaceBatches::Batch(std::uint64_t number) const {
     }
     first += part.views.size();
   }
+  if (spec_.augment) VaryPictures(*spec_.augment, rng.Fork("vary"), spec_.rows, &batch.pictures);
   return batch;
 }
 

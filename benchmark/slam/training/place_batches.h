@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "benchmark/slam/training/place_views.h"
@@ -19,6 +20,7 @@ struct PlaceBatchSpec {
   int scenes = 2;
   int rows = kViewRows;  // of pictures: kViewRows or half of it
   std::uint64_t seed = 0;
+  std::optional<PictureAugmentSpec> augment;  // absent: pictures as they were drawn
 };
 
 /// All views of some places of some scenes.

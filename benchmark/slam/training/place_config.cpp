@@ -61,6 +61,18 @@ void SimilarityLossSpec::Validate() const {
   if (!(margin >= 0.0 && margin <= 2.0)) throw sim::Error("margin must lie between 0 and 2");
 }
 
+void PictureAugmentSpec::Validate() const {
+  color().Validate();
+  for (const double share : {mirrored, sensor_noise}) {
+    if (!(share >= 0.0 && share <= 1.0)) {
+      throw sim::Error("mirrored and sensor_noise are shares, 0 to 1");
+    }
+  }
+  if (!(noise_strength > 0.0 && noise_strength <= 4.0)) {
+    throw sim::KeyError("noise_strength", "must be above 0 and at most 4");
+  }
+}
+
 void PlaceTrainConfig::Validate() const {
   TrainPlan::Validate();
   RequireWithin(2, places, 256, "places");

@@ -9,6 +9,7 @@
 #include "agent/slam/descriptors/descriptor_config.h"
 #include "benchmark/episodes/import_spec.h"
 #include "benchmark/training/core/train_plan.h"
+#include "benchmark/training/supervised/color_jitter.h"
 #include "benchmark/training/supervised/data_config.h"
 #include "benchmark/training/supervised/looks.h"
 
@@ -74,6 +75,31 @@ struct SimilarityLossSpec {
   void Validate() const;
 };
 
+/// How a batch's pictures are varied, each by itself but for mirroring.
+struct PictureAugmentSpec {
+  double mirrored = 0.5;    // share of the batches whose pictures are all mirrored
+  double brightness = 0.3;  // as in ColorJitter, like the next two
+  double contrast = 0.2;
+  double tint = 0.1;
+  /// Share of the pictures with a camera's noise, of any named model, at a strength up to
+  /// `noise_strength`.
+  double sensor_noise = 0.3;
+  double noise_strength = 1.5;
+
+  template <class V>
+  void Visit(V& v) {
+    v("mirrored", mirrored);
+    v("brightness", brightness);
+    v("contrast", contrast);
+    v("tint", tint);
+    v("sensor_noise", sensor_noise);
+    v("noise_strength", noise_strength);
+  }
+  ColorJitter color() const { return {brightness, contrast, tint}; }
+  /// Throws Error.
+  void Validate() const;
+};
+
 /// A training of the descriptor of flat pictures.
 struct PlaceTrainConfig : TrainPlan {
   std::optional<PlaceDataConfig> data;
@@ -82,9 +108,10 @@ struct PlaceTrainConfig : TrainPlan {
   /// Weights of a semantic model of colour whose trunk the training starts from; empty: at random.
   std::string start_from;
   SimilarityLossSpec loss;
-  int places = 16;  // in a batch
-  int scenes = 2;   // that they are from: most that are unlike are of the same house
-  int lanes = 2;    // batches a step, each in a thread
+  std::optional<PictureAugmentSpec> augment;  // absent: pictures as they were drawn
+  int places = 16;                            // in a batch
+  int scenes = 2;  // that they are from: most that are unlike are of the same house
+  int lanes = 2;   // batches a step, each in a thread
   int validation_scenes = 8;
 
   PlaceTrainConfig() { task = "place"; }
@@ -100,6 +127,7 @@ struct PlaceTrainConfig : TrainPlan {
     v("optimiser", optimiser);
     v("steps", steps);
     v("loss", loss);
+    v("augment", augment);
     v("places", places);
     v("scenes", scenes);
     v("lanes", lanes);

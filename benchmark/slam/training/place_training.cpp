@@ -50,6 +50,12 @@ PlaceBatchSpec SpecOf(const PlaceTrainConfig& config, int scenes, std::uint64_t 
   return spec;
 }
 
+PlaceBatchSpec TrainSpecOf(const PlaceTrainConfig& config) {
+  PlaceBatchSpec spec = SpecOf(config, config.scenes, 0);
+  spec.augment = config.augment;
+  return spec;
+}
+
 std::vector<PlaceViews> FirstOf(std::vector<PlaceViews> scenes, int count) {
   if (static_cast<int>(scenes.size()) > count) scenes.resize(static_cast<std::size_t>(count));
   return scenes;
@@ -80,7 +86,7 @@ struct PlaceTraining::Work {
   Work(const PlaceTrainConfig& config_in, std::vector<PlaceViews> train_in,
        std::vector<PlaceViews> validation_in)
       : config(config_in),
-        train(std::move(train_in), SpecOf(config_in, config_in.scenes, 0)),
+        train(std::move(train_in), TrainSpecOf(config_in)),
         validation(FirstOf(std::move(validation_in), config_in.validation_scenes),
                    SpecOf(config_in, config_in.validation_scenes, kValidationSeed)),
         pool(std::min(config_in.lanes, static_cast<int>(std::thread::hardware_concurrency()))),

@@ -2,6 +2,7 @@
 #pragma once
 #include <optional>
 
+#include "benchmark/training/supervised/color_jitter.h"
 #include "benchmark/training/supervised/pair_batch.h"
 #include "sim/math/rng.h"
 
@@ -11,9 +12,9 @@ namespace bulletnav::bench {
 /// noise.
 struct AugmentSpec {
   bool turn = true;         // each panorama by a random number of twelfths of a circle
-  double brightness = 0.3;  // all channels times 1 - this to 1 + this
-  double contrast = 0.2;    // as above, around middle grey
-  double tint = 0.1;        // as above, each channel by itself
+  double brightness = 0.3;  // as in ColorJitter, like the next two
+  double contrast = 0.2;
+  double tint = 0.1;
   /// Share of the panoramas that get a sensor's noise: any of the named models (sim::SensorNoise),
   /// with panes, at a strength up to `noise_strength`.
   std::optional<double> sensor_noise;    // default: none
@@ -28,6 +29,7 @@ struct AugmentSpec {
     v("sensor_noise", sensor_noise);
     v("noise_strength", noise_strength);
   }
+  ColorJitter color() const { return {brightness, contrast, tint}; }
   /// Throws Error.
   void Validate() const;
 };

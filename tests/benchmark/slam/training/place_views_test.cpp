@@ -11,6 +11,7 @@
 #include "benchmark/slam/training/place_batches.h"
 #include "benchmark/slam/training/place_measures.h"
 #include "benchmark/slam/training/place_views_file.h"
+#include "benchmark/slam/training/vary_pictures.h"
 #include "sim/base/error.h"
 #include "sim/base/files.h"
 #include "tests/benchmark/slam/training/random_views.h"
@@ -144,10 +145,85 @@ TEST(PlaceBatches, HoldWholePlacesOfSomeScenes) {
     EXPECT_EQ(batches.Batch(number).pictures, batch.pictures);
   }
   EXPECT_NE(batches.Batch(0).pictures, batches.Batch(1).pictures);
+  spec.augment = PictureAugmentSpec();
+  const PlaceBatches varied({RandomViews(5, 3, 1), RandomViews(4, 3, 2), RandomViews(6, 3, 3)},
+                            spec);
+  EXPECT_NE(varied.Batch(0).pictures, batches.Batch(0).pictures);
+  EXPECT_EQ(varied.Batch(0).pictures, varied.Batch(0).pictures);
+  EXPECT_EQ(varied.Batch(0).covisibility, batches.Batch(0).covisibility);
+  spec.augment.reset();
   spec.places = 12;
   EXPECT_THROW(PlaceBatches({RandomViews(5, 3, 1), RandomViews(6, 3, 2)}, spec), sim::Error);
   spec.places = 4;
   EXPECT_THROW(PlaceBatches({RandomViews(5, 3, 1)}, spec), sim::Error);
+}
+
+PictureAugmentSpec Nothing() {
+  return {.mirrored = 0.0, .brightness = 0.0, .contrast = 0.0, .tint = 0.0, .sensor_noise = 0.0};
+}
+
+/// Two pictures of 48 x 64 pixels, no two pixels next to each other alike.
+std::vector<std::uint8_t> TwoPictures() {
+  std::vector<std::uint8_t> pictures(std::size_t{2} * 48 * 64 * 3);
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    pictures[i] = static_cast<std::uint8_t>(60 + i % 130);
+  }
+  return pictures;
+}
+
+TEST(VaryPictures, ChangesNothingUnlessAsked) {
+  std::vector<std::uint8_t> pictures = TwoPictures();
+  VaryPictures(Nothing(), sim::Rng(1, "vary"), 48, &pictures);
+  EXPECT_EQ(pictures, TwoPictures());
+}
+
+TEST(VaryPictures, MirrorsAllPicturesOrNone) {
+  PictureAugmentSpec spec = Nothing();
+  spec.mirrored = 1.0;
+  const std::vector<std::uint8_t> before = TwoPictures();
+  std::vector<std::uint8_t> after = before;
+  VaryPictures(spec, sim::Rng(1, "vary"), 48, &after);
+  for (std::size_t row = 0; row < std::size_t{2} * 48; ++row) {
+    for (std::size_t col = 0; col < 64; ++col) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        ASSERT_EQ(after[(row * 64 + col) * 3 + c], before[(row * 64 + 63 - col) * 3 + c]);
+      }
+    }
+  }
+}
+
+TEST(VaryPictures, EachPictureHasColorsAndNoiseOfItsOwn) {
+  PictureAugmentSpec colors = Nothing();
+  colors.brightness = 0.3;
+  PictureAugmentSpec noise = Nothing();
+  noise.sensor_noise = 1.0;
+  for (const PictureAugmentSpec& spec : {colors, noise}) {
+    std::vector<std::uint8_t> twice(TwoPictures().size(), 128);
+    std::vector<std::uint8_t> again = twice;
+    VaryPictures(spec, sim::Rng(1, "vary"), 48, &twice);
+    VaryPictures(spec, sim::Rng(1, "vary"), 48, &again);
+    EXPECT_EQ(twice, again);
+    const auto half = static_cast<std::ptrdiff_t>(twice.size() / 2);
+    EXPECT_FALSE(std::equal(twice.begin(), twice.begin() + half, twice.begin() + half));
+    EXPECT_GT(std::count_if(twice.begin(), twice.end(),
+                            [](auto v) {
+                              return v != 128;
+                            }),
+              0);
+  }
+}
+
+TEST(PictureAugmentSpec, SharesAndSpreadsHaveBounds) {
+  EXPECT_NO_THROW(PictureAugmentSpec().Validate());
+  PictureAugmentSpec spec;
+  spec.mirrored = 1.1;
+  EXPECT_THROW(spec.Validate(), sim::Error);
+  spec = {};
+  spec.tint = 1.0;
+  EXPECT_THROW(spec.Validate(), sim::Error);
+  spec = {};
+  spec.noise_strength = 0.0;
+  EXPECT_THROW(spec.Validate(), sim::Error);
 }
 
 std::vector<float> CosinesBy(const PlaceViews& views,
