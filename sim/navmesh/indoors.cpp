@@ -49,30 +49,22 @@ void ForEachWalkable(const rcHeightfield& heights, const Visit& visit) {
   }
 }
 
-/// How high a column of spans bars the way, 0 where a body can pass under what it has.
-int WallTop(const rcSpan* lowest) {
-  int top = 0;
-  for (const rcSpan* span = lowest; span != nullptr; span = span->next) {
-    if (span->area != RC_NULL_AREA && span->next != nullptr) return 0;
-    top = static_cast<int>(span->smax);
-  }
-  return top;
-}
-
-/// Of all columns.
-std::vector<int> WallTops(const rcHeightfield& heights) {
+/// How high whatever is in each column reaches.
+std::vector<int> Tops(const rcHeightfield& heights) {
   const int columns = heights.width * heights.height;
   std::vector<int> tops(static_cast<std::size_t>(columns), 0);
   for (int column = 0; column < columns; ++column) {
-    tops[static_cast<std::size_t>(column)] = WallTop(heights.spans[column]);
+    for (const rcSpan* span = heights.spans[column]; span != nullptr; span = span->next) {
+      tops[static_cast<std::size_t>(column)] = static_cast<int>(span->smax);
+    }
   }
   return tops;
 }
 
-/// The highest wall on the way from each column out of the grid.
-std::vector<int> HighestOnTheWay(const std::vector<int>& walls, int width, int height,
+/// The highest top on the way from each column out of the grid.
+std::vector<int> HighestOnTheWay(const std::vector<int>& tops, int width, int height,
                                  const Way& way) {
-  std::vector<int> highest(walls.size(), 0);
+  std::vector<int> highest(tops.size(), 0);
   const bool right = way.step.x > 0;
   const bool down = way.step.y > 0;
   const auto index = [width](int x, int y) {
@@ -82,8 +74,8 @@ std::vector<int> HighestOnTheWay(const std::vector<int>& walls, int width, int h
   const auto is_inside = [&](int x, int y) {
     return x >= 0 && x < width && y >= 0 && y < height;
   };
-  const auto higher = [&](int top, const std::vector<int>& tops, int x, int y) {
-    return is_inside(x, y) ? std::max(top, tops[index(x, y)]) : top;
+  const auto higher = [&](int top, const std::vector<int>& of, int x, int y) {
+    return is_inside(x, y) ? std::max(top, of[index(x, y)]) : top;
   };
   // From the far side back, so that where a step leads is known.
   for (int row = 0; row < height; ++row) {
@@ -91,7 +83,7 @@ std::vector<int> HighestOnTheWay(const std::vector<int>& walls, int width, int h
     for (int column = 0; column < width; ++column) {
       const int x = right ? width - 1 - column : column;
       int& top = highest[index(x, y)];
-      for (const Step& p : way.passed) top = higher(top, walls, x + p.x, y + p.y);
+      for (const Step& p : way.passed) top = higher(top, tops, x + p.x, y + p.y);
       top = higher(top, highest, x + way.step.x, y + way.step.y);
     }
   }
@@ -99,10 +91,10 @@ std::vector<int> HighestOnTheWay(const std::vector<int>& walls, int width, int h
 }
 
 void FindEnclosed(const rcHeightfield& heights, int body, std::vector<Surroundings>* all) {
-  const std::vector<int> walls = WallTops(heights);
+  const std::vector<int> tops = Tops(heights);
   std::vector<int> barred(all->size(), 0);
   for (const Way& way : Ways()) {
-    const std::vector<int> highest = HighestOnTheWay(walls, heights.width, heights.height, way);
+    const std::vector<int> highest = HighestOnTheWay(tops, heights.width, heights.height, way);
     std::size_t i = 0;
     ForEachWalkable(heights, [&](int column, const rcSpan& span, int /*below*/) {
       const int eye = static_cast<int>(span.smax) + body;

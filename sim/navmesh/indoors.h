@@ -12,14 +12,14 @@ namespace bulletnav::sim {
 struct Surroundings {
   bool is_covered = false;   // something is overhead, at any height
   bool is_upstairs = false;  // a body can stand in the same column below
-  bool is_enclosed = false;  // walls around: most ways out are barred at the body's height
+  bool is_enclosed = false;  // a building around: most ways out lead through it
   bool is_indoors() const { return is_covered || is_enclosed; }
 };
 
-/// Looks at each walkable span of a filtered heightfield, of which the compact one is made. Walls
-/// are columns in which nobody can stand under anything and that reach a body's height above the
-/// span; of 16 directions 11 must end at one, more than outside the corner of a building. Cost: 16
-/// sweeps over the grid if anything is uncovered, else next to nothing. Source: ours.
+/// Looks at each walkable span of a filtered heightfield, of which the compact one is made. Of 16
+/// directions 11, more than outside the corner of a building, must lead to, or below, something
+/// that reaches a body's height above the span: walls, and what spans doorways and open fronts.
+/// Cost: 16 sweeps over the grid if anything is uncovered, else next to nothing. Source: ours.
 std::vector<Surroundings> LookAround(const rcHeightfield& heights,
                                      const rcCompactHeightfield& compact);
 

@@ -106,6 +106,22 @@ TEST(Indoors, GroundAroundAHouseIsNoFloor) {
   }
 }
 
+TEST(Indoors, AHallWithAFrontOfPostsAndABeamIsFloorAllOver) {
+  SceneMesh house;
+  AddSlab({-10, 0, -20}, {20, 0, 10}, &house);
+  AddBox({-kWall, 0, -6 - kWall}, {8 + kWall, kHigh, -6}, kGrey, &house);
+  AddBox({-kWall, 0, -6}, {0, kHigh, 0}, kGrey, &house);
+  AddBox({8, 0, -6}, {8 + kWall, kHigh, 0}, kGrey, &house);
+  AddBox({-kWall, kHigh - 0.2f, 0}, {8 + kWall, kHigh, kWall}, kGrey, &house);
+  for (int i = 1; i < 4; ++i) {
+    const float x = 2.0f * static_cast<float>(i);
+    AddBox({x, 0, 0}, {x + 0.1f, kHigh, kWall}, kGrey, &house);
+  }
+  const Navmesh navmesh(house, {});
+  EXPECT_NEAR(navmesh.area(), 8 * 6, kTolerance);
+  EXPECT_TRUE(AllCorners(navmesh, IsInTheHouse));
+}
+
 TEST(Indoors, GroundAStepBelowTheDoorIsNoFloorEither) {
   SceneMesh mesh = OpenHouse();
   AddSlab({-10, -0.6f, -20}, {20, -0.6f, 10}, &mesh);
