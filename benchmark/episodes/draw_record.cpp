@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/episodes/draw_record.h"
 
+#include <optional>
+
 #include <fmt/core.h>
 
 #include "benchmark/base/file_hash.h"
@@ -15,8 +17,17 @@ constexpr const char* kKey = "drawn_from";
 constexpr const char* kRemedy =
     "; remove the file to have it drawn again, or give episodes another file";
 
+/// Of how scenes are made to look, what changes where one can walk.
+std::optional<sim::Finish> ShapeOf(const std::optional<sim::Finish>& finish) {
+  if (!finish || finish->ceiling) return std::nullopt;
+  sim::Finish shape;
+  shape.ceiling = false;
+  return shape;
+}
+
 Json Record(GeneratorSpec spec, const std::vector<std::string>& scenes) {
   spec.out.clear();
+  spec.import.finish = ShapeOf(spec.import.finish);
   Json hashes = Json::object();
   for (const std::string& scene : scenes) {
     hashes[scene] = FileHash(scene);

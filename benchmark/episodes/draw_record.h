@@ -10,8 +10,8 @@
 namespace bulletnav::bench {
 
 /// What episodes are drawn from, to be kept as EpisodeSet::other: a JSON object
-///   drawn_from  object: spec, the resolved GeneratorSpec without its file, as YAML;
-///               scenes, an object of each scene's hash.
+///   drawn_from  object: spec, the resolved GeneratorSpec without its file and without mere looks
+///               of scenes, as YAML; scenes, an object of each scene's hash.
 /// Throws sim::FileError for scenes that cannot be read.
 std::string DrawRecord(const GeneratorSpec& spec, const std::vector<std::string>& scenes);
 

@@ -103,13 +103,27 @@ constexpr const char* kPutSome =
     "; put meshes (.glb, .gltf, .obj, .ply, .dae) or a link to them there, or name another folder "
     "with the key 'scenes' (of a run: episodes.draw.scenes=[FOLDER])";
 
+/// Whether a link to a folder leads back to a folder that holds it.
+bool LeadsBack(const fs::path& link) {
+  std::error_code ignored;  // what cannot be followed is not gone into either
+  const fs::path target = fs::canonical(link, ignored);
+  const fs::path holder = fs::canonical(link.parent_path(), ignored);
+  return std::mismatch(target.begin(), target.end(), holder.begin(), holder.end()).first ==
+         target.end();
+}
+
 /// In the order of their names.
 std::vector<std::string> MeshesBelow(const fs::path& folder) {
   constexpr std::array<std::string_view, 5> kMeshes = {".glb", ".gltf", ".obj", ".ply", ".dae"};
   std::vector<std::string> meshes;
   const auto options = fs::directory_options::follow_directory_symlink |
                        fs::directory_options::skip_permission_denied;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, options)) {
+  for (fs::recursive_directory_iterator at(folder, options), end; at != end; ++at) {
+    const fs::directory_entry& entry = *at;
+    if (entry.is_symlink() && entry.is_directory() && LeadsBack(entry.path())) {
+      at.disable_recursion_pending();
+      continue;
+    }
     const std::string extension = entry.path().extension().string();
     const bool is_mesh = std::find(kMeshes.begin(), kMeshes.end(), extension) != kMeshes.end();
     if (!is_mesh && !IsSceneInstance(entry.path().string())) continue;

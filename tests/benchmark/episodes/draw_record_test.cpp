@@ -63,6 +63,14 @@ TEST_F(DrawRecordTest, OtherDrawIsRefusedWithARemedy) {
             "or give episodes another file");
 }
 
+TEST_F(DrawRecordTest, LooksDoNotMatterButCeilingsDo) {
+  spec_.import.finish = sim::Finish();
+  spec_.import.finish->surfaces = sim::Surfaces::kAllWhite;
+  EXPECT_EQ(Complaint(), "none");
+  spec_.import.finish->ceiling = false;
+  EXPECT_THAT(Complaint(), HasSubstr("another config"));
+}
+
 TEST_F(DrawRecordTest, ChangedSceneIsRefused) {
   sim::WriteFileAtomically(spec_.scenes[0], "another mesh");
   EXPECT_THAT(Complaint(), HasSubstr("was drawn in other scenes; remove the file"));

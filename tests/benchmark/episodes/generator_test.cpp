@@ -196,6 +196,22 @@ TEST(ScenesOf, TakesAllMeshesBelowAFolder) {
                     HasSubstr("the key 'scenes' (of a run: episodes.draw.scenes=[FOLDER])")));
 }
 
+TEST(ScenesOf, LinksBackAreNotFollowed) {
+  const tests::TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path() / "shops/first");
+  std::filesystem::create_directories(folder.path() / "elsewhere");
+  sim::WriteFileAtomically(folder.path() / "shops/first/scene.obj", "x");
+  sim::WriteFileAtomically(folder.path() / "elsewhere/b.glb", "x");
+  std::filesystem::create_directory_symlink("../..", folder.path() / "shops/first/up");
+  std::filesystem::create_directory_symlink(".", folder.path() / "shops/same");
+  std::filesystem::create_directory_symlink("../elsewhere", folder.path() / "shops/link");
+  GeneratorSpec spec;
+  spec.scenes = {(folder.path() / "shops").string()};
+  EXPECT_EQ(ScenesOf(spec),
+            (std::vector<std::string>{(folder.path() / "shops/first/scene.obj").string(),
+                                      (folder.path() / "shops/link/b.glb").string()}));
+}
+
 TEST(ScenesOf, AFolderOfScansHasEachOnce) {
   const tests::TemporaryFolder folder;
   for (const char* name : {"a.glb", "a.basis.glb", "a.semantic.glb", "b.basis.glb", "c.ply",
