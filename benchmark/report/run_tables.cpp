@@ -105,8 +105,16 @@ TableLayout ByDifficulty(std::span<const SummaryRow> rows) {
   return layout;
 }
 
-/// Table 2, as far as the run has its conditions.
+/// Table 2, as far as the run has its conditions. SPL, too, if all there is are runs without noise,
+/// as those by other benchmarks' rules are.
 TableLayout SuccessWithoutStopOrNoise(std::span<const SummaryRow> rows) {
+  const std::string exact(sim::NameOf(Condition::kNoNoise));
+  if (std::all_of(rows.begin(), rows.end(), [&](const SummaryRow& row) {
+        return row.condition == exact;
+      })) {
+    return ForEach(Difficulties(rows), exact,
+                   "Success and SPL by difficulty, without motion noise.");
+  }
   TableLayout layout;
   for (const auto& [name, condition] : sim::EnumNames<Condition>::kNames) {
     if (condition == Condition::kNoise || !HasCondition(rows, name)) continue;
@@ -249,9 +257,14 @@ ResultsTable Fill(const TableLayout& layout, std::span<const SummaryRow> rows,
   return table;
 }
 
-/// Rows for the agents that have no results at all, and the paper's of them.
+/// Rows for the agents that have no results at all, and the paper's of them, unless the run has
+/// settings that no paper has.
 void AddMissing(const TableLayout& layout, std::span<const SummaryRow> rows,
                 std::span<const AgentRow> agents, ResultsTable* table) {
+  const bool like_papers =
+      rows.empty() || std::any_of(rows.begin(), rows.end(), [](const SummaryRow& row) {
+        return row.setting == "rgb" || row.setting == "rgbd";
+      });
   for (const AgentRow& agent : agents) {
     if (std::any_of(rows.begin(), rows.end(), [&](const SummaryRow& row) {
           return row.agent == agent.agent;
@@ -261,6 +274,7 @@ void AddMissing(const TableLayout& layout, std::span<const SummaryRow> rows,
     table->rows.push_back({"", AgentTitle(agent.agent, agents), false,
                            std::vector<std::string>(layout.columns.size()),
                            agent.note.empty() ? "no results" : agent.note});
+    if (!like_papers) continue;
     for (const char* setting : {"rgb", "rgbd"}) AddPaperRow(layout, agent.agent, setting, table);
   }
 }

@@ -85,6 +85,10 @@ TEST(RunTables, AgentWithoutResultsSaysWhyAndShowsThePapers) {
                               "missing: assets/weights/ans |"),
                     HasSubstr("| RGB | *Active Neural SLAM (ANS), paper, Gibson* | *0.63* |"),
                     HasSubstr("| RGBD | *Active Neural SLAM (ANS), paper, Gibson* | *0.76* |")));
+  std::vector<EpisodeResult> by_other_rules = Results({"noise"});
+  for (EpisodeResult& result : by_other_rules) result.key.setting = "habitat";
+  EXPECT_THAT(Markdown(by_other_rules),
+              AllOf(HasSubstr("| Active Neural SLAM (ANS) |"), Not(HasSubstr("Gibson* |"))));
 }
 
 TEST(RunTables, SecondTableHasTheConditionsOfTheRun) {
@@ -98,6 +102,12 @@ TEST(RunTables, SecondTableHasTheConditionsOfTheRun) {
   EXPECT_THAT(both, HasSubstr("Success without stop action and without motion noise.\n"));
   EXPECT_THAT(Markdown(Results({"no_stop"})),
               AllOf(HasSubstr("Success without stop action.\n"), Not(HasSubstr("oise"))));
+}
+
+TEST(RunTables, RunsWithoutNoiseAloneHaveSpl) {
+  EXPECT_THAT(Markdown(Results({"no_noise"})),
+              AllOf(HasSubstr("Success and SPL by difficulty, without motion noise.\n"),
+                    HasSubstr("| Easy Succ | Easy SPL |"), HasSubstr("| Overall SPL |")));
 }
 
 std::vector<EpisodeResult> Sequences(const std::vector<std::string>& conditions) {
