@@ -52,8 +52,9 @@ void RequireFloor(const std::string& name, const ImportReport& report, const Nav
   if (!navmesh.islands().empty() && navmesh.islands()[0].area >= kLargeIsland) return;
   throw Error(
       fmt::format("{}: has {:.1f} m2 to walk on in a footprint of {:.0f} m2; if it was made "
-                  "without a floor, give --ground-plane (in a config: import.ground_plane=true), "
-                  "if it lies on its side, --up (import.up=z)",
+                  "without a floor, give --ground-plane (in a config: ground_plane: true in the "
+                  "block 'import', of trainings in their block 'data'), if it lies on its side, "
+                  "--up (up: z)",
                   name, navmesh.area(), footprint));
 }
 

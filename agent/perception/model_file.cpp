@@ -25,7 +25,9 @@ void RequireRig(const Rig& rig, const ModelConfig& config, const std::filesystem
   if (rig.panorama.rows != kPanoramaRows || rig.panorama.cols != kPanoramaCols) {
     throw sim::Error(model + "panoramas of 128 x 512; set the panorama's rows and cols so");
   }
-  if (!rig.has_color) throw sim::Error(model + "colour, but the setting gives none");
+  if (!rig.has_color) {
+    throw sim::Error(model + "a panorama's colour, which the setting lacks; use rgb or rgbd");
+  }
   if (config.uses_depth() && !rig.has_depth) {
     throw sim::Error(model + "depth; use weights of the rgb setting, or the setting rgbd");
   }

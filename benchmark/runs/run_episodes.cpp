@@ -63,7 +63,10 @@ void LeaveOut(const std::vector<std::string>& faults, const RunConfig& config, c
   if (first == faults.end()) return;
   const auto count = std::count_if(faults.begin(), faults.end(), is_fault);
   if (count == static_cast<std::ptrdiff_t>(faults.size())) {
-    throw sim::FileError(config.episodes.file, "", "no episode can be played, as: " + *first);
+    throw sim::FileError(config.episodes.file, "",
+                         "no episode can be played; if the scenes lie on their side, give "
+                         "import: {up: y}, or z. The first: " +
+                             *first);
   }
   const auto is_sound = [&](std::size_t i) {
     return faults[i].empty();

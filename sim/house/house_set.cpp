@@ -146,7 +146,8 @@ void SetPart::Validate() const {
     building::CheckLimits(building::FindKind(kind),
                           {static_cast<float>(min_area_m2), static_cast<float>(max_area_m2)});
   } else if (min_area_m2 != 0.0 || max_area_m2 != 0.0) {
-    throw Error("homes are 60 to 200 m2; leave min_area_m2 and max_area_m2 out");
+    throw Error(
+        "homes are 60 to 200 m2; leave min_area_m2 and max_area_m2 (--min-area, --max-area) out");
   }
 }
 

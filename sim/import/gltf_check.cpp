@@ -80,7 +80,10 @@ class GltfChecker {
       return *data;
     }
     const auto path = FindByUri(file_.parent_path(), name);
-    if (!path) throw FileError(file_, place, "needs '" + name + "', which is not beside it");
+    if (!path)
+      throw FileError(file_, place,
+                      "needs '" + name +
+                          "', which is not beside it; put it there, or take the scene as one .glb");
     return *loaded_.emplace_back(ReadFile(*path));
   }
 

@@ -3,6 +3,9 @@
 
 #include <cmath>
 #include <map>
+#include <span>
+#include <string>
+#include <string_view>
 
 #include "sim/base/error.h"
 
@@ -37,6 +40,15 @@ void AppendChunk(std::uint32_t type, std::span<const std::uint8_t> data,
   glb->insert(glb->end(), data.begin(), data.end());
 }
 
+/// What else is often saved under the name of a mesh, and what to do then.
+std::string CauseOfNoJson(std::span<const std::uint8_t> bytes) {
+  constexpr std::string_view kPointer = "version https://git-lfs";
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  if (text.starts_with(kPointer)) return "it is a pointer of Git LFS: `git lfs pull` gets the file";
+  if (text.starts_with("<")) return "it is a web page: download the file itself";
+  return "it is damaged or no glTF; get or export it again";
+}
+
 }  // namespace
 
 std::uint64_t ReadUint(std::span<const std::uint8_t> bytes, std::size_t offset, std::size_t size) {
@@ -50,7 +62,7 @@ GltfDocument::GltfDocument(const std::filesystem::path& file, Bytes bytes) : fil
   is_glb_ = bytes.size() >= 4 && ReadUint(bytes, 0, 4) == kGlbMagic;
   if (is_glb_) json_bytes = SplitGlb(bytes);
   json_ = Json::parse(json_bytes.begin(), json_bytes.end(), nullptr, false);
-  if (json_.is_discarded()) Fail("", "holds no readable JSON");
+  if (json_.is_discarded()) Fail("", "holds no readable JSON; " + CauseOfNoJson(bytes));
   if (!json_.is_object()) Fail("", "is not a glTF document");
   RefuseVersion1();
 }

@@ -61,7 +61,7 @@ CheckedMeshFile CheckMeshFile(const std::filesystem::path& file) {
                     "is not a .glb, .gltf, .obj, .ply or .dae mesh; scenes of several meshes are "
                     ".scene_instance.json, .sdf or .world");
   }
-  if (bytes.empty()) throw FileError(file, "", "is empty");
+  if (bytes.empty()) throw FileError(file, "", "is empty; get or export it again");
   CheckedMeshFile checked;
   if (IsGltfFile(file)) CheckGltf(file, bytes, &checked);
   if (extension == ".ply") CheckPly(file, bytes);

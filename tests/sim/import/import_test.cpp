@@ -366,7 +366,9 @@ INSTANTIATE_TEST_SUITE_P(
     All, BadFileTest,
     testing::Values(
         BadFile{"empty", "a.glb", "", "is empty"},
-        BadFile{"garbage_glb", "a.glb", "not a glb at all, just text", "holds no readable JSON"},
+        BadFile{"garbage_glb", "a.glb", "not a glb at all, just text", "is damaged or no glTF"},
+        BadFile{"pointer", "a.glb", "version https://git-lfs.github.com/spec/v1", "git lfs pull"},
+        BadFile{"page", "a.glb", "<!DOCTYPE html><html></html>", "is a web page"},
         BadFile{"cut_glb", "a.glb", Glb().substr(0, 2000), "is cut off"},
         BadFile{"cut_header", "a.glb", Glb().substr(0, 10), "ends inside its header"},
         BadFile{"glb_buffer", "a.glb", GlbWith("\"buffer\":0", "\"buffer\":3"),
