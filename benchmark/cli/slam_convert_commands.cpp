@@ -48,7 +48,8 @@ void Import(ImportOptions options) {
   if (outcome.is_visual) {
     fmt::print(stderr,
                "odometry was made from pictures; in {} of {} steps too few corners were found "
-               "again, and it went on as before\n",
+               "again, or another way back than there, and it went on as before; --odometry FILE "
+               "takes a better one\n",
                outcome.guessed, outcome.frames - 1);
   }
   if (outcome.left_out > 0) {

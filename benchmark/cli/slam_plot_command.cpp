@@ -127,18 +127,31 @@ void DrawSlamRun(const fs::path& folder) {
   const fs::path plots = folder / "plots";
   WriteFigure(PrecisionRecallFigure(config, results), plots / "precision_recall");
   WriteFigure(HeadingFigure(config, results), plots / "headings");
-  std::size_t drawn = 3;
+  std::size_t drawn = 2;
+  std::size_t bare = 0;
   std::vector<HeadingCounts> headings(config.detectors.size());
   for (std::size_t i = 0; i < headings.size(); ++i) headings[i].name = config.detectors[i].name;
   ScenePlans plans(config);
   for (const Drive& drive : DrivesDone(config, folder)) {
     const fs::path place = DriveFolder(folder, drive.name);
+    if (!fs::exists(place / "odometry.tum")) {
+      ++bare;
+      continue;
+    }
     const std::optional<SceneMap>& map = plans.Of(drive);
     WriteFigure(DriveFigure(PictureOf(config, place), map), plots / drive.name);
     drawn += 1 + DrawFrames(config, place, plots / drive.name, map);
     CountHeadings(config, place, &headings);
   }
-  WriteFigure(HeadingHistogram(headings), plots / "loops_by_heading");
+  if (bare == 0) {
+    WriteFigure(HeadingHistogram(headings), plots / "loops_by_heading");
+    ++drawn;
+  } else {
+    fmt::print(stderr,
+               "note: {} of {} drives keep their figures alone, so that trajectories and loops by "
+               "heading are not drawn\n",
+               bare, results.size());
+  }
   fmt::print(stderr, "{} in {}\n", Counted(drawn, "picture"), plots.string());
 }
 

@@ -31,6 +31,18 @@ constexpr double kTick = 10.5;   // size of text
 constexpr double kLabel = 12.0;  // size of text
 constexpr Paint kGrid = {0.88, 0.88, 0.88};
 
+constexpr Paint kReference = {0.45, 0.45, 0.45};
+
+/// How the line of a series is drawn; `number` is its place in the chart.
+Stroke StrokeOf(const Chart::Series& series, std::size_t number) {
+  if (series.is_reference) return {1.2, kReference, {2.0, 3.0}};
+  Stroke stroke{1.8, kLineColors[number % kLineColors.size()], {}};
+  const std::size_t round = number / kLineColors.size();
+  if (round == 1) stroke.dashes = {7.0, 3.0};
+  if (round >= 2) stroke.dashes = {1.8, 2.6};
+  return stroke;
+}
+
 /// Shapes tell lines apart in print without colour.
 void DrawMarker(const Point& at, std::size_t series, Canvas* canvas) {
   const Paint& paint = kLineColors[series % kLineColors.size()];
@@ -101,7 +113,7 @@ class Panel {
     for (auto v = values.rbegin(); v != values.rend(); ++v) {
       band.push_back(At(v->x, v->interval.low));
     }
-    const Paint& paint = kLineColors[i % kLineColors.size()];
+    const Paint paint = StrokeOf(chart_.series[i], i).paint;
     canvas_->Fill(band, paint.WithAlpha(0.15));
     // A band of one value has no area: its interval as a bar.
     if (values.size() == 1) canvas_->Line(band[0], band[1], 1.2, paint.WithAlpha(0.6));
@@ -110,8 +122,8 @@ class Panel {
   void Line(std::size_t i) const {
     std::vector<Point> points;
     for (const Chart::Value& v : chart_.series[i].values) points.push_back(At(v.x, v.y));
-    canvas_->Polyline(points, {1.8, kLineColors[i % kLineColors.size()], {}});
-    if (!chart_.has_marks) return;
+    canvas_->Polyline(points, StrokeOf(chart_.series[i], i));
+    if (!chart_.has_marks || chart_.series[i].is_reference) return;
     for (const Point& p : points) DrawMarker(p, i, canvas_);
   }
 
@@ -141,9 +153,11 @@ class Panel {
 void DrawLegend(const Chart& chart, double top, Canvas* canvas) {
   for (std::size_t i = 0; i < chart.series.size(); ++i) {
     const Point at(kLeft, top + kLegendLine * (static_cast<double>(i) + 0.5));
-    canvas->Line(at, at + Point(24.0, 0.0), 1.8, kLineColors[i % kLineColors.size()]);
-    if (chart.has_marks) DrawMarker(at + Point(12.0, 0.0), i, canvas);
-    canvas->Text(at + Point(32.0, 0.0), chart.series[i].name,
+    const Chart::Series& series = chart.series[i];
+    const std::vector<Point> line = {at, at + Point(24.0, 0.0)};
+    canvas->Polyline(line, StrokeOf(series, i));
+    if (chart.has_marks && !series.is_reference) DrawMarker(at + Point(12.0, 0.0), i, canvas);
+    canvas->Text(at + Point(32.0, 0.0), series.name,
                  {.size = kTick, .paint = kInk, .align = Align::kLeft});
   }
 }

@@ -20,6 +20,7 @@ struct Chart {
   struct Series {
     std::string name;
     std::vector<Value> values;  // by rising x
+    bool is_reference = false;  // what others are looked at beside: grey, without marks
   };
   struct Tick {
     double x = 0.0;
@@ -38,8 +39,9 @@ struct Chart {
 double RoundTop(double value);
 
 /// Charts side by side under a common legend: a line with marks a series and a band for its
-/// intervals. Expects: as many series in each (checked). With no chart or no series the figure says
-/// that there are no results.
+/// intervals. Where there are more series than colours, lines of the same colour have other dashes.
+/// Expects: as many series in each (checked). With no chart or no series the figure says that there
+/// are no results.
 Figure ChartFigure(std::span<const Chart> charts);
 
 }  // namespace bulletnav::bench

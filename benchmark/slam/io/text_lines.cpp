@@ -49,7 +49,8 @@ double TextLine::Number(std::size_t word) const {
   double value = 0.0;
   const std::string text(words_.at(word));
   if (!Parse(text, &value)) Fail("expected a number, got '" + text + "'");
-  if (!std::isfinite(value)) Fail("'" + text + "' is not finite; leave the line out");
+  if (!std::isfinite(value))
+    Fail("'" + text + "' is not finite; mend the line, or leave it out if there are others");
   return value;
 }
 

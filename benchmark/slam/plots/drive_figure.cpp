@@ -8,12 +8,14 @@
 #include <fmt/core.h>
 
 #include "benchmark/report/palette.h"
+#include "benchmark/report/top_down.h"
 #include "benchmark/slam/runs/measure_drive.h"
 
 namespace bulletnav::bench {
 namespace {
 
-constexpr double kPanel = 420.0;  // units of a panel's side
+constexpr double kPanel = 420.0;  // units of a panel's width, and of its height at most
+constexpr double kLegend = 34.0;
 constexpr double kTitle = 34.0;
 constexpr double kGap = 16.0;
 constexpr std::size_t kInARow = 3;  // panels
@@ -51,6 +53,14 @@ struct Drawing {
   Way truth;
   std::optional<SceneMap> map;
   Eigen::AlignedBox2d extent;
+
+  double panel_height() const {
+    return std::min(kPanel, kPanel * extent.sizes().y() / extent.sizes().x());
+  }
+  std::size_t rows() const { return (panels.size() + kInARow - 1) / kInARow; }
+  double height() const {
+    return static_cast<double>(rows()) * (kTitle + panel_height() + kGap) + kLegend;
+  }
 };
 
 Drawing DrawingOf(const DrivePicture& picture, const std::optional<SceneMap>& map) {
@@ -81,6 +91,7 @@ class PanelPlace {
     offset_ = box.center() - scale_ * drawing.extent.center();
   }
   Canvas::Point At(const Eigen::Vector2d& world) const { return scale_ * world + offset_; }
+  double scale() const { return scale_; }
 
  private:
   double scale_ = 1.0;
@@ -115,12 +126,16 @@ void DrawLoops(const std::vector<LoopRecord>& loops, const Way& way, const Panel
   }
 }
 
-void DrawPanel(const Drawing& drawing, std::size_t panel, Canvas* canvas) {
+/// Where a panel's ways are drawn, below its title.
+Eigen::AlignedBox2d BoxOf(const Drawing& drawing, std::size_t panel) {
   const double left = kGap + static_cast<double>(panel % kInARow) * (kPanel + kGap);
-  const std::size_t row = panel / kInARow;
-  const double top = static_cast<double>(row) * (kTitle + kPanel + kGap);
-  const Eigen::AlignedBox2d box(Eigen::Vector2d(left, top + kTitle),
-                                Eigen::Vector2d(left + kPanel, top + kTitle + kPanel));
+  const auto row = static_cast<double>(panel / kInARow);
+  const double top = row * (kTitle + drawing.panel_height() + kGap) + kTitle;
+  return {Eigen::Vector2d(left, top), Eigen::Vector2d(left + kPanel, top + drawing.panel_height())};
+}
+
+void DrawPanel(const Drawing& drawing, std::size_t panel, Canvas* canvas) {
+  const Eigen::AlignedBox2d box = BoxOf(drawing, panel);
   const PanelPlace place(drawing, box);
   canvas->Clip(box);
   if (drawing.map) DrawFloor(*drawing.map, place, canvas);
@@ -131,8 +146,44 @@ void DrawPanel(const Drawing& drawing, std::size_t panel, Canvas* canvas) {
   DrawLoops(drawing.panels[panel].loops, way, place, canvas);
   if (!way.empty()) canvas->Disc(place.At(way.front()), 4.0, kInk);
   canvas->Unclip();
-  canvas->Text({box.center().x(), top + kTitle / 2.0}, drawing.panels[panel].title,
+  canvas->Text({box.center().x(), box.min().y() - kTitle / 2.0}, drawing.panels[panel].title,
                {14.0, kInk, true, Align::kCenter, false, false});
+}
+
+constexpr double kSample = 26.0;  // of a line in the legend
+
+/// A line with what it means; returns where the next one begins.
+double DrawSample(const Canvas::Point& at, const Stroke& stroke, const std::string& text,
+                  Canvas* canvas) {
+  const std::vector<Canvas::Point> line = {at, at + Canvas::Point(kSample, 0.0)};
+  canvas->Polyline(line, stroke);
+  canvas->Text(at + Canvas::Point(kSample + 6.0, 0.0), text,
+               {.size = 12.0, .paint = kInk, .align = Align::kLeft});
+  constexpr double kLetter = 6.6;
+  return at.x() + kSample + 24.0 + kLetter * static_cast<double>(text.size());
+}
+
+void DrawLegend(const Drawing& drawing, Canvas* canvas) {
+  const double y = drawing.height() - kLegend / 2.0;
+  const PanelPlace place(drawing, BoxOf(drawing, 0));
+  const double metres = ScaleBarLength(drawing.extent.sizes().x());
+  double x = kGap;
+  const Canvas::Point end(x + place.scale() * metres, y);
+  for (const Canvas::Point& tick : {Canvas::Point(x, y), end}) {
+    canvas->Line(tick - Canvas::Point(0.0, 4.0), tick + Canvas::Point(0.0, 4.0), 1.5, kInk);
+  }
+  canvas->Line({x, y}, end, 1.5, kInk);
+  canvas->Text(end + Canvas::Point(8.0, 0.0), fmt::format("{:g} m", metres),
+               {.size = 12.0, .paint = kInk, .align = Align::kLeft});
+  x = end.x() + 60.0;
+  if (!drawing.truth.empty()) {
+    x = DrawSample({x, y}, {2.5, kInk.WithAlpha(0.35), {}}, "true way", canvas);
+  }
+  x = DrawSample({x, y}, {1.5, kOrange, {}}, "odometry", canvas);
+  if (drawing.panels.size() < 2) return;
+  x = DrawSample({x, y}, {1.5, kBlue, {}}, "with loops", canvas);
+  x = DrawSample({x, y}, {1.5, kGreen, {}}, "loop", canvas);
+  if (!drawing.truth.empty()) DrawSample({x, y}, {2.0, kVermillion, {}}, "wrong loop", canvas);
 }
 
 }  // namespace
@@ -141,12 +192,12 @@ Figure DriveFigure(const DrivePicture& picture, const std::optional<SceneMap>& m
   const auto drawing = std::make_shared<const Drawing>(DrawingOf(picture, map));
   const std::size_t panels = picture.panels.size();
   const auto columns = static_cast<double>(std::min(panels, kInARow));
-  const std::size_t rows = (panels + kInARow - 1) / kInARow;
   Figure figure;
   figure.width = static_cast<int>(kGap + columns * (kPanel + kGap));
-  figure.height = static_cast<int>(static_cast<double>(rows) * (kTitle + kPanel + kGap));
+  figure.height = static_cast<int>(drawing->height());
   figure.draw = [drawing](Canvas* canvas) {
     for (std::size_t i = 0; i < drawing->panels.size(); ++i) DrawPanel(*drawing, i, canvas);
+    if (!drawing->panels.empty()) DrawLegend(*drawing, canvas);
   };
   return figure;
 }

@@ -26,7 +26,7 @@ struct DrivePicture {
 /// Panels, three in a row, titled with how far they are off in the mean: the true way in grey, the
 /// estimated one, laid on the first true pose, in colour, and a line for each accepted loop between
 /// where its frames are thought to be: green, or vermillion where it is wrong. The paper's
-/// figure 5. On the plan of the scene if there is one.
+/// figure 5. On the plan of the scene if there is one. A legend and a scale bar below.
 Figure DriveFigure(const DrivePicture& picture, const std::optional<SceneMap>& map);
 
 }  // namespace bulletnav::bench

@@ -18,6 +18,7 @@ constexpr double kTitle = 40.0;
 constexpr double kAxis = 44.0;
 constexpr double kLeft = 52.0;
 constexpr double kGap = 16.0;
+constexpr std::size_t kInARow = 4;  // panels
 constexpr double kBinDegrees = 180.0 / HeadingCounts::kBins;
 
 int Sum(const std::vector<int>& counts) {
@@ -41,11 +42,13 @@ void FillBox(const Canvas::Point& low, const Canvas::Point& high, const Paint& p
   canvas->Fill(corners, paint);
 }
 
-void DrawBars(const HeadingCounts& counts, double left, double unit, Canvas* canvas) {
+/// `corner` is where the axes meet.
+void DrawBars(const HeadingCounts& counts, const Canvas::Point& corner, double unit,
+              Canvas* canvas) {
   constexpr double kBar = kWidth / HeadingCounts::kBins;
-  const double bottom = kTitle + kHeight;
+  const double bottom = corner.y();
   for (std::size_t i = 0; i < counts.right.size(); ++i) {
-    const double x = left + kBar * static_cast<double>(i);
+    const double x = corner.x() + kBar * static_cast<double>(i);
     const double right_top = bottom - unit * counts.right[i];
     const double wrong_top = right_top - unit * counts.wrong[i];
     FillBox({x + 1.0, right_top}, {x + kBar - 1.0, bottom}, kBlue, canvas);
@@ -53,14 +56,16 @@ void DrawBars(const HeadingCounts& counts, double left, double unit, Canvas* can
   }
 }
 
-void DrawPanel(const HeadingCounts& counts, double left, int highest, Canvas* canvas) {
-  const double bottom = kTitle + kHeight;
+/// `left`, `top`: of the panel, without the labels of the left axis.
+void DrawPanel(const HeadingCounts& counts, double left, double top, int highest, Canvas* canvas) {
+  const double high = top + kTitle;
+  const double bottom = high + kHeight;
   canvas->Line({left, bottom}, {left + kWidth, bottom}, 1.0, kInk);
-  canvas->Line({left, kTitle}, {left, bottom}, 1.0, kInk);
-  DrawBars(counts, left, kHeight / highest, canvas);
+  canvas->Line({left, high}, {left, bottom}, 1.0, kInk);
+  DrawBars(counts, {left, bottom}, kHeight / highest, canvas);
   const std::string title = counts.name + ": " + std::to_string(Sum(counts.right)) + " right, " +
                             std::to_string(Sum(counts.wrong)) + " wrong";
-  canvas->Text({left + kWidth / 2.0, kTitle / 2.0}, title,
+  canvas->Text({left + kWidth / 2.0, top + kTitle / 2.0}, title,
                {13.0, kInk, true, Align::kCenter, false, false});
   for (int degrees = 0; degrees <= 180; degrees += 45) {
     canvas->Text({left + kWidth * degrees / 180.0, bottom + 12.0}, std::to_string(degrees),
@@ -68,8 +73,10 @@ void DrawPanel(const HeadingCounts& counts, double left, int highest, Canvas* ca
   }
   canvas->Text({left + kWidth / 2.0, bottom + 32.0}, "later camera turned by, degrees",
                {12.0, kInk, false, Align::kCenter, false, false});
-  canvas->Text({left - 6.0, kTitle}, std::to_string(highest),
+  canvas->Text({left - 6.0, high}, std::to_string(highest),
                {12.0, kInk, false, Align::kRight, false, false});
+  canvas->Text({left - 24.0, bottom - kHeight / 2.0}, "accepted loops",
+               {12.0, kInk, false, Align::kCenter, false, true});
   canvas->Text({left - 6.0, bottom}, "0", {12.0, kInk, false, Align::kRight, false, false});
 }
 
@@ -84,15 +91,17 @@ void HeadingCounts::Add(double turned_deg, bool is_wrong) {
 
 Figure HeadingHistogram(const std::vector<HeadingCounts>& detectors) {
   Figure figure;
-  figure.width =
-      static_cast<int>(kGap + static_cast<double>(detectors.size()) * (kLeft + kWidth + kGap));
-  figure.height = static_cast<int>(kTitle + kHeight + kAxis);
+  constexpr double kColumn = kLeft + kWidth + kGap;
+  constexpr double kRow = kTitle + kHeight + kAxis;
+  const std::size_t columns = std::min(kInARow, detectors.size());
+  const std::size_t rows = (detectors.size() + kInARow - 1) / kInARow;
+  figure.width = static_cast<int>(kGap + static_cast<double>(columns) * kColumn);
+  figure.height = static_cast<int>(kRow * static_cast<double>(rows));
   figure.draw = [detectors](Canvas* canvas) {
     const int highest = HighestOf(detectors);
-    double left = kLeft;
-    for (const HeadingCounts& counts : detectors) {
-      DrawPanel(counts, left, highest, canvas);
-      left += kLeft + kWidth + kGap;
+    for (std::size_t i = 0; i < detectors.size(); ++i) {
+      DrawPanel(detectors[i], kLeft + kColumn * static_cast<double>(i % kInARow),
+                kRow * static_cast<double>(i / kInARow), highest, canvas);
     }
   };
   return figure;

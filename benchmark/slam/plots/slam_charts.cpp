@@ -58,7 +58,7 @@ Chart KindChart(const SlamConfig& config, const Results& results, LoopKind kind)
     chart.series.push_back(CurveOf(config.detectors[i].name, RankingsOf(results, i, kind)));
   }
   const double guessing = MeanOf(RankingsOf(results, 0, kind), GuessingOf);
-  chart.series.push_back({"guessing", {Point(0.0, guessing), Point(1.0, guessing)}});
+  chart.series.push_back({"guessing", {Point(0.0, guessing), Point(1.0, guessing)}, true});
   return chart;
 }
 
@@ -105,6 +105,7 @@ Figure HeadingFigure(const SlamConfig& config, std::span<const DriveResult> resu
         }));
   }
   chart.series.push_back(HeadingSeries("guessing", pointers, 0, GuessingOf));
+  chart.series.back().is_reference = true;
   return ChartFigure({&chart, 1});
 }
 

@@ -10,7 +10,8 @@
 namespace bulletnav::bench {
 
 /// Odometry of recordings that have none, from pictures with depth: corners of the last frame found
-/// again in the next. Where too few are, the camera goes on as before. Poses are X_FC of the
+/// again in the next. Where too few are, or the way there and the way back are not the same, the
+/// camera goes on as before. Poses are X_FC of the
 /// camera, see TimedPose; the first one looks along x.
 class VisualOdometry {
  public:
@@ -25,7 +26,10 @@ class VisualOdometry {
   struct Frame {
     agent::OrbFeatures features;
     std::vector<float> depths;
+
+    agent::DepthCorners corners() const { return {&features, depths}; }
   };
+  std::optional<agent::SpatialPose> Motion(const Frame& from, const Frame& to) const;
 
   Intrinsics camera_;
   std::optional<Frame> last_;

@@ -16,6 +16,7 @@
 #include "benchmark/slam/io/g2o.h"
 #include "benchmark/slam/io/tum.h"
 #include "benchmark/slam/runs/drive_traces.h"
+#include "sim/base/check.h"
 #include "sim/base/error.h"
 #include "sim/base/files.h"
 #include "sim/config/yaml_writer.h"
@@ -31,20 +32,16 @@ constexpr const char* kLoopHead =
     "later,earlier,score,inliers,accepted,covisible,wrong,turned_deg,x_m,y_m,yaw_rad\n";
 constexpr std::size_t kLoopColumns = 11;
 
-template <class Pose, class ToCamera>
-std::string TumOf(const std::vector<Pose>& poses, const ToCamera& to_camera) {
+/// Poses of all frames.
+template <class Pose>
+std::string TumOf(const PlayedDrive& drive, const std::vector<Pose>& poses) {
+  BULLETNAV_CHECK_EQ(poses.size(), drive.seconds.size());
   CameraTrajectory trajectory;
   trajectory.reserve(poses.size());
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    trajectory.push_back({static_cast<double>(i) / kFramesASecond, to_camera(poses[i])});
+    trajectory.push_back({drive.seconds[i], CameraInFile(poses[i], 0.0)});
   }
   return ToTum(trajectory);
-}
-
-std::string TumOf(const std::vector<sim::PlanarPose>& poses) {
-  return TumOf(poses, [](const sim::PlanarPose& pose) {
-    return CameraInFile(pose, 0.0);
-  });
 }
 
 std::string CsvOf(const std::vector<LoopRecord>& loops) {
@@ -76,14 +73,13 @@ LoopRecord LoopOf(const std::array<double, kLoopColumns>& numbers) {
 
 void WriteDrive(const fs::path& folder, const PlayedDrive& drive) {
   sim::MakeFolder(folder);
-  sim::WriteFileAtomically(folder / "odometry.tum", TumOf(drive.odometry));
+  sim::WriteFileAtomically(folder / "odometry.tum", TumOf(drive, drive.odometry));
   if (drive.truth.size() == drive.odometry.size()) {
-    sim::WriteFileAtomically(folder / kTruth, TumOf(drive.truth, [](const sim::BodyPose& pose) {
-                               return CameraInFile(pose, 0.0);
-                             }));
+    sim::WriteFileAtomically(folder / kTruth, TumOf(drive, drive.truth));
   }
   for (const PlayedDetector& detector : drive.detectors) {
-    sim::WriteFileAtomically(folder / (detector.name + ".tum"), TumOf(detector.back_end.poses));
+    sim::WriteFileAtomically(folder / (detector.name + ".tum"),
+                             TumOf(drive, detector.back_end.poses));
     sim::WriteFileAtomically(folder / (detector.name + ".csv"), CsvOf(detector.loops));
     sim::WritePng(folder / (detector.name + ".similarity.png"), detector.similarity);
     WriteTrace(folder, detector.name, detector.trace);

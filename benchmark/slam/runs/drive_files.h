@@ -12,8 +12,8 @@ namespace bulletnav::bench {
 /// last: groundtruth.tum (where it is known), odometry.tum; of each detector NAME.tum, the
 /// optimised trajectory, NAME.g2o, its pose graph, NAME.csv, the pairs that it took for loops,
 /// NAME.similarity.png and, where it has some, NAME.sequences.yaml, see drive_traces.h;
-/// covisible.png and times.yaml. A frame a tenth of a second; cameras at height 0. Throws
-/// sim::FileError.
+/// covisible.png and times.yaml. Cameras at height 0, at the times of their frames: a recording's
+/// own, or ten a second. Throws sim::FileError.
 void WriteDrive(const std::filesystem::path& folder, const PlayedDrive& drive);
 
 bool HasDrive(const std::filesystem::path& folder);

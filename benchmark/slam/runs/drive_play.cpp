@@ -26,6 +26,30 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+// What trains the weights that a config names.
+constexpr const char* kDescriptors = "place.yaml";
+constexpr const char* kPlaces = "nts_rgbd_wide.yaml";
+constexpr const char* kSequences = "seqvlad.yaml, or seqvlad_lengths.yaml";
+constexpr const char* kFilter = "seqnet.yaml";
+
+/// The file. Throws sim::FileError if it is not there.
+std::filesystem::path Weights(const std::optional<std::string>& name, const char* trained_by) {
+  const auto file = FindShipped(*name);
+  if (file) return *file;
+  throw sim::FileError(
+      *name, "",
+      std::string("is not there; train it: ./bulletnav train configs/train/") + trained_by);
+}
+
+/// All weights that a config names, with pictures of a kind.
+void CheckWeights(const SlamConfig& config, const CameraLens& lens) {
+  if (config.descriptors) Weights(config.descriptors, kDescriptors);
+  if (config.places) Weights(config.places, kPlaces);
+  if (config.sequences) agent::LoadSeqVlad(Weights(config.sequences, kSequences));
+  if (config.filter) agent::LoadSeqNetFilter(Weights(config.filter, kFilter));
+  const FrameEye eye(config, lens);
+}
+
 /// A detector at work.
 struct RunningDetector {
   std::string name;
@@ -50,8 +74,8 @@ class DrivePlay {
         source_(config, drive),
         eye_(config, source_.lens()),
         travel_(config.apart_m) {
-    if (config.sequences) sequences_ = agent::LoadSeqVlad(ShippedOr(*config.sequences));
-    if (config.filter) filter_ = agent::LoadSeqNetFilter(ShippedOr(*config.filter));
+    if (config.sequences) sequences_ = agent::LoadSeqVlad(Weights(config.sequences, kSequences));
+    if (config.filter) filter_ = agent::LoadSeqNetFilter(Weights(config.filter, kFilter));
     played_.result.drive = drive.name;
     played_.result.scene = drive.scene;
     played_.result.actions = drive.actions;
@@ -112,6 +136,7 @@ class DrivePlay {
     seen.odometry = frame.odometry;
     seen.comparable = travel_.Next(frame.odometry);
     for (RunningDetector& running : detectors_) running.Take(seen);
+    played_.seconds.push_back(frame.time);
     played_.odometry.push_back(frame.odometry);
     if (frame.truth) {
       truth_frames_.push_back({*frame.truth, Coarsened(frame.depth, eye_.lens()), seen.comparable});
@@ -247,6 +272,18 @@ class DrivePlay {
 };
 
 }  // namespace
+
+void CheckDrives(const SlamConfig& config, std::span<const Drive> drives) {
+  bool has_scene = false;
+  for (const Drive& drive : drives) {
+    if (drive.is_recording) {
+      CheckWeights(config, DriveSource(config, drive).lens());
+    } else if (!has_scene) {
+      has_scene = true;
+      CheckWeights(config, LensOf(TraversalOf(config, 0, 0)));
+    }
+  }
+}
 
 PlayedDrive PlayDrive(const SlamConfig& config, const Drive& drive,
                       std::shared_ptr<const agent::Vocabulary> vocabulary) {

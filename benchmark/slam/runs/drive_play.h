@@ -2,6 +2,7 @@
 #pragma once
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -37,12 +38,17 @@ struct PlayedDetector {
 /// All that came of a drive.
 struct PlayedDrive {
   DriveResult result;
+  std::vector<double> seconds;  // when each frame was seen
   std::vector<sim::PlanarPose> odometry;
   std::vector<sim::BodyPose> truth;  // empty where it is not known
   std::vector<PlayedDetector> detectors;
   sim::Image covisible;  // by the truth, see CovisibleMatrix; empty where it is not known
   std::map<std::string, StageTimes> times;  // by stage, milliseconds a frame
 };
+
+/// Throws what PlayDrive would throw at the start of one of the drives: lists of recordings that
+/// are broken, weights that are not there or do not fit. Scenes are not loaded.
+void CheckDrives(const SlamConfig& config, std::span<const Drive> drives);
 
 /// Drives once and shows each frame to all detectors; then verifies what they proposed, optimises
 /// and measures. Detectors and back end see pictures and odometry alone. A function of config,

@@ -180,7 +180,12 @@ std::vector<Drive> DrivesOf(const SlamConfig& config) {
   std::vector<Drive> drives = SceneDrives(config);
   for (const std::string& recording : config.recordings) drives.push_back(RecordingOf(recording));
   if (drives.empty()) {
-    throw sim::Error("there is nothing to drive through; name 'houses', 'scenes' or 'recordings'");
+    throw sim::Error(config.houses && config.split
+                         ? "no house of 'houses' is of the split '" +
+                               std::string(sim::NameOf(*config.split)) +
+                               "'; set 'split' or 'houses.count'"
+                         : "there is nothing to drive through; name 'houses', 'scenes' "
+                           "or 'recordings'");
   }
   CheckNames(drives);
   return drives;

@@ -67,6 +67,18 @@ std::set<std::string> NamesDone(const fs::path& folder) {
   return names;
 }
 
+/// A result that was cut off may still be read.
+void RequireWhole(const SlamConfig& config, const DriveResult& result, const fs::path& folder) {
+  bool is_whole = result.detectors.size() == config.detectors.size();
+  for (std::size_t i = 0; is_whole && i < result.detectors.size(); ++i) {
+    is_whole = result.detectors[i].name == config.detectors[i].name;
+  }
+  if (is_whole) return;
+  throw sim::FileError(folder, "",
+                       "holds a result of other detectors than config.yaml names, or a part of "
+                       "one; remove the folder to have the drive played again");
+}
+
 /// None where houses, scenes or recordings are gone.
 std::vector<Drive> DrivesIfThere(const SlamConfig& config) {
   try {
@@ -96,6 +108,7 @@ std::vector<DriveResult> RunSlam(const SlamConfig& config, const fs::path& folde
   }
   if (!left.empty()) {
     NoteVersion(folder);
+    CheckDrives(config, left);
     const auto vocabulary = Vocabulary(config, options);
     const auto advance = Start(options, "drives", static_cast<int>(left.size()));
     sim::WorkerPool pool(options.workers);
@@ -139,6 +152,7 @@ std::vector<DriveResult> ReadSlamResults(const SlamConfig& config, const fs::pat
   std::vector<DriveResult> results;
   for (const Drive& drive : DrivesDone(config, folder)) {
     results.push_back(ReadDriveResult(DriveFolder(folder, drive.name)));
+    RequireWhole(config, results.back(), DriveFolder(folder, drive.name));
   }
   if (results.empty()) {
     throw sim::FileError(folder, "", "has no drive that is done; ./bulletnav slam run plays them");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/slam/runs/slam_table.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -134,8 +135,15 @@ std::string MeanShare(const Results& results, std::size_t detector,
   return mean.count() == 0 ? "  |" : fmt::format(" {:.3f} |", mean.value());
 }
 
-/// How often a frame's surest pairs hold a loop.
+/// How often a frame's surest pairs hold a loop; empty for results of before there was such a
+/// count.
 std::string QueryTable(const SlamConfig& config, const Results& results) {
+  const bool has_counts = std::any_of(results.begin(), results.end(), [](const auto* result) {
+    return std::any_of(result->detectors.begin(), result->detectors.end(), [](const auto& row) {
+      return row.recall_at_1.has_value();
+    });
+  });
+  if (!has_counts) return "";
   std::string text =
       "Frames that have a covisible loop: the share with one among their surest pairs\n\n"
       "| | recall@1 | @5 | @10 |\n"

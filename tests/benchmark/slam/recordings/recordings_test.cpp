@@ -373,6 +373,18 @@ TEST_F(Recordings, ARunDoesNotGoOnWithAChangedRecording) {
   EXPECT_EQ(sim::ReadTextFile(fingerprints), before);
 }
 
+TEST_F(Recordings, PicturesOfAnImportThatStoppedAreRemoved) {
+  {
+    TumWriter stopped(folder_.path() / "in", kCamera);
+    for (int i = 0; i < 6; ++i) stopped.Add(Frame(i, 5 * i));
+  }
+  Import(Record<TumWriter>("tum", true), "in");
+  EXPECT_TRUE(fs::exists(folder_.path() / "in/rgb/000003.png"));
+  for (const char* file : {"rgb/000004.png", "depth/000004.png", "rgb/000005.png"}) {
+    EXPECT_FALSE(fs::exists(folder_.path() / "in" / file)) << file;
+  }
+}
+
 TEST_F(Recordings, WhatLosesItsWayIsNoOdometry) {
   const fs::path folder = folder_.path() / "blank";
   TumWriter writer(folder, kCamera);

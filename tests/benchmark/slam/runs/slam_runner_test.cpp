@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/slam/runs/slam_runner.h"
 
+#include <sstream>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "benchmark/slam/io/tum.h"
 #include "benchmark/slam/runs/drive_files.h"
 #include "benchmark/slam/runs/slam_table.h"
 #include "benchmark/slam/traversal/tum_recorder.h"
@@ -93,6 +96,19 @@ TEST_F(SlamRunner, ResultsAreReadWithoutTheirScenes) {
       ThrowsMessage<sim::FileError>(HasSubstr("no drive that is done")));
 }
 
+TEST_F(SlamRunner, AResultThatWasCutOffIsTold) {
+  const SlamConfig config = Config();
+  RunSlam(config, path("run"), {});
+  const fs::path file = path("run") / "drives/room_60_3/result.yaml";
+  const std::string text = sim::ReadTextFile(file);
+  sim::WriteFileAtomically(file, text.substr(0, text.find("detectors:")));
+  EXPECT_THAT(
+      [&] {
+        ReadSlamResults(config, path("run"));
+      },
+      ThrowsMessage<sim::FileError>(AllOf(HasSubstr("room_60_3"), HasSubstr("remove the folder"))));
+}
+
 TEST_F(SlamRunner, ResultsOfAnotherCommandAreTold) {
   folder_.Write("played/config.yaml", "name: real_scenes\nepisodes: {file: all.json}\n");
   EXPECT_THAT(
@@ -138,6 +154,22 @@ TEST_F(SlamRunner, PlaysARecording) {
   EXPECT_NEAR(played.detectors[0].rankings.at("near").figures.average_precision,
               driven.detectors[0].rankings.at("near").figures.average_precision, 1e-6);
   EXPECT_THAT(SlamTables(config, {&played, 1}), HasSubstr("Recordings (1)"));
+
+  // Another clock: what is written goes by it.
+  for (const char* list : {"rgb.txt", "depth.txt", "groundtruth.txt", "odometry.txt"}) {
+    std::istringstream lines(sim::ReadTextFile(path("recording") / list));
+    std::string later;
+    for (std::string line; std::getline(lines, line);) {
+      later += line.starts_with("#") ? "" : "13";
+      later += line + "\n";
+    }
+    sim::WriteFileAtomically(path("recording") / list, later);
+  }
+  RunSlam(config, path("later"), {});
+  for (const char* name : {"groundtruth", "odometry", "seqslam"}) {
+    const fs::path file = path("later") / "drives/recording" / (std::string(name) + ".tum");
+    EXPECT_NEAR(ReadTumTrajectory(file)[1].time, 130.1, 1e-9) << name;
+  }
 
   fs::remove(path("recording") / "groundtruth.txt");
   const DriveResult unknown = RunSlam(config, path("unknown"), {}).front();
@@ -205,7 +237,8 @@ TEST_F(SlamRunner, WeightsThatAreMissingAreTold) {
       [&] {
         RunSlam(config, path("run"), {});
       },
-      ThrowsMessage<sim::FileError>(HasSubstr("nowhere.safetensors")));
+      ThrowsMessage<sim::FileError>(
+          AllOf(HasSubstr("nowhere.safetensors"), HasSubstr("place.yaml"))));
 }
 
 TEST(SlamConfig, EveryShippedOneLoads) {
