@@ -19,7 +19,8 @@ class MetricMapRl final : public PolicyAgent {
     }
   };
 
-  static std::vector<ModelSlot> ModelSlots(const Rig& /*rig*/) {
+  static std::vector<ModelSlot> ModelSlots(const Rig& rig) {
+    if (!rig.has_depth) return {};  // there can be no weights; the constructor says so
     return {NeededSlot<PolicyModel>(kPolicy, std::string(kName))};
   }
 
@@ -28,11 +29,14 @@ class MetricMapRl final : public PolicyAgent {
 
  private:
   static std::shared_ptr<PolicyModel> PolicyOf(const AgentContext& context) {
+    if (!context.rig.has_depth) {
+      throw sim::Error("metric_map_rl makes its map by depth; play it in the setting rgbd");
+    }
     auto policy = context.models.Need<PolicyModel>(kPolicy);
     if (policy->sees_map()) return policy;
     throw sim::Error(
         "metric_map_rl needs the weights of a policy that is shown a map; these are of one that is "
-        "not, which target_driven_rl takes");
+        "not, which target_driven_rl takes: name others with models: {policy: FILE}");
   }
 };
 

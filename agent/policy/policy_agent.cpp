@@ -11,7 +11,7 @@ std::shared_ptr<PolicyModel> WithoutMap(std::shared_ptr<PolicyModel> policy) {
   if (!policy->sees_map()) return policy;
   throw sim::Error(
       "these weights are of a policy that is shown a map, which metric_map_rl takes; this agent "
-      "needs those of one that is not");
+      "needs those of one that is not: name others with models: {policy: FILE}");
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <set>
 #include <tuple>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include "sim/base/error.h"
 
@@ -211,8 +211,12 @@ Comparison CompareWithAll(const std::vector<EpisodeResult>& a, const std::vector
     const Comparison one = Compare(a, b, pair);
     all.rows.insert(all.rows.end(), one.rows.begin(), one.rows.end());
   }
-  if (all.rows.empty()) ThrowNothingShared(a, b);
-  return all;
+  if (!all.rows.empty()) return all;
+  std::set<std::string> known;
+  for (const EpisodeResult& result : a) known.insert(result.key.agent);
+  if (known.contains(agent)) ThrowNothingShared(a, b);
+  throw sim::Error(
+      fmt::format("the first run has no agent '{}'; it has {}", agent, fmt::join(known, ", ")));
 }
 
 std::string ToText(const Comparison& comparison) {

@@ -137,6 +137,11 @@ void PpoSpec::Validate() const {
                         "minibatches must divide the number of groups, lanes / group");
   }
   if (!(clip > 0.0)) throw sim::KeyError("clip", "clip must be positive");
+  constexpr double kMostWeight = 100.0;
+  for (const auto& [key, weight] : {std::pair{"entropy", entropy}, std::pair{"value", value}}) {
+    if (weight >= 0.0 && weight <= kMostWeight) continue;
+    throw sim::KeyError(key, std::string(key) + " must lie between 0 and 100");
+  }
   if (!(gradient_norm > 0.0)) {
     throw sim::KeyError("gradient_norm", "gradient_norm must be positive");
   }

@@ -78,7 +78,11 @@ TEST(CompareWithAll, PairsOneAgentWithEachOther) {
   const std::string page = ToMarkdown(comparison);
   EXPECT_THAT(page,
               HasSubstr("| y -> z | rgbd, noise | overall, 20 pairs | 0.70 to 0.20 | -0.500 ["));
-  EXPECT_THROW(CompareWithAll(run, run, "w", {}), sim::Error);
+  EXPECT_THAT(
+      [&] {
+        CompareWithAll(run, run, "w", {});
+      },
+      testing::ThrowsMessage<sim::Error>(testing::HasSubstr("has no agent 'w'; it has ")));
   EXPECT_THROW(CompareWithAll(MakeRun("x", 4), MakeRun("x", 4), "x", {}), sim::Error);
 }
 

@@ -177,6 +177,12 @@ TEST(Ppo, LanesThatCannotBeSharedOutAreRefused) {
   PpoSpec groups;
   groups.group = 5;
   EXPECT_THROW(groups.Validate(), sim::Error);
+  PpoSpec entropy;
+  entropy.entropy = -1.0;
+  EXPECT_THROW(entropy.Validate(), sim::Error);
+  PpoSpec value;
+  value.value = 1e38;
+  EXPECT_THROW(value.Validate(), sim::Error);
 }
 
 TEST(Ppo, EpisodesThatEndAreTold) {
