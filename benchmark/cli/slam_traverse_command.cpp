@@ -13,6 +13,7 @@
 #include "benchmark/cli/scene_options.h"
 #include "benchmark/cli/slam_commands.h"
 #include "benchmark/slam/traversal/tum_recorder.h"
+#include "sim/sensors/noise/sensor_noise.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -65,6 +66,10 @@ void AddSlamTraverseCommand(CLI::App* slam) {
       ->capture_default_str();
   AddEnumOption(command, "--noise", &traversal.noise, "Of motion and odometry")
       ->default_str("ans_released");
+  command
+      ->add_option("--sensor-noise", traversal.sensor_noise,
+                   "Of pictures (default none); see docs/rendering.md")
+      ->check(CLI::IsMember(sim::SensorNoiseNames()));
   command->add_option("--rows", traversal.camera.rows, "Of pictures")->capture_default_str();
   command->add_option("--cols", traversal.camera.cols, "Of pictures")->capture_default_str();
   command->add_option("--hfov", traversal.camera.hfov_deg, "Horizontal field of view, degrees")

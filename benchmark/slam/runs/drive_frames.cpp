@@ -44,6 +44,7 @@ TraversalSpec TraversalOf(const SlamConfig& config, int actions, std::uint64_t s
   traversal.camera = config.camera;
   traversal.panorama = config.panorama;
   traversal.noise = config.noise;
+  traversal.sensor_noise = config.sensor_noise.value_or("none");
   traversal.actions = actions;
   traversal.seed = seed;
   return traversal;
@@ -126,7 +127,7 @@ bool DriveSource::has_truth() const {
 void DriveSource::ForEach(const std::function<void(const DriveFrame&)>& take) const {
   if (!recording_) {
     Traverse(world_, changed_, traversal_, [&](const TraversalFrame& frame) {
-      take({frame.step / kFramesASecond, frame.color, frame.depth, frame.ranges,
+      take({frame.step / kFramesASecond, frame.color, frame.depth, frame.ranges, frame.true_depth,
             frame.dead_reckoned, frame.true_pose});
     });
     return;

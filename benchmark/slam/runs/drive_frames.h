@@ -19,6 +19,7 @@ struct DriveFrame {
   sim::Image color;                     // RGB
   DepthPicture depth;                   // along the camera's axis; of panoramas level
   std::vector<float> ranges;            // of panoramas: along the rays
+  DepthPicture true_depth;              // of scenes seen with noise; for measuring only
   sim::PlanarPose odometry;             // added up, from the first frame's body
   std::optional<sim::BodyPose> truth;   // where it is known; for measuring only
   std::optional<CameraTilt> tilt = {};  // with it: of a recording whose camera is not always level

@@ -139,7 +139,8 @@ class DrivePlay {
     played_.seconds.push_back(frame.time);
     played_.odometry.push_back(frame.odometry);
     if (frame.truth) {
-      truth_frames_.push_back({*frame.truth, Coarsened(frame.depth, eye_.lens()), seen.comparable});
+      const DepthPicture& depth = frame.true_depth.width > 0 ? frame.true_depth : frame.depth;
+      truth_frames_.push_back({*frame.truth, Coarsened(depth, eye_.lens()), seen.comparable});
       truth_frames_.back().seen.tilt = frame.tilt;
       played_.truth.push_back(*frame.truth);
     }

@@ -10,6 +10,7 @@
 #include "sim/base/error.h"
 #include "sim/config/override.h"
 #include "sim/house/house_index.h"
+#include "sim/sensors/noise/sensor_noise.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -85,6 +86,7 @@ void BackEndSpec::Validate() const {
 }
 
 void SlamConfig::Validate() const {
+  sim::RequireSensorNoise(sensor_noise.value_or("none"));
   if (detectors.empty()) throw sim::KeyError("detectors", "'detectors' has no entry");
   if (actions.empty()) throw sim::KeyError("actions", "'actions' has no number");
   for (const int count : actions) {

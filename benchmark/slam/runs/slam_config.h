@@ -137,7 +137,8 @@ struct SlamConfig {
   sim::PinholeSpec camera = {.rows = 240, .cols = 320};
   std::optional<sim::PanoramaSpec> panorama;  // seen instead, in scenes; cylindrical
   sim::NoiseMode noise = sim::NoiseMode::kAnsReleased;
-  std::optional<ChangeSpec> changed;  // of scenes, not of recordings
+  std::optional<std::string> sensor_noise;  // of pictures of scenes, see sim::NamedSensorNoise
+  std::optional<ChangeSpec> changed;        // of scenes, not of recordings
   std::vector<int> actions = {700};
   std::vector<std::uint64_t> seeds = {0};
   std::optional<VocabularySource> vocabulary;
@@ -168,6 +169,7 @@ struct SlamConfig {
     v("camera", camera);
     v("panorama", panorama);
     v("noise", noise);
+    v("sensor_noise", sensor_noise);
     v("changed", changed);
     v("actions", actions);
     v("seeds", seeds);

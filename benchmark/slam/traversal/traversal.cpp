@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "agent/slam/verify/panorama_lens.h"
 #include "benchmark/privileged/shortest_path.h"
@@ -10,6 +11,7 @@
 #include "sim/base/check.h"
 #include "sim/base/error.h"
 #include "sim/sensors/cameras.h"
+#include "sim/sensors/noise/picture_noise.h"
 #include "sim/simulator.h"
 
 namespace bulletnav::bench {
@@ -74,19 +76,47 @@ class Driver {
   int passed_ = 0;
 };
 
-TraversalFrame FrameOf(const sim::Observation& seen, const TraversalSpec& spec) {
+/// Adds the noise of a traversal's camera to frames.
+class Noise {
+ public:
+  Noise(const TraversalSpec& spec, const sim::Rng& rng) : rng_(rng.Fork("sensor_noise")) {
+    const sim::SensorNoise noise = sim::NamedSensorNoise(spec.sensor_noise);
+    if (noise.is_none()) return;
+    noise_.emplace(noise,
+                   spec.panorama ? sim::CameraSpec(*spec.panorama) : sim::CameraSpec(spec.camera));
+  }
+
+  bool is_none() const { return !noise_; }
+  void Add(int step, std::span<std::uint8_t> color, std::span<float> ranges) {
+    noise_->Apply(rng_.Fork("step", static_cast<std::uint64_t>(step)), color, ranges);
+  }
+
+ private:
+  sim::Rng rng_;
+  std::optional<sim::PictureNoise> noise_;
+};
+
+/// Of ranges along rays.
+DepthPicture DepthOf(std::span<const float> ranges, const TraversalSpec& spec) {
+  return spec.panorama ? Levelled(ranges, *spec.panorama) : AlongAxis(ranges, spec.camera);
+}
+
+TraversalFrame FrameOf(const sim::Observation& seen, const TraversalSpec& spec, int step,
+                       Noise* noise) {
   TraversalFrame frame;
+  frame.step = step;
   const auto [rows, cols] = spec.panorama ? sim::SizeOf(*spec.panorama) : sim::SizeOf(spec.camera);
   frame.color = sim::Image(cols, rows, 3);
   const auto color = seen.values<std::uint8_t>("camera.color");
   frame.color.pixels.assign(color.begin(), color.end());
-  const auto ranges = seen.values<float>("camera.depth");
-  if (spec.panorama) {
-    frame.depth = Levelled(ranges, *spec.panorama);
-    frame.ranges.assign(ranges.begin(), ranges.end());
-  } else {
-    frame.depth = AlongAxis(ranges, spec.camera);
+  const auto exact = seen.values<float>("camera.depth");
+  std::vector<float> ranges(exact.begin(), exact.end());
+  if (!noise->is_none()) {
+    frame.true_depth = DepthOf(exact, spec);
+    noise->Add(step, frame.color.pixels, ranges);
   }
+  frame.depth = DepthOf(ranges, spec);
+  if (spec.panorama) frame.ranges = std::move(ranges);
   return frame;
 }
 
@@ -139,6 +169,7 @@ void TraversalSpec::Validate() const {
       throw sim::Error("a traversal's panorama must be cylindrical");
     }
   }
+  sim::RequireSensorNoise(sensor_noise);
   if (actions < 1) throw sim::Error("a traversal needs at least one action");
 }
 
@@ -159,11 +190,11 @@ void Traverse(const std::shared_ptr<const sim::World>& world, const ChangedLook&
   if (changed.world) other.emplace(changed.world, spec, simulator.body().true_pose());
   Route route(query, simulator.body().true_pose().position.cast<float>(), rng);
   Driver driver(spec, world, &route);
+  Noise noise(spec, rng);
   sim::PlanarPose dead_reckoned;
   for (int step = 0;; ++step) {
     const bool is_changed = other && step >= changed.from_step;
-    TraversalFrame frame = FrameOf(is_changed ? other->seen() : *seen, spec);
-    frame.step = step;
+    TraversalFrame frame = FrameOf(is_changed ? other->seen() : *seen, spec, step, &noise);
     frame.true_pose = simulator.body().true_pose();
     frame.dead_reckoned = dead_reckoned;
     take(frame);

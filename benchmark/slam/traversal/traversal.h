@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "benchmark/slam/io/tum.h"
@@ -23,11 +24,12 @@ struct TraversalSpec {
   sim::PinholeSpec camera;
   std::optional<sim::PanoramaSpec> panorama;            // seen instead of the camera; cylindrical
   sim::NoiseMode noise = sim::NoiseMode::kAnsReleased;  // of motion and odometry
+  std::string sensor_noise = "none";                    // of pictures, see sim::NamedSensorNoise
   int actions = 700;
   std::uint64_t seed = 1;
 
-  /// Throws sim::Error for bad cameras, a camera that is not level, other panoramas, and no
-  /// actions.
+  /// Throws sim::Error for bad cameras, a camera that is not level, other panoramas, noise that is
+  /// not known, and no actions.
   void Validate() const;
 };
 
@@ -43,6 +45,7 @@ struct TraversalFrame {
   sim::Image color;
   DepthPicture depth;             // along the camera's axis; 0 from the camera's limit on
   std::vector<float> ranges;      // of panoramas, whose `depth` is level: along the rays
+  DepthPicture true_depth;        // `depth` without noise, for measuring only; empty: it has none
   sim::BodyPose true_pose;        // for measuring only
   sim::PlanarPose dead_reckoned;  // odometry added up, from the first frame's body
 };

@@ -74,6 +74,27 @@ TEST(Traversal, NoiseDriftsAndFollowsTheSeed) {
   EXPECT_GT(std::hypot(guess.x - truth.x, guess.y - truth.y), 1e-3);
 }
 
+TEST(Traversal, SensorNoiseIsInPicturesAloneAndTheTruthIsKept) {
+  const auto clean = Frames(SmallSpec());
+  TraversalSpec spec = SmallSpec();
+  spec.sensor_noise = "depth_camera";
+  const auto noisy = Frames(spec);
+  const auto again = Frames(spec);
+  ASSERT_EQ(noisy.size(), clean.size());
+  int other_depths = 0;
+  for (std::size_t i = 0; i < clean.size(); ++i) {
+    EXPECT_TRUE(clean[i].true_depth.metres.empty());
+    EXPECT_EQ(noisy[i].true_depth.metres, clean[i].depth.metres) << i;
+    EXPECT_EQ(noisy[i].depth.metres, again[i].depth.metres) << i;
+    EXPECT_EQ(noisy[i].color.pixels, again[i].color.pixels) << i;
+    EXPECT_EQ(noisy[i].dead_reckoned.x, clean[i].dead_reckoned.x) << i;
+    if (noisy[i].depth.metres != clean[i].depth.metres) ++other_depths;
+  }
+  EXPECT_GT(other_depths, 50);
+  spec.sensor_noise = "fog";
+  EXPECT_THROW(spec.Validate(), sim::Error);
+}
+
 TEST(Traversal, DepthIsAlongTheAxis) {
   const sim::PinholeSpec camera = SmallSpec().camera;
   const Intrinsics k = IntrinsicsOf(camera);
