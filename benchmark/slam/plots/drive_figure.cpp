@@ -129,8 +129,8 @@ void DrawLoops(const std::vector<LoopRecord>& loops, const Way& way, const Panel
 /// Where a panel's ways are drawn, below its title.
 Eigen::AlignedBox2d BoxOf(const Drawing& drawing, std::size_t panel) {
   const double left = kGap + static_cast<double>(panel % kInARow) * (kPanel + kGap);
-  const auto row = static_cast<double>(panel / kInARow);
-  const double top = row * (kTitle + drawing.panel_height() + kGap) + kTitle;
+  const std::size_t row = panel / kInARow;
+  const double top = static_cast<double>(row) * (kTitle + drawing.panel_height() + kGap) + kTitle;
   return {Eigen::Vector2d(left, top), Eigen::Vector2d(left + kPanel, top + drawing.panel_height())};
 }
 

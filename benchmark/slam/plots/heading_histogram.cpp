@@ -100,8 +100,10 @@ Figure HeadingHistogram(const std::vector<HeadingCounts>& detectors) {
   figure.draw = [detectors](Canvas* canvas) {
     const int highest = HighestOf(detectors);
     for (std::size_t i = 0; i < detectors.size(); ++i) {
-      DrawPanel(detectors[i], kLeft + kColumn * static_cast<double>(i % kInARow),
-                kRow * static_cast<double>(i / kInARow), highest, canvas);
+      const std::size_t column = i % kInARow;
+      const std::size_t row = i / kInARow;
+      DrawPanel(detectors[i], kLeft + kColumn * static_cast<double>(column),
+                kRow * static_cast<double>(row), highest, canvas);
     }
   };
   return figure;
