@@ -80,10 +80,11 @@ class GltfChecker {
       return *data;
     }
     const auto path = FindByUri(file_.parent_path(), name);
-    if (!path)
+    if (!path) {
       throw FileError(file_, place,
                       "needs '" + name +
                           "', which is not beside it; put it there, or take the scene as one .glb");
+    }
     return *loaded_.emplace_back(ReadFile(*path));
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/slam/io/kitti_folder.h"
 
+#include <array>
 #include <string>
 #include <utility>
 
@@ -17,10 +18,6 @@ namespace fs = std::filesystem;
 
 constexpr int kLeft = 2;
 constexpr int kRight = 3;
-
-std::string PictureName(std::size_t frame) {
-  return fmt::format("{:06}.png", frame);
-}
 
 fs::path Required(const fs::path& file, std::size_t frame) {
   if (!fs::exists(file)) {
@@ -93,6 +90,8 @@ void KittiWriter::Finish() {
     }
     sim::WriteFileAtomically(folder_ / name, ToKitti(poses));
   };
+  const std::array folders = {folder_ / "image_2", folder_ / "depth"};
+  RemovePicturesFrom(times_.size(), folders);
   write("poses.txt", truth_);
   write("odometry.txt", odometry_);
   sim::WriteFileAtomically(folder_ / "calib.txt", ToKittiCalibration(intrinsics_));

@@ -57,4 +57,18 @@ void WriteDepth(const std::filesystem::path& file, const DepthPicture& picture,
   sim::WriteFileAtomically(file, sim::EncodePng16(values, picture.width, picture.height));
 }
 
+std::string PictureName(std::size_t frame) {
+  return fmt::format("{:06}.png", frame);
+}
+
+void RemovePicturesFrom(std::size_t frame, std::span<const std::filesystem::path> folders) {
+  for (bool found = true; found; ++frame) {
+    found = false;
+    for (const std::filesystem::path& folder : folders) {
+      std::error_code ignored;  // what stays is in no list
+      found = std::filesystem::remove(folder / PictureName(frame), ignored) || found;
+    }
+  }
+}
+
 }  // namespace bulletnav::bench

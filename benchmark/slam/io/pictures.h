@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cstddef>
 #include <filesystem>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "sim/image/image.h"
@@ -22,5 +25,11 @@ sim::Image ReadRgb(const std::filesystem::path& file);
 DepthPicture ReadDepth(const std::filesystem::path& file, double units_a_metre);
 void WriteDepth(const std::filesystem::path& file, const DepthPicture& picture,
                 double units_a_metre);
+
+/// What a frame's pictures are called in the folders of recordings that are written here.
+std::string PictureName(std::size_t frame);
+/// Removes from `folders` the pictures of this frame and those after it: what an import into the
+/// same place left that did not come to its end.
+void RemovePicturesFrom(std::size_t frame, std::span<const std::filesystem::path> folders);
 
 }  // namespace bulletnav::bench

@@ -1,21 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/slam/io/tum_writer.h"
 
+#include <array>
+#include <cstddef>
 #include <utility>
 
 #include <fmt/core.h>
 
+#include "benchmark/slam/io/pictures.h"
 #include "benchmark/slam/io/tum.h"
 #include "sim/base/files.h"
 
 namespace bulletnav::bench {
-namespace {
-
-std::string PictureName(int frame) {
-  return fmt::format("{:06}.png", frame);
-}
-
-}  // namespace
 
 TumWriter::TumWriter(std::filesystem::path folder, const Intrinsics& intrinsics)
     : folder_(std::move(folder)), intrinsics_(intrinsics) {
@@ -23,7 +19,7 @@ TumWriter::TumWriter(std::filesystem::path folder, const Intrinsics& intrinsics)
 }
 
 void TumWriter::Add(const RecordedFrame& frame) {
-  const std::string name = PictureName(frames_++);
+  const std::string name = PictureName(static_cast<std::size_t>(frames_++));
   sim::WriteFileAtomically(folder_ / "rgb" / name, sim::EncodePng(frame.color));
   sim::MakeFolder(folder_ / "depth");
   WriteTumDepth(folder_ / "depth" / name, frame.depth);
@@ -33,19 +29,9 @@ void TumWriter::Add(const RecordedFrame& frame) {
   if (frame.odometry) odometry_.push_back({frame.time, *frame.odometry});
 }
 
-/// Pictures of an import into the same folder that did not come to its end.
-void TumWriter::RemoveLaterPictures() const {
-  for (int frame = frames_;; ++frame) {
-    const std::string name = PictureName(frame);
-    std::error_code ignored;  // what stays is in no list
-    const bool had_color = std::filesystem::remove(folder_ / "rgb" / name, ignored);
-    const bool had_depth = std::filesystem::remove(folder_ / "depth" / name, ignored);
-    if (!had_color && !had_depth) return;
-  }
-}
-
 void TumWriter::Finish() {
-  RemoveLaterPictures();
+  const std::array folders = {folder_ / "rgb", folder_ / "depth"};
+  RemovePicturesFrom(static_cast<std::size_t>(frames_), folders);
   const Intrinsics& k = intrinsics_;
   sim::WriteFileAtomically(folder_ / "calibration.txt",
                            fmt::format("# fx fy cx cy\n{} {} {} {}\n", k.fx, k.fy, k.cx, k.cy));

@@ -19,8 +19,6 @@ class TumWriter final : public RecordingWriter {
   int frames() const override { return frames_; }
 
  private:
-  void RemoveLaterPictures() const;
-
   std::filesystem::path folder_;
   Intrinsics intrinsics_;
   int frames_ = 0;

@@ -63,13 +63,9 @@ void SimilarityLossSpec::Validate() const {
 
 void PictureAugmentSpec::Validate() const {
   color().Validate();
-  for (const double share : {mirrored, sensor_noise}) {
-    if (!(share >= 0.0 && share <= 1.0)) {
-      throw sim::Error("mirrored and sensor_noise are shares, 0 to 1");
-    }
-  }
-  if (!(noise_strength > 0.0 && noise_strength <= 4.0)) {
-    throw sim::KeyError("noise_strength", "must be above 0 and at most 4");
+  RequireSensorNoise(sensor_noise, noise_strength);
+  if (!(mirrored >= 0.0 && mirrored <= 1.0)) {
+    throw sim::KeyError("mirrored", "is a share, 0 to 1");
   }
 }
 

@@ -7,7 +7,6 @@
 
 #include "benchmark/slam/training/place_views.h"
 #include "sim/base/check.h"
-#include "sim/sensors/noise/picture_noise.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -41,9 +40,7 @@ void VaryPictures(const PictureAugmentSpec& spec, const sim::Rng& rng, int rows,
     sim::Rng own = rng.Fork("picture", i);
     if (mirrors) Mirror(static_cast<std::size_t>(camera.cols), picture);
     Recolor(spec.color(), &own, picture);
-    if (!own.Chance(spec.sensor_noise)) continue;
-    const sim::SensorNoise noise = DrawSensorNoise(spec.noise_strength, &own);
-    sim::PictureNoise(noise, camera).Apply(own.Fork("noise"), picture, {});
+    AddSensorNoise(spec.sensor_noise, spec.noise_strength, camera, own, picture, {});
   }
 }
 

@@ -5,8 +5,6 @@
 
 #include "agent/models/semantic_model.h"
 #include "agent/perception/model_config.h"
-#include "sim/base/error.h"
-#include "sim/sensors/noise/picture_noise.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -21,26 +19,11 @@ sim::PanoramaSpec Camera() {
   return camera;
 }
 
-void AddSensorNoise(const AugmentSpec& spec, sim::Rng rng, std::span<std::uint8_t> color,
-                    std::span<float> depth) {
-  if (!rng.Chance(spec.sensor_noise.value_or(0.0))) return;
-  const sim::SensorNoise noise =
-      DrawSensorNoise(spec.noise_strength.value_or(kNoiseStrength), &rng);
-  sim::PictureNoise(noise, Camera()).Apply(rng.Fork("picture"), color, depth);
-}
-
 }  // namespace
 
 void AugmentSpec::Validate() const {
   color().Validate();
-  const double share = sensor_noise.value_or(0.0);
-  if (!(share >= 0.0 && share <= 1.0)) {
-    throw sim::KeyError("sensor_noise", "is a share, 0 to 1");
-  }
-  const double strength = noise_strength.value_or(kNoiseStrength);
-  if (!(strength > 0.0 && strength <= 4.0)) {
-    throw sim::KeyError("noise_strength", "must be above 0 and at most 4");
-  }
+  RequireSensorNoise(sensor_noise.value_or(0.0), noise_strength.value_or(kNoiseStrength));
 }
 
 void Augment(const AugmentSpec& spec, sim::Rng rng, DepthUse depth, PairBatch* batch) {
@@ -55,7 +38,8 @@ void Augment(const AugmentSpec& spec, sim::Rng rng, DepthUse depth, PairBatch* b
     if (!spec.sensor_noise) continue;
     const std::span<float> seen =
         has_depth ? std::span(batch->depth).subspan(first, pixels) : std::span<float>();
-    AddSensorNoise(spec, noise.Fork("panorama", static_cast<std::uint64_t>(i)), color, seen);
+    AddSensorNoise(*spec.sensor_noise, spec.noise_strength.value_or(kNoiseStrength), Camera(),
+                   noise.Fork("panorama", static_cast<std::uint64_t>(i)), color, seen);
   }
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/base/error.h"
+#include "sim/sensors/noise/picture_noise.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -48,12 +49,32 @@ void Recolor(const ColorJitter& jitter, sim::Rng* rng, std::span<std::uint8_t> c
   }
 }
 
+namespace {
+
 sim::SensorNoise DrawSensorNoise(double strength, sim::Rng* rng) {
   std::vector<std::string> names = sim::SensorNoiseNames();
   names.erase(names.begin());
   sim::SensorNoise noise = sim::NamedSensorNoise(rng->Pick(names));
   if (noise.depth != sim::DepthNoise()) noise.depth.panes = kPanes;
   return sim::Scaled(noise, rng->Uniform(0.0, strength));
+}
+
+}  // namespace
+
+void AddSensorNoise(double share, double strength, const sim::CameraSpec& camera, sim::Rng rng,
+                    std::span<std::uint8_t> color, std::span<float> depth) {
+  if (!rng.Chance(share)) return;
+  const sim::SensorNoise noise = DrawSensorNoise(strength, &rng);
+  sim::PictureNoise(noise, camera).Apply(rng.Fork("picture"), color, depth);
+}
+
+void RequireSensorNoise(double share, double strength) {
+  if (!(share >= 0.0 && share <= 1.0)) {
+    throw sim::KeyError("sensor_noise", "is a share, 0 to 1");
+  }
+  if (!(strength > 0.0 && strength <= 4.0)) {
+    throw sim::KeyError("noise_strength", "must be above 0 and at most 4");
+  }
 }
 
 }  // namespace bulletnav::bench

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "sim/math/rng.h"
-#include "sim/sensors/noise/sensor_noise.h"
+#include "sim/render/projection.h"
 
 namespace bulletnav::bench {
 
@@ -22,8 +22,12 @@ struct ColorJitter {
 /// Varies the colours of a picture, u8 [pixels, 3]; draws nothing if there is nothing to vary.
 void Recolor(const ColorJitter& jitter, sim::Rng* rng, std::span<std::uint8_t> color);
 
-/// Any of the named models of cameras (sim::SensorNoiseNames) but `none`, with panes of glass, at a
-/// strength of 0 to `strength`.
-sim::SensorNoise DrawSensorNoise(double strength, sim::Rng* rng);
+/// Gives a picture, with the probability `share`, the noise of any of the named models of cameras
+/// (sim::SensorNoiseNames) but `none`, with panes of glass, at a strength of 0 to `strength`. As
+/// sim::PictureNoise::Apply; `depth` may be empty.
+void AddSensorNoise(double share, double strength, const sim::CameraSpec& camera, sim::Rng rng,
+                    std::span<std::uint8_t> color, std::span<float> depth);
+/// Throws KeyError at `sensor_noise` or `noise_strength` unless they are in [0, 1] and (0, 4].
+void RequireSensorNoise(double share, double strength);
 
 }  // namespace bulletnav::bench
