@@ -44,7 +44,9 @@ struct Rig {
   sim::PanoramaSpec panorama;
   bool has_color = true;
   bool has_depth = true;
-  float camera_height = 1.25f;              // metres above the floor
+  float camera_height = 1.25f;  // metres above the floor
+  float body_radius = 0.10f;    // metres, of the upright capsule that must not collide
+  float body_height = 1.5f;
   std::vector<sim::ArraySpec> arrays = {};  // of all sensors; empty: of the panorama alone
 
   /// Null if no sensor writes an array of this name.

@@ -40,6 +40,14 @@ void RequireTrainedBody(const Rig& rig, const std::filesystem::path& file) {
                     trained.camera_height, trained.panorama.max_depth_m, rig.camera_height,
                     rig.panorama.max_depth_m));
   }
+  if (rig.body_radius != trained.body_radius || rig.body_height != trained.body_height) {
+    throw sim::FileError(
+        file, "",
+        fmt::format("is of a policy of a body with a radius of {} m and {} m high, which knows "
+                    "what that fits through; here they are {} m and {} m: set body.radius and "
+                    "body.height so",
+                    trained.body_radius, trained.body_height, rig.body_radius, rig.body_height));
+  }
 }
 
 }  // namespace

@@ -18,9 +18,9 @@ inline constexpr const char* kStitchedKey = "stitched";
 /// bad.
 PolicyConfig PolicyConfigOf(const TensorFile& weights, const std::filesystem::path& file);
 
-/// Throws FileError unless a rig is the body that the policy was trained in: one that sees
-/// cylindrical panoramas of 128 x 512 with colour, from 1.25 m, and depth or none as in the setting
-/// of its training. Weights that do not tell their setting, and those with another encoder stitched
+/// Throws FileError unless a rig is the body that the policy was trained in: the default one, which
+/// sees cylindrical panoramas of 128 x 512 with colour, and depth or none as in the setting of its
+/// training. Weights that do not tell their setting, and those with another encoder stitched
 /// in, may have depth or not, but for those of a map.
 void RequirePolicyRig(const Rig& rig, const TensorFile& weights, const std::filesystem::path& file);
 

@@ -247,6 +247,8 @@ agent::Rig RigOf(const RunConfig& config, const std::string& setting) {
   rig.has_color = rig.FindArray(sim::Observation::kColor) != nullptr;
   rig.has_depth = rig.FindArray(sim::Observation::kDepth) != nullptr;
   rig.camera_height = config.body.camera_height;
+  rig.body_radius = config.body.radius;
+  rig.body_height = config.body.height;
   return rig;
 }
 

@@ -62,6 +62,8 @@ py::dict Told(const agent::Rig& rig) {
   told["has_color"] = rig.has_color;
   told["has_depth"] = rig.has_depth;
   told["camera_height"] = rig.camera_height;
+  told["body_radius"] = rig.body_radius;
+  told["body_height"] = rig.body_height;
   return told;
 }
 

@@ -30,7 +30,8 @@ Numbers Kept(RunningMoments* moments, PpoReport* report) {
   all.insert(all.end(), {{"report.entropy", &report->entropy},
                          {"report.kl", &report->kl},
                          {"report.clip_fraction", &report->clip_fraction},
-                         {"report.explained_variance", &report->explained_variance}});
+                         {"report.explained_variance", &report->explained_variance},
+                         {"report.return", &report->episode_return}});
   return all;
 }
 
@@ -81,11 +82,27 @@ double PpoTraining::Learn(const TrainStep& step) {
   const Rollout rollout = actor_->Play(play, moments_);
   const std::uint64_t seed = sim::MixSeed(plan_.seed, static_cast<std::uint64_t>(step.step));
   const PpoStep update = {step.optimiser, step.rate, seed, step.step < plan_.ppo.value_first};
+  const double last_return = report_.episode_return;
   report_ = LearnFrom(rollout, plan_.ppo, update, &groups_, net_.get(), &moments_);
+  report_.episode_return = last_return;
   return report_.loss;
 }
 
+/// Lane by lane, so that it is the same for any number of processes.
+void PpoTraining::TakeEpisodeReturn() {
+  const std::vector<double> returns = groups_.Gather(actor_->TakeReturns());
+  double sum = 0.0;
+  double count = 0.0;
+  for (std::size_t i = 0; i + 1 < returns.size(); i += 2) {
+    sum += returns[i];
+    count += returns[i + 1];
+  }
+  if (count > 0.0) report_.episode_return = sum / count;
+}
+
 void PpoTraining::AppendReport(Measures* measures) {
+  TakeEpisodeReturn();
+  (*measures)("return", report_.episode_return);
   (*measures)("entropy", report_.entropy);
   (*measures)("kl", report_.kl);
   (*measures)("clip_fraction", report_.clip_fraction);

@@ -50,7 +50,9 @@ class PpoTraining : public Training {
   void SetState(const agent::TensorFile& content, const std::filesystem::path& file) override;
 
  protected:
-  /// How the last update went, and the episodes that ended since the last call, under their names.
+  /// How the last update went, and the mean return, without discount, of the episodes that ended in
+  /// training since the last call in which there were any, under their names. For all processes to
+  /// call.
   void AppendReport(Measures* measures);
   /// Notes for weights, and how returns spread, by which the values in them are normalised; and
   /// back from weights that are gone on from, if they have it. Throws FileError if it is damaged.
@@ -62,6 +64,8 @@ class PpoTraining : public Training {
   sim::WorkerPool* pool() { return &pool_; }
 
  private:
+  void TakeEpisodeReturn();
+
   PpoPlan plan_;
   std::shared_ptr<Peers> peers_;  // or null
   sim::WorkerPool pool_;

@@ -14,6 +14,8 @@
 namespace bulletnav::bench {
 namespace {
 
+constexpr std::size_t kStateNumbers = 6;  // of a lane's state
+
 std::int64_t Wide(std::size_t size) {
   return static_cast<std::int64_t>(size);
 }
@@ -73,7 +75,8 @@ Actor::Actor(PolicyTask* task, ActorCritic* net, sim::WorkerPool* pool, int grou
       hidden_(net->NoMemory(task->lanes())),
       starts_(torch::ones({task->lanes()})),
       episodes_(static_cast<std::size_t>(task->lanes())),
-      steps_(episodes_.size()) {
+      steps_(episodes_.size()),
+      returns_(episodes_.size()) {
   BULLETNAV_CHECK(group >= 1);
   const std::size_t bytes = task->picture_bytes();
   if (bytes > 0 && task->shows_goals())
@@ -249,7 +252,9 @@ Rollout Actor::Play(const PlaySpec& spec, const RunningMoments& moments) {
       const LaneOutcome& outcome = outcomes[i];
       rollout.steps[i].push_back(
           {outcome.reward, values[i], outcome.terminated, outcome.truncated, cut_values[i]});
+      returns_[i].now += static_cast<float>(outcome.reward);
       if (!outcome.is_over()) continue;
+      EndReturn(&returns_[i]);
       rollout.ended.push_back({task_->first_lane() + static_cast<int>(i), episodes_[i],
                                outcome.score, outcome.success, steps_[i] + 1});
     }
@@ -331,23 +336,46 @@ void Actor::LookAtGoal(std::size_t lane) {
                   {goal.data_ptr<std::uint8_t>(), static_cast<std::size_t>(goal.numel())});
 }
 
+void Actor::EndReturn(Return* of_lane) {
+  of_lane->ended += of_lane->now;
+  of_lane->count += 1.0f;
+  of_lane->now = 0.0f;
+}
+
+std::vector<double> Actor::TakeReturns() {
+  std::vector<double> taken;
+  taken.reserve(2 * lanes());
+  for (Return& of_lane : returns_) {
+    taken.push_back(of_lane.ended);
+    taken.push_back(of_lane.count);
+    of_lane.ended = 0.0f;
+    of_lane.count = 0.0f;
+  }
+  return taken;
+}
+
 std::vector<float> Actor::State() const {
   std::vector<float> state;
-  state.reserve(3 * lanes());
+  state.reserve(kStateNumbers * lanes());
   for (std::size_t i = 0; i < lanes(); ++i) {
     state.push_back(static_cast<float>(episodes_[i]));
     state.push_back(static_cast<float>(steps_[i]));
     state.push_back(starts_[Wide(i)].item<float>());
+    state.push_back(returns_[i].now);
+    state.push_back(returns_[i].ended);
+    state.push_back(returns_[i].count);
   }
   return state;
 }
 
 void Actor::SetState(const std::vector<float>& state, const torch::Tensor& hidden) {
-  BULLETNAV_CHECK(state.size() == 3 * lanes());
+  BULLETNAV_CHECK(state.size() == kStateNumbers * lanes());
   for (std::size_t i = 0; i < lanes(); ++i) {
-    episodes_[i] = static_cast<std::uint64_t>(state[3 * i]);
-    steps_[i] = static_cast<std::uint64_t>(state[3 * i + 1]);
-    starts_[Wide(i)] = state[3 * i + 2];
+    const float* of_lane = &state[kStateNumbers * i];
+    episodes_[i] = static_cast<std::uint64_t>(of_lane[0]);
+    steps_[i] = static_cast<std::uint64_t>(of_lane[1]);
+    starts_[Wide(i)] = of_lane[2];
+    returns_[i] = {of_lane[3], of_lane[4], of_lane[5]};
     LookAtGoal(i);
   }
   hidden_ = hidden.clone();

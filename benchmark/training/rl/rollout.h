@@ -74,16 +74,25 @@ class Actor {
   /// rollout does not fit into memory.
   Rollout Play(const PlaySpec& spec, const RunningMoments& moments);
 
+  /// Of each lane the return, without discount, of the episodes that ended since the last call, and
+  /// how many they are: [lanes, 2].
+  std::vector<double> TakeReturns();
+
   /// Of lanes in which the teacher always acts nothing is asked while they play; their memory is
   /// what the update finds.
   void SetHidden(const torch::Tensor& hidden) { hidden_ = hidden.clone(); }
 
-  /// Episodes, steps, starts and memory of the lanes; the task has its own state.
+  /// Episodes, steps, starts, returns and memory of the lanes; the task has its own state.
   torch::Tensor hidden() const { return hidden_; }
   std::vector<float> State() const;
   void SetState(const std::vector<float>& state, const torch::Tensor& hidden);
 
  private:
+  struct Return {
+    float now = 0.0f;    // of the episode that is played
+    float ended = 0.0f;  // of those that ended, all together
+    float count = 0.0f;
+  };
   struct Now;     // what is seen in a step
   struct Record;  // what was seen and done so far
   Now Observe();
@@ -102,6 +111,7 @@ class Actor {
   std::vector<double> ValuesHere(const RunningMoments& moments);
   void Begin(std::size_t lane, std::uint64_t episode);
   void LookAtGoal(std::size_t lane);
+  static void EndReturn(Return* of_lane);
   std::vector<std::int64_t> BeginOver(const std::vector<LaneOutcome>& outcomes);
   std::size_t lanes() const { return episodes_.size(); }
 
@@ -116,6 +126,7 @@ class Actor {
   torch::Tensor goal_codes_;
   std::vector<std::uint64_t> episodes_;
   std::vector<std::uint64_t> steps_;
+  std::vector<Return> returns_;  // as floats, so that a checkpoint keeps them to the bit
   bool has_checked_memory_ = false;
 };
 

@@ -235,6 +235,12 @@ TEST(IntegerPolicy, ActsInTheBodyOfItsTrainingAlone) {
   Rig near;
   near.panorama.max_depth_m = 3.0f;
   EXPECT_THROW(LoadModel(file, near), sim::FileError);
+  Rig wide;
+  wide.body_radius = 0.18f;
+  EXPECT_THROW(LoadModel(file, wide), sim::FileError);
+  Rig short_one;
+  short_one.body_height = 0.88f;
+  EXPECT_THROW(LoadModel(file, short_one), sim::FileError);
   Rig other;
   other.panorama.projection = sim::Projection::kEquirectangular;
   EXPECT_THROW(LoadModel(file, other), sim::FileError);

@@ -47,7 +47,9 @@ agent::Rig RigOf(const Task& task) {
   rig.panorama = task.panorama;
   rig.has_color = task.color;
   rig.has_depth = task.depth;
-  rig.camera_height = static_cast<float>(task.body.camera_height);
+  rig.camera_height = task.body.camera_height;
+  rig.body_radius = task.body.radius;
+  rig.body_height = task.body.height;
   return rig;
 }
 

@@ -88,6 +88,28 @@ TEST(Rollout, ThatDoesNotFitIntoMemoryIsRefusedBeforeItIsPlayed) {
   }
 }
 
+TEST(Rollout, KnowsTheReturnsOfEpisodesThatEnded) {
+  Played played;
+  std::array<double, 4> now = {};  // of the episodes that are played, over all rollouts
+  for (int rollouts = 0; rollouts < 3; ++rollouts) {
+    const Rollout rollout = played.Play(7);
+    std::vector<double> expected(8);
+    for (std::size_t lane = 0; lane < 4; ++lane) {
+      for (const LaneStep& step : rollout.steps[lane]) {
+        now[lane] += step.reward;
+        if (!step.terminated && !step.truncated) continue;
+        expected[2 * lane] += now[lane];
+        expected[2 * lane + 1] += 1.0;
+        now[lane] = 0.0;
+      }
+    }
+    // A checkpoint keeps them.
+    played.actor.SetState(played.actor.State(), played.actor.hidden());
+    EXPECT_EQ(played.actor.TakeReturns(), expected);
+    EXPECT_EQ(played.actor.TakeReturns()[1], 0.0);
+  }
+}
+
 torch::Tensor AllLanes() {
   return torch::arange(0, 4, torch::kInt64);
 }
