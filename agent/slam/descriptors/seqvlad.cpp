@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "agent/integer/integer_functions.h"
+#include "agent/integer/quantised_file.h"
 #include "agent/slam/descriptors/weight_steps.h"
 #include "sim/base/check.h"
 
@@ -17,6 +18,23 @@ constexpr int kShareSteps = 1 << 24;
 constexpr int kAssignSteps = 1 << 12;
 constexpr int kProjectionSteps = 1 << 14;
 
+/// The numbers of the rows that a file holds in 8 bits.
+TensorFile Widened(const TensorFile& weights, const std::filesystem::path& file) {
+  const QuantisedNet net = ReadQuantised(weights, file);
+  const QuantisedLayer& layer = MadeOfIntegers(file, "train the descriptor again", [&] {
+    return net.Layer(kProjection);
+  });
+  TensorFile::Tensor wide{{layer.outputs, std::int64_t{layer.segments} * layer.inputs}, {}};
+  wide.values.reserve(layer.weights.size());
+  const std::size_t row = layer.weights.size() / static_cast<std::size_t>(layer.outputs);
+  for (std::size_t i = 0; i < layer.weights.size(); ++i) {
+    wide.values.push_back(static_cast<float>(layer.weights[i]) * layer.scale[i / row]);
+  }
+  TensorFile content;
+  content.tensors[kProjection] = std::move(wide);
+  return content;
+}
+
 }  // namespace
 
 SeqVlad::SeqVlad(const TensorFile& weights, const std::filesystem::path& file)
@@ -25,8 +43,10 @@ SeqVlad::SeqVlad(const TensorFile& weights, const std::filesystem::path& file)
   assign_ = WeightSteps(weights, "assign", clusters, kAssignSteps, file);
   centres_ = WeightSteps(weights, "centres", clusters, kDescriptorUnit, file);
   mean_ = WeightSteps(weights, "mean", {config_.whole()}, kDescriptorUnit, file);
-  projection_ =
-      WeightSteps(weights, "projection", {config_.size, config_.whole()}, kProjectionSteps, file);
+  const std::vector<std::int64_t> projection = {config_.size, config_.whole()};
+  const bool is_wide = weights.tensors.contains(kProjection);
+  projection_ = WeightSteps(is_wide ? weights : Widened(weights, file), kProjection, projection,
+                            kProjectionSteps, file);
 }
 
 void SeqVlad::Add(std::span<const std::uint8_t> cells, Sum* sum) const {

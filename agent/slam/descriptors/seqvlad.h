@@ -11,11 +11,15 @@
 
 namespace bulletnav::agent {
 
+/// The tensor that principal components are in.
+inline constexpr const char* kProjection = "projection";
+
 /// Describes sequences by what their pictures' cells differ from the middles of clusters by, each
 /// cell sharing itself out among clusters; then principal components. Cells are directions, what
 /// clusters have in sum is made one long each, and so is the whole. The number of pictures does not
 /// matter. All in whole numbers, rounded from the weights: the same bytes on every processor.
-/// Tensors "assign" and "centres" [clusters, channels], "mean" [whole], "projection" [size, whole].
+/// Tensors "assign" and "centres" [clusters, channels], "mean" [whole], "projection" [size, whole];
+/// the last also as a layer in 8 bits, which is half as large.
 /// Source: Mereu et al., "Learning sequential descriptors for sequence-based visual place
 /// recognition", RA-L 2022; Arandjelovic et al., "NetVLAD", CVPR 2016.
 class SeqVlad final : public SequenceModel {

@@ -6,9 +6,11 @@
 #include <cmath>
 #include <utility>
 
+#include "agent/integer/quantised_file.h"
 #include "agent/models/safetensors.h"
 #include "agent/perception/layers.h"
 #include "agent/perception/weights.h"
+#include "agent/slam/descriptors/seqvlad.h"
 #include "agent/slam/topology/clusters.h"
 #include "sim/base/elementary.h"
 #include "sim/config/yaml_writer.h"
@@ -20,6 +22,27 @@ constexpr double kLeastLength = 1e-6;
 /// How much more of a cell its nearest cluster gets than the next one, on the mean. Source:
 /// NetVLAD's released code.
 constexpr double kNearestShare = 100.0;
+constexpr float kLargestByte = 127.0f;
+
+/// Rows in 8 bits, each with a step of its own.
+agent::QuantisedLayer InBytes(const torch::Tensor& rows) {
+  agent::QuantisedLayer layer;
+  layer.outputs = static_cast<int>(rows.size(0));
+  layer.inputs = static_cast<int>(rows.size(1));
+  layer.bias.resize(static_cast<std::size_t>(rows.size(0)));
+  layer.weights.reserve(static_cast<std::size_t>(rows.numel()));
+  for (std::int64_t i = 0; i < rows.size(0); ++i) {
+    const torch::Tensor row = rows[i].contiguous();
+    const float most = row.abs().max().item<float>();
+    const float step = most > 0.0f ? most / kLargestByte : 1.0f;
+    layer.scale.push_back(step);
+    for (const float value :
+         std::span(row.data_ptr<float>(), static_cast<std::size_t>(row.numel()))) {
+      layer.weights.push_back(static_cast<std::int16_t>(std::lround(value / step)));
+    }
+  }
+  return layer;
+}
 
 }  // namespace
 
@@ -93,7 +116,9 @@ void SaveSeqVlad(const SeqVladNet& net, const MainDirections& directions,
   content.metadata = std::move(notes);
   agent::AppendWeights(net, "", &content);
   content.tensors["mean"] = agent::ToStored(directions.mean);
-  content.tensors["projection"] = agent::ToStored(directions.projection);
+  agent::QuantisedNet bytes;
+  bytes.layers[agent::kProjection] = InBytes(directions.projection);
+  agent::SetQuantised(bytes, &content);
   agent::WriteTensorFile(file, content, agent::StoredType::kBfloat16);
 }
 

@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "agent/integer/quantised_file.h"
 #include "sim/base/error.h"
 #include "sim/math/rng.h"
 
@@ -111,6 +112,36 @@ TEST(SeqVlad, IsTheFormula) {
       EXPECT_NEAR(told[i] / static_cast<double>(kDescriptorUnit), expected[i], 2e-3) << i;
     }
   }
+}
+
+TEST(SeqVlad, HasItsProjectionInBytesToo) {
+  TensorFile weights = SomeWeights();
+  const SeqVlad wide(weights, "test");
+  QuantisedNet bytes;
+  QuantisedLayer& layer = bytes.layers[kProjection];
+  layer.outputs = kSize;
+  layer.inputs = kWhole;
+  layer.bias.resize(kSize);
+  layer.scale.assign(kSize, 0.004f);
+  for (const float value : weights.tensors.at(kProjection).values) {
+    layer.weights.push_back(static_cast<std::int16_t>(
+        std::clamp(std::nearbyint(value / layer.scale.front()), -127.0f, 127.0f)));
+  }
+  weights.tensors.erase(kProjection);
+  SetQuantised(bytes, &weights);
+  const SeqVlad narrow(weights, "test");
+  for (std::uint64_t seed = 0; seed < 4; ++seed) {
+    const auto cells = Cells(12, seed);
+    EXPECT_GT(Cosine(Described(narrow, cells), Described(wide, cells)), 0.999) << seed;
+  }
+  layer.inputs = kWhole / 2;
+  layer.outputs = 2 * kSize;
+  layer.scale.resize(2 * kSize, 0.004f);
+  layer.bias.resize(2 * kSize);
+  SetQuantised(bytes, &weights);
+  EXPECT_THROW(SeqVlad(weights, "bad.safetensors"), sim::FileError);
+  SetQuantised({}, &weights);
+  EXPECT_THROW(SeqVlad(weights, "bad.safetensors"), sim::FileError);
 }
 
 TEST(SeqVlad, KnowsNeitherOrderNorNumberOfPictures) {
