@@ -36,6 +36,13 @@ TEST(PerceptionConfig, ShippedOneIsOfTheTestHouses) {
   EXPECT_EQ(config.data.houses->split, "test");
 }
 
+TEST(PerceptionConfig, ShippedOneOfRealScenesTakesAFolder) {
+  const auto config = sim::LoadYaml<PerceptionConfig>(std::filesystem::path(BULLETNAV_CONFIGS) /
+                                                      "perception_real.yaml");
+  EXPECT_EQ(config.data.scenes, std::vector<std::string>{"data/real_scenes"});
+  EXPECT_TRUE(config.data.import.ground_plane);
+}
+
 TEST(PerceptionConfig, ShippedOneToQuantiseByHasHousesOfItsOwn) {
   const auto config =
       sim::LoadYaml<PerceptionConfig>(std::filesystem::path(BULLETNAV_CONFIGS) / "quantise.yaml");

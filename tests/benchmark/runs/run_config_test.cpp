@@ -155,8 +155,9 @@ TEST(RunConfig, EveryShippedOneLoads) {
     const bool is_run =
         file.extension() == ".yaml" && file.string().find("/configs/train/") == std::string::npos &&
         file.string().find("/configs/slam/") == std::string::npos &&
-        !file.filename().string().starts_with("episodes") && file.stem() != "perception" &&
-        file.stem() != "quantise" && file.stem() != "evaluate_policy" && file.stem() != "stitch";
+        !file.filename().string().starts_with("episodes") &&
+        !file.filename().string().starts_with("perception") && file.stem() != "quantise" &&
+        file.stem() != "evaluate_policy" && file.stem() != "stitch";
     if (!is_run) continue;
     ++count;
     const RunConfig config = LoadRunConfig(file);
