@@ -2,6 +2,7 @@
 #include "agent/slam/descriptors/descriptor_net.h"
 
 #include <algorithm>
+#include <string>
 #include <vector>
 
 #include "agent/perception/encoder.h"
@@ -57,6 +58,16 @@ void DescriptorNet::Fold() {
 
 void DescriptorNet::StartFrom(const std::filesystem::path& weights) {
   const TensorFile content = ReadTensorFile(weights);
+  if (content.metadata.contains(kDescriptorKey)) {
+    const DescriptorConfig own = DescriptorConfigOf(content, weights);
+    if (own.width != config_.width || own.size != config_.size) {
+      throw sim::FileError(weights, "",
+                           "is of a descriptor of another width or size; set 'model' to " +
+                               std::to_string(own.width) + " and " + std::to_string(own.size));
+    }
+    SetWeights(content, "", weights, this);
+    return;
+  }
   const ModelConfig model = ModelConfigOf(content, weights);
   if (model.width != config_.width || model.uses_depth()) {
     throw sim::FileError(weights, "",

@@ -27,8 +27,9 @@ class DescriptorNet : public torch::nn::Module {
   /// For inference only: see ConvNorm::Fold.
   void Fold();
 
-  /// Takes the trunk of a semantic model, trained on panoramas of colour, of the same width. Throws
-  /// FileError if the weights are of another kind or width.
+  /// Takes the trunk of a semantic model, trained on panoramas of colour, of the same width; or all
+  /// of a descriptor's of the same shape. Throws FileError if the weights are of another kind or
+  /// shape, or in integers alone.
   void StartFrom(const std::filesystem::path& weights);
 
  private:

@@ -105,7 +105,8 @@ struct PlaceTrainConfig : TrainPlan {
   std::optional<PlaceDataConfig> data;
   std::optional<PlaceDataConfig> validation;  // default: the houses' split "val"
   agent::DescriptorConfig model;
-  /// Weights of a semantic model of colour whose trunk the training starts from; empty: at random.
+  /// Weights of a semantic model of colour whose trunk the training starts from, or of a descriptor
+  /// that it goes on from; empty: at random.
   std::string start_from;
   SimilarityLossSpec loss;
   std::optional<PictureAugmentSpec> augment;  // absent: pictures as they were drawn

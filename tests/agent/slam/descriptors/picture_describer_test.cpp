@@ -122,6 +122,29 @@ TEST_F(PictureDescriberTest, ComesBackFromAFile) {
             expected.DescribeShrunk(Shrunk(3)));
 }
 
+TEST_F(PictureDescriberTest, TrainingsGoOnFromItsWeights) {
+  const auto file = folder_.path() / "descriptor.safetensors";
+  SaveDescriptor(net_, {}, StoredType::kFloat32, file);
+  DescriptorNet next(Small(), 77);
+  next.eval();
+  next.StartFrom(file);
+  const torch::NoGradGuard no_grad;
+  EXPECT_TRUE(at::equal(next.forward(Inputs(3)), net_.forward(Inputs(3))));
+
+  AddQuantised(Quantise(net_, Inputs(4)), file, file);
+  EXPECT_NO_THROW(next.StartFrom(file));
+  KeepIntegersAlone(file, file);
+  EXPECT_THROW(next.StartFrom(file), sim::FileError);
+  DescriptorConfig other = Small();
+  other.size *= 2;
+  SaveDescriptor(DescriptorNet(other, 1), {}, StoredType::kFloat32, file);
+  EXPECT_THAT(
+      [&] {
+        next.StartFrom(file);
+      },
+      ThrowsMessage<sim::FileError>(HasSubstr("of another width or size")));
+}
+
 TEST_F(PictureDescriberTest, OtherWeightsAreRefused) {
   const auto file = folder_.path() / "other.safetensors";
   TensorFile content;
