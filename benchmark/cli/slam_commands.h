@@ -8,8 +8,10 @@ namespace bulletnav::bench {
 
 /// Adds "traverse" to the "slam" command.
 void AddSlamTraverseCommand(CLI::App* slam);
-/// Draws a run's pictures into its folder's plots/. Throws sim::FileError.
-void DrawSlamRun(const std::filesystem::path& folder);
+/// All pictures of a run, or only the charts of all its drives together.
+enum class SlamPictures { kAll, kCharts };
+/// Draws them into the folder's plots/. Throws sim::FileError.
+void DrawSlamRun(const std::filesystem::path& folder, SlamPictures pictures);
 
 /// Adds "import" and "export".
 void AddSlamImportCommand(CLI::App* slam);

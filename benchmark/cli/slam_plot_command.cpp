@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Pictures of a run of slam. It is in bulletnav-slam.so; see slam.h.
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -43,6 +44,14 @@ DrivePicture PictureOf(const SlamConfig& config, const fs::path& folder) {
         {detector.name, ReadPoses(folder, detector.name), ReadLoops(folder, detector.name)});
   }
   return picture;
+}
+
+/// Whether a drive has the lists of pairs that its detectors took for loops.
+bool KeepsLoops(const SlamConfig& config, const fs::path& place) {
+  return std::all_of(config.detectors.begin(), config.detectors.end(),
+                     [&](const DetectorEntry& detector) {
+                       return fs::exists(place / (detector.name + ".csv"));
+                     });
 }
 
 /// Counts a drive's accepted loops.
@@ -121,7 +130,7 @@ class ScenePlans {
 
 }  // namespace
 
-void DrawSlamRun(const fs::path& folder) {
+void DrawSlamRun(const fs::path& folder, SlamPictures pictures) {
   const SlamConfig config = ReadSlamRun(folder);
   const auto results = ReadSlamResults(config, folder);
   const fs::path plots = folder / "plots";
@@ -129,11 +138,18 @@ void DrawSlamRun(const fs::path& folder) {
   WriteFigure(HeadingFigure(config, results), plots / "headings");
   std::size_t drawn = 2;
   std::size_t bare = 0;
+  std::size_t without_loops = 0;
   std::vector<HeadingCounts> headings(config.detectors.size());
   for (std::size_t i = 0; i < headings.size(); ++i) headings[i].name = config.detectors[i].name;
   ScenePlans plans(config);
   for (const Drive& drive : DrivesDone(config, folder)) {
     const fs::path place = DriveFolder(folder, drive.name);
+    if (KeepsLoops(config, place)) {
+      CountHeadings(config, place, &headings);
+    } else {
+      ++without_loops;
+    }
+    if (pictures == SlamPictures::kCharts) continue;
     if (!fs::exists(place / "odometry.tum")) {
       ++bare;
       continue;
@@ -141,27 +157,37 @@ void DrawSlamRun(const fs::path& folder) {
     const std::optional<SceneMap>& map = plans.Of(drive);
     WriteFigure(DriveFigure(PictureOf(config, place), map), plots / drive.name);
     drawn += 1 + DrawFrames(config, place, plots / drive.name, map);
-    CountHeadings(config, place, &headings);
   }
-  if (bare == 0) {
+  if (without_loops == 0) {
     WriteFigure(HeadingHistogram(headings), plots / "loops_by_heading");
     ++drawn;
   } else {
     fmt::print(stderr,
-               "note: {} of {} drives keep their figures alone, so that trajectories and loops by "
-               "heading are not drawn\n",
+               "note: {} of {} drives do not keep their pairs, so that loops by heading "
+               "are not drawn\n",
+               without_loops, results.size());
+  }
+  if (bare > 0) {
+    fmt::print(stderr,
+               "note: {} of {} drives do not keep their trajectories, so that these are "
+               "not drawn\n",
                bare, results.size());
   }
   fmt::print(stderr, "{} in {}\n", Counted(drawn, "picture"), plots.string());
 }
 
 void AddSlamPlotCommand(CLI::App* slam) {
-  auto folder = std::make_shared<fs::path>();
+  struct Options {
+    fs::path folder;
+    bool charts = false;
+  };
+  auto options = std::make_shared<Options>();
   CLI::App* command = slam->add_subcommand(
       "plot", "Draw a run's precision over recall, loops by heading, and trajectories");
-  command->add_option("run", *folder, "Folder of results of slam run")->required();
-  command->callback([folder] {
-    DrawSlamRun(*folder);
+  command->add_option("run", options->folder, "Folder of results of slam run")->required();
+  command->add_flag("--charts", options->charts, "Only what is of all drives together");
+  command->callback([options] {
+    DrawSlamRun(options->folder, options->charts ? SlamPictures::kCharts : SlamPictures::kAll);
   });
 }
 

@@ -44,7 +44,7 @@ void RunAndShow(SlamRunCommandOptions options) {
   options.run.progress = StartLine;
   const std::vector<DriveResult> results = RunSlam(config, folder, options.run);
   ShowTables(config, results, folder);
-  if (!options.no_plots) DrawSlamRun(folder);
+  if (!options.no_plots) DrawSlamRun(folder, SlamPictures::kAll);
   fmt::print(stderr, "results: {}\n", folder.string());
 }
 
