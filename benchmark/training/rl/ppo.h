@@ -52,8 +52,6 @@ struct PpoReport {
   double first_ratio_error = 0.0;  // mean |ratio - 1| of the first minibatch: rounding alone
   double first_clip_fraction = 0.0;
   double explained_variance = 0.0;  // of the returns, by the values before the update
-  /// Not of the update: of the episodes that ended before it, as the policy played them to learn.
-  double episode_return = 0.0;
 };
 
 /// What an update works with beside the rollout.

@@ -25,13 +25,13 @@ Numbers Kept(RunningMoments* moments) {
 }
 
 /// And those of a checkpoint.
-Numbers Kept(RunningMoments* moments, PpoReport* report) {
+Numbers Kept(RunningMoments* moments, PpoReport* report, double* episode_return) {
   Numbers all = Kept(moments);
   all.insert(all.end(), {{"report.entropy", &report->entropy},
                          {"report.kl", &report->kl},
                          {"report.clip_fraction", &report->clip_fraction},
                          {"report.explained_variance", &report->explained_variance},
-                         {"report.return", &report->episode_return}});
+                         {"report.return", episode_return}});
   return all;
 }
 
@@ -82,9 +82,7 @@ double PpoTraining::Learn(const TrainStep& step) {
   const Rollout rollout = actor_->Play(play, moments_);
   const std::uint64_t seed = sim::MixSeed(plan_.seed, static_cast<std::uint64_t>(step.step));
   const PpoStep update = {step.optimiser, step.rate, seed, step.step < plan_.ppo.value_first};
-  const double last_return = report_.episode_return;
   report_ = LearnFrom(rollout, plan_.ppo, update, &groups_, net_.get(), &moments_);
-  report_.episode_return = last_return;
   return report_.loss;
 }
 
@@ -97,12 +95,12 @@ void PpoTraining::TakeEpisodeReturn() {
     sum += returns[i];
     count += returns[i + 1];
   }
-  if (count > 0.0) report_.episode_return = sum / count;
+  if (count > 0.0) episode_return_ = sum / count;
 }
 
 void PpoTraining::AppendReport(Measures* measures) {
   TakeEpisodeReturn();
-  (*measures)("return", report_.episode_return);
+  (*measures)("return", episode_return_);
   (*measures)("entropy", report_.entropy);
   (*measures)("kl", report_.kl);
   (*measures)("clip_fraction", report_.clip_fraction);
@@ -122,13 +120,14 @@ void PpoTraining::AppendState(agent::TensorFile* content) const {
   AppendLanes({task_.get(), actor_.get(), peers_.get()}, content);
   RunningMoments moments = moments_;
   PpoReport report = report_;
-  Write(Kept(&moments, &report), &content->metadata);
+  double episode_return = episode_return_;
+  Write(Kept(&moments, &report, &episode_return), &content->metadata);
 }
 
 void PpoTraining::SetState(const agent::TensorFile& content, const std::filesystem::path& file) {
   SetLanes(content, file, {task_.get(), actor_.get(), peers_.get()});
   Read(content.metadata, file, "this is not a checkpoint of PPO; remove it",
-       Kept(&moments_, &report_));
+       Kept(&moments_, &report_, &episode_return_));
 }
 
 std::map<std::string, std::string> PpoTraining::WithReturns(

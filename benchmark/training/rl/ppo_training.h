@@ -75,6 +75,7 @@ class PpoTraining : public Training {
   std::unique_ptr<Actor> actor_;
   RunningMoments moments_;
   PpoReport report_;
+  double episode_return_ = 0.0;  // see AppendReport
 };
 
 }  // namespace bulletnav::bench
