@@ -19,11 +19,16 @@ sim::SimulatorSpec Quiet() {
   return spec;
 }
 
+/// Active Neural SLAM with goals at random, which need no trained policy.
 tests::TrialResult Play(const sim::SceneMesh& mesh, const tests::Trial& trial,
                         const std::string& agent) {
   const auto world = sim::World::FromMesh(mesh, "place");
   sim::Simulator simulator(world, Quiet());
-  return tests::RunTrial(&simulator, trial, ConfigureAgent(agent));
+  const AgentMaker maker =
+      agent == "active_neural_slam"
+          ? ConfigureAgent(agent, sim::ParseYaml("random_goal: true", "stuck_test"))
+          : ConfigureAgent(agent);
+  return tests::RunTrial(&simulator, trial, maker);
 }
 
 /// Walls of a place x in [0, width], z in [-depth, 0] from `low` to 2.6 m.
@@ -101,7 +106,9 @@ TEST_P(Stuck, GoesRoundACounterToAGoalBehindIt) {
   EXPECT_LT(result.path_length, 40.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Agents, Stuck, testing::Values("nts", "nts_paper", "metric_map_fbe"));
+INSTANTIATE_TEST_SUITE_P(Agents, Stuck,
+                         testing::Values("nts", "nts_paper", "metric_map_fbe",
+                                         "active_neural_slam"));
 
 }  // namespace
 }  // namespace bulletnav::agent
