@@ -9,6 +9,9 @@ namespace bulletnav::agent {
 
 /// Where the metadata of a file of weights hold a DescriptorConfig, as YAML.
 inline constexpr const char* kDescriptorKey = "descriptor";
+/// Where the metadata of weights that were learned from what a descriptor's network sees hold the
+/// hash of that network's file.
+inline constexpr const char* kDescriptorHashKey = "descriptor_hash";
 
 /// The shape of the network that describes flat pictures; goes with its weights.
 struct DescriptorConfig {

@@ -9,15 +9,13 @@
 #include <optional>
 #include <utility>
 
-#include "agent/slam/descriptors/seqnet_filter.h"
-#include "agent/slam/descriptors/seqvlad.h"
-#include "benchmark/base/shipped_file.h"
 #include "benchmark/privileged/visibility.h"
 #include "benchmark/slam/runs/drive_frames.h"
 #include "benchmark/slam/runs/drive_traces.h"
 #include "benchmark/slam/runs/frame_eye.h"
 #include "benchmark/slam/runs/measure_drive.h"
 #include "benchmark/slam/runs/measure_stages.h"
+#include "benchmark/slam/runs/slam_weights.h"
 #include "benchmark/slam/runs/travel.h"
 #include "sim/base/error.h"
 
@@ -25,30 +23,6 @@ namespace bulletnav::bench {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-// What trains the weights that a config names.
-constexpr const char* kDescriptors = "place.yaml";
-constexpr const char* kPlaces = "nts_rgbd_wide.yaml";
-constexpr const char* kSequences = "seqvlad.yaml, or seqvlad_lengths.yaml";
-constexpr const char* kFilter = "seqnet.yaml";
-
-/// The file. Throws sim::FileError if it is not there.
-std::filesystem::path Weights(const std::optional<std::string>& name, const char* trained_by) {
-  const auto file = FindShipped(*name);
-  if (file) return *file;
-  throw sim::FileError(
-      *name, "",
-      std::string("is not there; train it: ./bulletnav train configs/train/") + trained_by);
-}
-
-/// All weights that a config names, with pictures of a kind.
-void CheckWeights(const SlamConfig& config, const CameraLens& lens) {
-  if (config.descriptors) Weights(config.descriptors, kDescriptors);
-  if (config.places) Weights(config.places, kPlaces);
-  if (config.sequences) agent::LoadSeqVlad(Weights(config.sequences, kSequences));
-  if (config.filter) agent::LoadSeqNetFilter(Weights(config.filter, kFilter));
-  const FrameEye eye(config, lens);
-}
 
 /// A detector at work.
 struct RunningDetector {
@@ -73,9 +47,9 @@ class DrivePlay {
       : config_(config),
         source_(config, drive),
         eye_(config, source_.lens()),
-        travel_(config.apart_m) {
-    if (config.sequences) sequences_ = agent::LoadSeqVlad(Weights(config.sequences, kSequences));
-    if (config.filter) filter_ = agent::LoadSeqNetFilter(Weights(config.filter, kFilter));
+        travel_(config.apart_m),
+        sequences_(LoadSequences(config)),
+        filter_(LoadFilter(config)) {
     played_.result.drive = drive.name;
     played_.result.scene = drive.scene;
     played_.result.actions = drive.actions;
@@ -275,13 +249,14 @@ class DrivePlay {
 }  // namespace
 
 void CheckDrives(const SlamConfig& config, std::span<const Drive> drives) {
+  CheckWeights(config);
   bool has_scene = false;
   for (const Drive& drive : drives) {
     if (drive.is_recording) {
-      CheckWeights(config, DriveSource(config, drive).lens());
+      const FrameEye eye(config, DriveSource(config, drive).lens());
     } else if (!has_scene) {
       has_scene = true;
-      CheckWeights(config, LensOf(TraversalOf(config, 0, 0)));
+      const FrameEye eye(config, LensOf(TraversalOf(config, 0, 0)));
     }
   }
 }

@@ -80,6 +80,7 @@ void SeqNetTraining::Save(std::map<std::string, std::string> notes,
                           const std::filesystem::path& file) const {
   const torch::NoGradGuard no_grad;
   agent::StayInThisThread();
+  NoteDescriptor(&notes);
   SaveSeqNet(net_, config_.model, std::move(notes), file);
 }
 

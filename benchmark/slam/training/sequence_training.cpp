@@ -9,6 +9,8 @@
 #include <fmt/core.h>
 
 #include "agent/perception/one_thread.h"
+#include "agent/slam/descriptors/descriptor_config.h"
+#include "benchmark/base/file_hash.h"
 #include "benchmark/base/ranking.h"
 #include "benchmark/base/shipped_file.h"
 #include "sim/base/error.h"
@@ -68,7 +70,8 @@ SequenceWalks SequenceTraining::MakeWalks(const SequencePlan& plan, const TrainC
     throw sim::KeyError("data", "there is no block 'data'; see configs/train/seqvlad.yaml");
   }
   return {WalksThrough(*plan.data, plan.walk_scenes, plan.walks, plan, context),
-          WalksThrough(ValidationOf(plan), 0, 1, plan, context)};
+          WalksThrough(ValidationOf(plan), 0, 1, plan, context),
+          FileHash(ShippedOr(plan.descriptor))};
 }
 
 SequenceTraining::SequenceTraining(const SequencePlan& plan, const SequenceLengths& lengths,
@@ -79,6 +82,12 @@ SequenceTraining::SequenceTraining(const SequencePlan& plan, const SequenceLengt
     for (const SequenceWalk& walk : *some) {
       if (walk.frames <= 2 * lengths_.longest) throw sim::Error("walks are too short");
     }
+  }
+}
+
+void SequenceTraining::NoteDescriptor(std::map<std::string, std::string>* notes) const {
+  if (!walks_.descriptor_hash.empty()) {
+    (*notes)[agent::kDescriptorHashKey] = walks_.descriptor_hash;
   }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -64,6 +65,7 @@ struct SequenceLengths {
 struct SequenceWalks {
   std::vector<SequenceWalk> train;
   std::vector<SequenceWalk> validation;
+  std::string descriptor_hash;  // FileHash of the network that saw them; empty: not known
 };
 
 /// A training of a descriptor of sequences on what a trained network sees on walks: sequences whose
@@ -97,6 +99,8 @@ class SequenceTraining : public Training {
   Measures MeasuresOf(const InIntegers& describe) const;
 
   const SequenceWalks& walks() const { return walks_; }
+  /// Says whose descriptors the weights belong to.
+  void NoteDescriptor(std::map<std::string, std::string>* notes) const;
   /// A window of a length that is learned from.
   Window DrawWindow(const SequenceWalk& walk, sim::Rng* rng) const;
 

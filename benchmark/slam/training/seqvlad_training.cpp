@@ -89,6 +89,7 @@ void SeqVladTraining::Save(std::map<std::string, std::string> notes,
                            const std::filesystem::path& file) const {
   const torch::NoGradGuard no_grad;
   agent::StayInThisThread();
+  NoteDescriptor(&notes);
   SaveSeqVlad(net_, Directions(), std::move(notes), file);
 }
 
