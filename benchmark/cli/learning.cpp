@@ -9,7 +9,7 @@ namespace bulletnav::bench {
 namespace {
 
 constexpr ProgramLibrary kLibrary = {"bulletnav-learning.so", "learning", "BULLETNAV_LEARNING",
-                                     RTLD_GLOBAL};
+                                     "train", RTLD_GLOBAL};
 
 /// OpenBLAS reads these when it is loaded. Its threads only get in the way of ours. Debian 12's
 /// takes processors that are newer than it for ones without AVX-512.

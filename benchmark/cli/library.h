@@ -10,10 +10,11 @@ namespace bulletnav::bench {
 
 /// A library beside the program that is loaded when it is asked for, and stays.
 struct ProgramLibrary {
-  const char* file;    // its name, as "bulletnav-slam.so"
-  const char* what;    // it is for, as "SLAM"
-  const char* option;  // of CMake, without which it is not built
-  int mode;            // RTLD_GLOBAL or RTLD_LOCAL: who sees its names
+  const char* file;     // its name, as "bulletnav-slam.so"
+  const char* what;     // it is for, as "SLAM"
+  const char* option;   // of CMake, without which it is not built
+  const char* command;  // of the launcher that builds it in a checkout
+  int mode;             // RTLD_GLOBAL or RTLD_LOCAL: who sees its names
 };
 
 /// Throws sim::Error if the program was built without it, FileError if it cannot be loaded.

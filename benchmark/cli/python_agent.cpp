@@ -21,7 +21,7 @@ namespace {
 
 // Extension modules of Python look for libpython among what everybody sees.
 constexpr ProgramLibrary kLibrary = {python::kPythonLibrary, "agents in Python", "BULLETNAV_PYTHON",
-                                     RTLD_GLOBAL};
+                                     "run", RTLD_GLOBAL};
 
 nlohmann::json ToJson(const YAML::Node& node) {
   if (node.IsMap()) {

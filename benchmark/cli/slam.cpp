@@ -6,7 +6,8 @@
 namespace bulletnav::bench {
 namespace {
 
-constexpr ProgramLibrary kLibrary = {"bulletnav-slam.so", "SLAM", "BULLETNAV_SLAM", RTLD_LOCAL};
+constexpr ProgramLibrary kLibrary = {"bulletnav-slam.so", "SLAM", "BULLETNAV_SLAM", "slam",
+                                     RTLD_LOCAL};
 
 }  // namespace
 
