@@ -132,6 +132,10 @@ void AddGenerateCommand(CLI::App* scenes) {
       ->needs(kind);
   command->add_option("--set", options->file, "A YAML file of kinds, splits and counts instead")
       ->excludes(kind);
+  command
+      ->add_option("--refurnished", options->set.refurnished.share,
+                   "Share of the rooms that is furnished anew: the same houses, years later")
+      ->check(CLI::Range(0.0, 1.0));
   command->add_option("--out", options->out, "Folder to write to")->capture_default_str();
   command->add_option("--workers", options->set.workers, "Threads; 0: one per processor")
       ->check(CLI::Range(0, 1024))

@@ -13,7 +13,8 @@ using sim::KeyError;
 sim::HouseSetSpec SetOf(const HousesSpec& houses) {
   return {.count = houses.count,
           .first_seed = houses.first_seed,
-          .parts = houses.parts.value_or(std::vector<sim::SetPart>())};
+          .parts = houses.parts.value_or(std::vector<sim::SetPart>()),
+          .refurnished = houses.refurnished.value_or(sim::Refurnish())};
 }
 
 }  // namespace

@@ -23,6 +23,7 @@ struct HousesSpec {
   int count = 86;
   std::uint64_t first_seed = 0;
   std::optional<std::vector<sim::SetPart>> parts = {};  // instead of `count` homes
+  std::optional<sim::Refurnish> refurnished = {};  // the same houses, some rooms furnished anew
 
   template <class V>
   void Visit(V& v) {
@@ -30,6 +31,7 @@ struct HousesSpec {
     v("count", count);
     v("first_seed", first_seed);
     v("parts", parts);
+    v("refurnished", refurnished);
   }
   void Validate() const;
 };

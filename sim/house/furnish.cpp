@@ -53,14 +53,16 @@ void FurnishHomeRoom(RoomType type, placing::RoomFurnisher* room) {
 
 std::vector<Furnishing> FurnishRooms(const FloorPlan& plan, const HouseStyle& style,
                                      void (*furnish)(RoomType, placing::RoomFurnisher*),
-                                     const Rng& rng, MeshBuilder* builder) {
+                                     const Rng& rng, MeshBuilder* builder,
+                                     const Refurnish& refurnish) {
   BULLETNAV_CHECK_EQ(plan.rooms.size(), style.rooms.size());
+  const std::vector<Rng> rngs = RoomRngs(rng, static_cast<int>(plan.rooms.size()), refurnish);
   std::vector<Furnishing> furniture;
   for (std::size_t i = 0; i < plan.rooms.size(); ++i) {
     const int room = static_cast<int>(i);
     placing::RoomSpace space(plan, style, room);
-    placing::RoomFurnisher furnisher(&space, style.rooms[i], rng.Fork("room", i), builder);
-    furnisher.SetCommonRng(rng.Fork("common"));
+    placing::RoomFurnisher furnisher(&space, style.rooms[i], rngs[i].Fork("room", i), builder);
+    furnisher.SetCommonRng(rngs[i].Fork("common"));
     furnish(plan.rooms[i].type, &furnisher);
     for (const placing::Placed& placed : furnisher.placed()) {
       furniture.push_back(Told(placed, room));

@@ -7,6 +7,7 @@
 #include "sim/house/furnishing.h"
 #include "sim/house/house_style.h"
 #include "sim/house/mesh_builder.h"
+#include "sim/house/refurnish.h"
 #include "sim/math/rng.h"
 
 namespace bulletnav::sim {
@@ -27,11 +28,13 @@ std::vector<std::vector<std::string_view>> FurnishHouse(const FloorPlan& plan,
                                                         const HouseStyle& style, const Rng& rng,
                                                         MeshBuilder* builder);
 
-/// Furnishes every room by what `furnish` does with one of its type; else as FurnishHouse. Returns
-/// what stands or hangs in the rooms, in the order of rooms and then of placing.
+/// Furnishes every room by what `furnish` does with one of its type, some of them anew; else as
+/// FurnishHouse. Returns what stands or hangs in the rooms, in the order of rooms and then of
+/// placing.
 std::vector<Furnishing> FurnishRooms(const FloorPlan& plan, const HouseStyle& style,
                                      void (*furnish)(RoomType, placing::RoomFurnisher*),
-                                     const Rng& rng, MeshBuilder* builder);
+                                     const Rng& rng, MeshBuilder* builder,
+                                     const Refurnish& refurnish = {});
 
 /// What homes have in a room of a type.
 void FurnishHomeRoom(RoomType type, placing::RoomFurnisher* room);

@@ -8,7 +8,7 @@
 namespace bulletnav::sim {
 
 House GenerateHouse(std::uint64_t seed, TextureCache* textures, const PlanOptions& plan,
-                    const LightSpec& light) {
+                    const LightSpec& light, const Refurnish& refurnish) {
   const Rng rng(seed, "house");
   House house;
   house.seed = seed;
@@ -16,8 +16,8 @@ House GenerateHouse(std::uint64_t seed, TextureCache* textures, const PlanOption
   house.style = DrawHouseStyle(house.plan, rng.Fork("style"));
   MeshBuilder builder;
   BuildArchitecture(house.plan, house.style, &builder);
-  house.furniture =
-      FurnishRooms(house.plan, house.style, FurnishHomeRoom, rng.Fork("furnish"), &builder);
+  house.furniture = FurnishRooms(house.plan, house.style, FurnishHomeRoom, rng.Fork("furnish"),
+                                 &builder, refurnish);
   house.mesh = builder.Finish(textures);
   std::vector<Glow> glows = builder.glows();
   RemoveHidden(&house.mesh, &glows);

@@ -8,6 +8,7 @@
 #include "sim/house/furnishing.h"
 #include "sim/house/house_style.h"
 #include "sim/house/lighting.h"
+#include "sim/house/refurnish.h"
 #include "sim/scene/mesh.h"
 
 namespace bulletnav::sim {
@@ -27,6 +28,7 @@ struct House {
 /// seed gives the same house to the last bit on every machine.
 /// `textures`: pictures to share between calls; one per thread. Cost: seconds, most of them light.
 House GenerateHouse(std::uint64_t seed, TextureCache* textures, const PlanOptions& plan = {},
-                    const LightSpec& light = {.min_triangles = 24'000});
+                    const LightSpec& light = {.min_triangles = 24'000},
+                    const Refurnish& refurnish = {});
 
 }  // namespace bulletnav::sim

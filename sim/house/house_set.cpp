@@ -11,6 +11,7 @@
 #include "sim/base/error.h"
 #include "sim/base/files.h"
 #include "sim/base/folder_lock.h"
+#include "sim/config/json_node.h"
 #include "sim/house/building/building.h"
 #include "sim/house/house.h"
 #include "sim/house/house_json.h"
@@ -42,13 +43,18 @@ Split SplitOf(int index, int count) {
   return index < count - test ? Split::kVal : Split::kTest;
 }
 
+House Generated(const PlannedHouse& planned, const Refurnish& refurnish, TextureCache* textures) {
+  const HouseEntry& entry = planned.entry;
+  if (entry.kind.empty() || entry.kind == "home") {
+    return GenerateHouse(entry.seed, textures, {}, {.min_triangles = 24'000}, refurnish);
+  }
+  return building::GenerateBuilding(building::FindKind(entry.kind), entry.seed, textures,
+                                    planned.limits, refurnish);
+}
+
 HouseEntry WriteHouse(const std::filesystem::path& folder, const PlannedHouse& planned,
-                      TextureCache* textures) {
-  const bool is_home = planned.entry.kind.empty() || planned.entry.kind == "home";
-  const House house =
-      is_home ? GenerateHouse(planned.entry.seed, textures)
-              : building::GenerateBuilding(building::FindKind(planned.entry.kind),
-                                           planned.entry.seed, textures, planned.limits);
+                      const Refurnish& refurnish, TextureCache* textures) {
+  const House house = Generated(planned, refurnish, textures);
   HouseEntry entry = planned.entry;
   entry.rooms = static_cast<int>(house.plan.rooms.size());
   entry.area_m2 = static_cast<double>(house.plan.area());
@@ -128,7 +134,35 @@ bool AreSame(const std::vector<HouseEntry>& a, const std::vector<HouseEntry>& b)
                     });
 }
 
-std::string HousesText(const std::vector<HouseEntry>& houses) {
+Json RefurnishJson(const Refurnish& refurnish) {
+  return {{"share", refurnish.share}, {"seed", refurnish.seed}};
+}
+
+/// What the index of a set says of it.
+Refurnish RefurnishedOf(const std::filesystem::path& index) {
+  const std::string remedy = "remove it and make the houses again";
+  const auto document = ParseJson<Json>(ReadTextFile(index), index, 1, remedy);
+  const JsonNode<Json> root(document, index, "", remedy);
+  if (!root.Has("refurnished")) return {};
+  const JsonNode<Json> told = root.At("refurnished");
+  return {told.At("share").Positive(), told.At("seed").Whole()};
+}
+
+bool IsSame(const Refurnish& a, const Refurnish& b) {
+  return a == b || (a.share == 0.0 && b.share == 0.0);
+}
+
+/// Who makes the set, for what an unfinished call leaves.
+std::string MadeBy(const HouseSetSpec& spec) {
+  if (spec.made_by.empty() || spec.refurnished.share == 0.0) return spec.made_by;
+  return spec.made_by + " refurnished " + RefurnishJson(spec.refurnished).dump();
+}
+
+std::string HousesText(const std::vector<HouseEntry>& houses, const Refurnish& refurnish) {
+  if (refurnish.share > 0.0) {
+    return fmt::format("{} with {:.0f}% of the rooms refurnished by seed {}",
+                       HousesText(houses, {}), 100.0 * refurnish.share, refurnish.seed);
+  }
   if (houses.empty()) return "no houses";
   if (houses.size() == 1) {
     const std::string& kind = houses[0].kind;
@@ -157,16 +191,17 @@ bool HasHouseSet(const std::filesystem::path& folder, const HouseSetSpec& spec) 
   if (!std::filesystem::exists(index, ignored)) return false;
   const std::vector<HouseEntry> old = ReadHouseIndex(index);
   const std::vector<HouseEntry> planned = Entries(Plan(spec));
-  if (AreSame(old, planned)) return true;
+  const Refurnish refurnished = RefurnishedOf(index);
+  if (AreSame(old, planned) && IsSame(refurnished, spec.refurnished)) return true;
   throw FileError(index, "",
                   fmt::format("lists {}; asked for: {}; give its own kind, count and first seed, "
                               "or name another folder",
-                              HousesText(old), HousesText(planned)));
+                              HousesText(old, refurnished), HousesText(planned, spec.refurnished)));
 }
 
 int CountUnmade(const std::filesystem::path& folder, const HouseSetSpec& spec) {
   HasHouseSet(folder, spec);
-  const UnfinishedHouses left(folder, spec.made_by, spec.first_seed);
+  const UnfinishedHouses left(folder, MadeBy(spec), spec.first_seed);
   std::vector<PlannedHouse> planned = Plan(spec);
   return static_cast<int>(Unmade(left, &planned).size());
 }
@@ -176,19 +211,22 @@ std::vector<HouseEntry> WriteHouseSet(const std::filesystem::path& folder, const
   std::vector<PlannedHouse> planned = Plan(spec);
   const FolderLock lock(folder);
   HasHouseSet(folder, spec);
-  UnfinishedHouses left(folder, spec.made_by, spec.first_seed);
+  UnfinishedHouses left(folder, MadeBy(spec), spec.first_seed);
   left.Begin();
   const std::vector<PlannedHouse*> unmade = Unmade(left, &planned);
   WorkerPool pool(spec.workers);
   std::vector<TextureCache> textures(static_cast<std::size_t>(pool.workers()));
   pool.ForEach(static_cast<int>(unmade.size()), [&](int task, int worker) {
     PlannedHouse& house = *unmade[static_cast<std::size_t>(task)];
-    house.entry = WriteHouse(folder, house, &textures[static_cast<std::size_t>(worker)]);
+    house.entry =
+        WriteHouse(folder, house, spec.refurnished, &textures[static_cast<std::size_t>(worker)]);
     left.Add(house.entry);
     advance();
   });
   std::vector<HouseEntry> entries = Entries(planned);
-  const Json index = {{"first_seed", spec.first_seed}, {"houses", ToJson(entries)}};
+  Json index = {{"first_seed", spec.first_seed}};
+  if (spec.refurnished.share > 0.0) index["refurnished"] = RefurnishJson(spec.refurnished);
+  index["houses"] = ToJson(entries);
   WriteFileAtomically(folder / kIndex, index.dump(1) + "\n");
   left.Finish();
   return entries;

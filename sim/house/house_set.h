@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/house/house_index.h"
+#include "sim/house/refurnish.h"
 
 namespace bulletnav::sim {
 
@@ -39,6 +40,8 @@ struct HouseSetSpec {
   /// Instead of `count` homes: buildings of these kinds, their descriptions with the furniture.
   /// Seeds count on from the first within a kind.
   std::vector<SetPart> parts = {};
+  /// The same set with some rooms furnished anew; its index says so.
+  Refurnish refurnished = {};
   int workers = 0;  // 0: one per processor
   /// The program's version; houses that an unfinished call of the same one left are kept. "": none.
   std::string made_by = {};

@@ -64,6 +64,30 @@ sim::WorldOptions WorldOptionsOf(const ImportSpec& import) {
   return options;
 }
 
+namespace {
+
+ChangedScene ChangedOf(const SlamConfig& config, const Drive& drive) {
+  const ChangeSpec& spec = *config.changed;
+  sim::WorldOptions options = WorldOptionsOf(config.import);
+  if (spec.finish) options.import.finish = *spec.finish;
+  fs::path source = drive.source;
+  if (spec.houses) {
+    source = fs::path(spec.houses->folder) / source.filename();
+    if (!fs::exists(source)) {
+      throw sim::FileError(source, "",
+                           "is not there: 'changed.houses' must have a house for each that is "
+                           "driven through, of the same name");
+    }
+  }
+  ChangedScene changed;
+  changed.world = sim::World::Load(source, options);
+  changed.from_step = static_cast<int>(spec.from * drive.actions);
+  changed.is_refurnished = spec.houses.has_value();
+  return changed;
+}
+
+}  // namespace
+
 DriveSource::DriveSource(const SlamConfig& config, const Drive& drive) {
   if (drive.is_recording) {
     recording_ = Read(drive.source);
@@ -71,10 +95,7 @@ DriveSource::DriveSource(const SlamConfig& config, const Drive& drive) {
     traversal_ = TraversalOf(config, drive.actions, drive.seed);
     world_ = sim::World::Load(drive.source, WorldOptionsOf(config.import));
     if (config.changed) {
-      sim::WorldOptions options = WorldOptionsOf(config.import);
-      options.import.finish = config.changed->finish;
-      changed_.world = sim::World::Load(drive.source, options);
-      changed_.from_step = static_cast<int>(config.changed->from * drive.actions);
+      changed_ = ChangedOf(config, drive);
     }
   }
 }

@@ -52,7 +52,7 @@ class DriveSource {
   static Recording Read(const std::filesystem::path& folder);
 
   std::shared_ptr<const sim::World> world_;
-  ChangedLook changed_;
+  ChangedScene changed_;
   TraversalSpec traversal_;
   std::optional<Recording> recording_;
 };

@@ -64,6 +64,7 @@ void VocabularySource::Validate() const {
 
 void ChangeSpec::Validate() const {
   if (!(from >= 0.0 && from <= 1.0)) throw sim::KeyError("from", "from must lie between 0 and 1");
+  if (!finish && !houses) throw sim::Error("nothing changes; name a 'finish', 'houses' or both");
 }
 
 void BackEndSpec::Validate() const {

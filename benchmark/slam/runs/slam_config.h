@@ -81,15 +81,19 @@ struct BackEndSpec {
   void Validate() const;
 };
 
-/// The scene looks otherwise from some point of a drive on.
+/// The scene is another from some point of a drive on: it looks otherwise, or some of its rooms
+/// have other furniture, or both.
 struct ChangeSpec {
-  double from = 0.5;   // of the drive's actions
-  sim::Finish finish;  // instead of the import's
+  double from = 0.5;                  // of the drive's actions
+  std::optional<sim::Finish> finish;  // instead of the import's
+  /// Whose files are called as those that are driven through, as a set with `refurnished` has them.
+  std::optional<HousesSpec> houses;
 
   template <class V>
   void Visit(V& v) {
     v("from", from);
-    v.Required("finish", finish);
+    v("finish", finish);
+    v("houses", houses);
   }
   void Validate() const;
 };

@@ -43,6 +43,9 @@ void MakeAllHouses(const SlamConfig& config, const SlamRunOptions& options) {
     return Start(options, what, total);
   };
   if (config.houses) MakeHouses(*config.houses, CommittedVersion(), options.workers, start);
+  if (config.changed && config.changed->houses) {
+    MakeHouses(*config.changed->houses, CommittedVersion(), options.workers, start);
+  }
   if (config.vocabulary) {
     MakeHouses(config.vocabulary->houses, CommittedVersion(), options.workers, start);
   }

@@ -2,6 +2,7 @@
 #include "benchmark/slam/traversal/traversal.h"
 
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -120,20 +121,79 @@ TraversalFrame FrameOf(const sim::Observation& seen, const TraversalSpec& spec, 
   return frame;
 }
 
-/// Puts the body down at the first place of the floor where it fits.
-const sim::Observation& Placed(sim::Simulator* simulator, const TraversalSpec& spec,
-                               const sim::NavmeshQuery& query, sim::Rng* rng) {
-  for (int i = 0; i < kMostStarts; ++i) {
-    const Eigen::Vector3d place = query.RandomPoint(rng, 0).cast<double>();
-    const double yaw = rng->Uniform(-M_PI, M_PI);
+/// A body that is led through one scene.
+class SceneDrive {
+ public:
+  SceneDrive(const std::shared_ptr<const sim::World>& world, const TraversalSpec& spec)
+      : world_(world),
+        spec_(spec),
+        simulator_(world, SimulatorSpecOf(spec)),
+        query_(world->navmesh()) {}
+
+  /// At the first place of the floor where it fits.
+  void Begin(sim::Rng* rng) {
+    for (int i = 0; i < kMostStarts; ++i) {
+      const Eigen::Vector3d place = query_.RandomPoint(rng, 0).cast<double>();
+      const double yaw = rng->Uniform(-M_PI, M_PI);
+      if (Place({place, yaw}, 0)) return Lead(*rng);
+    }
+    throw sim::Error("the body found nowhere to stand; is it too large for this scene?");
+  }
+
+  /// Where it stood in another scene; null if it does not fit there, or would be shut in.
+  static std::unique_ptr<SceneDrive> GoOn(const std::shared_ptr<const sim::World>& world,
+                                          const TraversalSpec& spec, const sim::BodyPose& pose,
+                                          const sim::Rng& rng) {
+    world->RequireFloor();
+    auto drive = std::make_unique<SceneDrive>(world, spec);
+    if (!drive->IsFree(pose) || !drive->Place(pose, 1)) return nullptr;
+    drive->Lead(rng.Fork("refurnished"));
+    return drive;
+  }
+
+  sim::Action Step() {
+    const sim::Action action = driver_->Next(pose());
+    seen_ = &simulator_.Step(action);
+    driver_->Moved();
+    return action;
+  }
+
+  const sim::Observation& seen() const { return *seen_; }
+  const sim::BodyPose& pose() const { return simulator_.body().true_pose(); }
+
+ private:
+  /// `episode`: whose noise of motion it is.
+  bool Place(const sim::BodyPose& pose, std::uint64_t episode) {
     try {
-      return simulator->Reset({place, yaw}, {spec.seed, 0});
+      seen_ = &simulator_.Reset(pose, {spec_.seed, episode});
+      return true;
     } catch (const sim::PoseError&) {
-      continue;
+      return false;
     }
   }
-  throw sim::Error("the body found nowhere to stand; is it too large for this scene?");
-}
+
+  /// On the largest floor, not in a cupboard say.
+  bool IsFree(const sim::BodyPose& pose) const {
+    constexpr float kNear = 0.05f;  // metres, a cell of the navmesh
+    const Eigen::Vector3f here = pose.position.cast<float>();
+    const auto floor = query_.Snap(here);
+    if (!floor || query_.IslandOf(here) != 0) return false;
+    return std::hypot(floor->x() - here.x(), floor->z() - here.z()) < kNear;
+  }
+
+  void Lead(const sim::Rng& rng) {
+    route_.emplace(query_, pose().position.cast<float>(), rng);
+    driver_.emplace(spec_, world_, &*route_);
+  }
+
+  std::shared_ptr<const sim::World> world_;
+  const TraversalSpec& spec_;
+  sim::Simulator simulator_;
+  sim::NavmeshQuery query_;
+  const sim::Observation* seen_ = nullptr;
+  std::optional<Route> route_;
+  std::optional<Driver> driver_;
+};
 
 /// The same body in another look of the scene.
 class OtherLook {
@@ -178,33 +238,38 @@ void Traverse(const std::shared_ptr<const sim::World>& world, const TraversalSpe
   Traverse(world, {}, spec, take);
 }
 
-void Traverse(const std::shared_ptr<const sim::World>& world, const ChangedLook& changed,
+void Traverse(const std::shared_ptr<const sim::World>& world, const ChangedScene& changed,
               const TraversalSpec& spec, const std::function<void(const TraversalFrame&)>& take) {
   spec.Validate();
   world->RequireFloor();
-  sim::Simulator simulator(world, SimulatorSpecOf(spec));
-  const sim::NavmeshQuery query(world->navmesh());
   sim::Rng rng(sim::MixSeed(spec.seed, world->id()), "traversal");
-  const sim::Observation* seen = &Placed(&simulator, spec, query, &rng);
+  auto drive = std::make_unique<SceneDrive>(world, spec);
+  drive->Begin(&rng);
   std::optional<OtherLook> other;
-  if (changed.world) other.emplace(changed.world, spec, simulator.body().true_pose());
-  Route route(query, simulator.body().true_pose().position.cast<float>(), rng);
-  Driver driver(spec, world, &route);
+  if (changed.world && !changed.is_refurnished) {
+    other.emplace(changed.world, spec, drive->pose());
+  }
+  bool is_before = changed.world && changed.is_refurnished;
   Noise noise(spec, rng);
   sim::PlanarPose dead_reckoned;
   for (int step = 0;; ++step) {
+    if (is_before && step >= changed.from_step) {
+      if (auto next = SceneDrive::GoOn(changed.world, spec, drive->pose(), rng)) {
+        drive = std::move(next);
+        is_before = false;
+      }
+    }
     const bool is_changed = other && step >= changed.from_step;
-    TraversalFrame frame = FrameOf(is_changed ? other->seen() : *seen, spec, step, &noise);
-    frame.true_pose = simulator.body().true_pose();
+    TraversalFrame frame = FrameOf(is_changed ? other->seen() : drive->seen(), spec, step, &noise);
+    frame.true_pose = drive->pose();
     frame.dead_reckoned = dead_reckoned;
     take(frame);
-    if (step == spec.actions) return;
-    const sim::Action action = driver.Next(frame.true_pose);
-    seen = &simulator.Step(action);
-    if (other) other->Follow(action, simulator.body().true_pose());
-    driver.Moved();
-    dead_reckoned = sim::Compose(dead_reckoned, seen->sensors.odometry);
+    if (step == spec.actions) break;
+    const sim::Action action = drive->Step();
+    if (other) other->Follow(action, drive->pose());
+    dead_reckoned = sim::Compose(dead_reckoned, drive->seen().sensors.odometry);
   }
+  if (is_before) throw sim::Error("the body found no room in the refurnished scene");
 }
 
 Intrinsics IntrinsicsOf(const sim::PinholeSpec& camera) {

@@ -33,11 +33,13 @@ struct TraversalSpec {
   void Validate() const;
 };
 
-/// Another look of the scene that is driven through, from a frame on: the same geometry, so that
-/// the body moves as it would.
-struct ChangedLook {
-  std::shared_ptr<const sim::World> world;  // null: none
+/// The scene that is driven through as it is from a frame on.
+struct ChangedScene {
+  std::shared_ptr<const sim::World> world;  // null: it stays as it was
   int from_step = 0;
+  /// Furniture stands elsewhere: the body goes on by the floor that is free now, from the first
+  /// frame on in which it stands on it. Else the geometry is the same, and so is the body's way.
+  bool is_refurnished = false;
 };
 
 struct TraversalFrame {
@@ -60,8 +62,9 @@ struct TraversalFrame {
 void Traverse(const std::shared_ptr<const sim::World>& world, const TraversalSpec& spec,
               const std::function<void(const TraversalFrame&)>& take);
 /// Likewise; frames from `changed.from_step` on show its world. Costs two simulators.
-/// Throws sim::Error also if that world's geometry is another, so that the body moves otherwise.
-void Traverse(const std::shared_ptr<const sim::World>& world, const ChangedLook& changed,
+/// Throws sim::Error also if that world's geometry is another though it is not refurnished, so that
+/// the body moves otherwise, and if it is refurnished so that the body never finds room there.
+void Traverse(const std::shared_ptr<const sim::World>& world, const ChangedScene& changed,
               const TraversalSpec& spec, const std::function<void(const TraversalFrame&)>& take);
 
 /// Of a camera's pictures.

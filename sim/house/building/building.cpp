@@ -28,7 +28,7 @@ LightSpec LightOf(const FloorPlan& plan) {
 }  // namespace
 
 House GenerateBuilding(const BuildingKind& kind, std::uint64_t seed, TextureCache* textures,
-                       const AreaLimits& limits) {
+                       const AreaLimits& limits, const Refurnish& refurnish) {
   const Rng rng = Rng(seed, "building").Fork(kind.name);
   House building;
   building.kind = kind.name;
@@ -37,8 +37,8 @@ House GenerateBuilding(const BuildingKind& kind, std::uint64_t seed, TextureCach
   building.style = DrawBuildingStyle(kind, building.plan, rng.Fork("style"));
   MeshBuilder builder;
   BuildArchitecture(building.plan, building.style, &builder);
-  building.furniture =
-      FurnishRooms(building.plan, building.style, kind.furnish, rng.Fork("furnish"), &builder);
+  building.furniture = FurnishRooms(building.plan, building.style, kind.furnish,
+                                    rng.Fork("furnish"), &builder, refurnish);
   building.mesh = builder.Finish(textures);
   std::vector<Glow> glows = builder.glows();
   RemoveHidden(&building.mesh, &glows);

@@ -13,6 +13,6 @@ namespace bulletnav::sim::building {
 /// `textures`: pictures to share between calls; one per thread. Cost: seconds for each 100 m2.
 /// Throws Error as GenerateBuildingPlan.
 House GenerateBuilding(const BuildingKind& kind, std::uint64_t seed, TextureCache* textures,
-                       const AreaLimits& limits = {});
+                       const AreaLimits& limits = {}, const Refurnish& refurnish = {});
 
 }  // namespace bulletnav::sim::building

@@ -51,6 +51,23 @@ TEST_F(HouseSetTest, OtherHousesAreRefused) {
   }
 }
 
+TEST_F(HouseSetTest, RefurnishedHousesAreOthers) {
+  WriteIndex();
+  const HouseSetSpec plain{.count = 2, .first_seed = 5};
+  HouseSetSpec refurnished = plain;
+  refurnished.refurnished.share = 0.3;
+  EXPECT_THAT(Complaint(refurnished),
+              HasSubstr("2 houses of seeds 5 to 6 with 30% of the rooms refurnished by seed 1"));
+  WriteFileAtomically(folder_.path() / "index.json",
+                      R"({"first_seed": 5, "refurnished": {"share": 0.3, "seed": 1}, "houses": [
+             {"file": "house_000.glb", "split": "train", "seed": 5, "rooms": 7, "area_m2": 90.5},
+             {"file": "house_001.glb", "split": "test", "seed": 6, "rooms": 4, "area_m2": 50}]})");
+  EXPECT_TRUE(HasHouseSet(folder_.path(), refurnished));
+  EXPECT_THAT(Complaint(plain), HasSubstr("lists 2 houses of seeds 5 to 6 with 30%"));
+  refurnished.refurnished.seed = 2;
+  EXPECT_THAT(Complaint(refurnished), HasSubstr("by seed 2"));
+}
+
 /// A folder of that name stands in for a full disk.
 TEST_F(HouseSetTest, NoHouseIsBegunAfterOneCannotBeWritten) {
   MakeFolder(folder_.path() / "house_000.glb");

@@ -95,6 +95,63 @@ TEST(Traversal, SensorNoiseIsInPicturesAloneAndTheTruthIsKept) {
   EXPECT_THROW(spec.Validate(), sim::Error);
 }
 
+/// The room with a box in one of two corners.
+std::shared_ptr<const sim::World> RoomWithBox(double x) {
+  sim::SceneMesh mesh = tests::BoxRoom(8, 2.6f, 6);
+  const auto left = static_cast<float>(x);
+  tests::AddBox({left, 0, -4.5f}, {left + 2.5f, 1.5f, -1.5f}, {90, 90, 90}, &mesh);
+  return sim::World::FromMesh(mesh, "room");
+}
+
+bool IsInBox(const TraversalFrame& frame, double x) {
+  const Eigen::Vector3d& at = frame.true_pose.position;
+  return at.x() > x && at.x() < x + 2.5 && at.z() > -4.5 && at.z() < -1.5;
+}
+
+TEST(Traversal, GoesOnWhereFurnitureHasMoved) {
+  TraversalSpec spec = SmallSpec();
+  spec.actions = 400;
+  const auto before = RoomWithBox(0.8);
+  const ChangedScene changed{RoomWithBox(4.7), 200, true};
+  std::vector<TraversalFrame> plain;
+  Traverse(before, spec, [&](const TraversalFrame& frame) {
+    plain.push_back(frame);
+  });
+  std::vector<TraversalFrame> frames;
+  Traverse(before, changed, spec, [&](const TraversalFrame& frame) {
+    frames.push_back(frame);
+  });
+  ASSERT_EQ(frames.size(), 401u);
+  int among_old = 0;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    if (i < 200) {
+      EXPECT_EQ(frames[i].color.pixels, plain[i].color.pixels) << i;
+    } else if (i > 260) {
+      EXPECT_FALSE(IsInBox(frames[i], 4.7)) << i;
+      if (IsInBox(frames[i], 0.8)) ++among_old;
+    }
+    if (i == 0) continue;
+    const Eigen::Vector3d step = frames[i].true_pose.position - frames[i - 1].true_pose.position;
+    EXPECT_LT(step.norm(), 0.4) << i;
+    const auto& a = frames[i - 1].dead_reckoned;
+    const auto& b = frames[i].dead_reckoned;
+    EXPECT_LT(std::hypot(b.x - a.x, b.y - a.y), 0.4) << i;
+  }
+  EXPECT_GT(among_old, 0) << "it goes where the furniture was";
+}
+
+TEST(Traversal, NoRoomAmongMovedFurnitureIsTold) {
+  sim::SceneMesh full = tests::BoxRoom(8, 2.6f, 6);
+  tests::AddBox({0, 0, -6}, {7.9f, 1.5f, 0}, {90, 90, 90}, &full);
+  tests::AddQuad({20, 0, 0}, {24, 0, 0}, {24, 0, -4}, {20, 0, -4}, {90, 90, 90}, &full);
+  const ChangedScene changed{sim::World::FromMesh(full, "full"), 30, true};
+  EXPECT_THAT(
+      [&] {
+        Traverse(Room(), changed, SmallSpec(), [](const TraversalFrame&) {});
+      },
+      testing::ThrowsMessage<sim::Error>(HasSubstr("no room")));
+}
+
 TEST(Traversal, DepthIsAlongTheAxis) {
   const sim::PinholeSpec camera = SmallSpec().camera;
   const Intrinsics k = IntrinsicsOf(camera);
