@@ -140,15 +140,11 @@ class SceneDrive {
     throw sim::Error("the body found nowhere to stand; is it too large for this scene?");
   }
 
-  /// Where it stood in another scene; null if it does not fit there, or would be shut in.
-  static std::unique_ptr<SceneDrive> GoOn(const std::shared_ptr<const sim::World>& world,
-                                          const TraversalSpec& spec, const sim::BodyPose& pose,
-                                          const sim::Rng& rng) {
-    world->RequireFloor();
-    auto drive = std::make_unique<SceneDrive>(world, spec);
-    if (!drive->IsFree(pose) || !drive->Place(pose, 1)) return nullptr;
-    drive->Lead(rng.Fork("refurnished"));
-    return drive;
+  /// Where it stood in another scene; false if it does not fit there, or would be shut in.
+  bool GoOnFrom(const sim::BodyPose& pose, const sim::Rng& rng) {
+    if (!IsFree(pose) || !Place(pose, 1)) return false;
+    Lead(rng.Fork("refurnished"));
+    return true;
   }
 
   sim::Action Step() {
@@ -194,6 +190,16 @@ class SceneDrive {
   std::optional<Route> route_;
   std::optional<Driver> driver_;
 };
+
+/// Goes on in another scene, unless the body does not fit there yet.
+bool GoOnIn(const std::shared_ptr<const sim::World>& world, const TraversalSpec& spec,
+            const sim::Rng& rng, std::unique_ptr<SceneDrive>* drive) {
+  world->RequireFloor();
+  auto next = std::make_unique<SceneDrive>(world, spec);
+  if (!next->GoOnFrom((*drive)->pose(), rng)) return false;
+  *drive = std::move(next);
+  return true;
+}
 
 /// The same body in another look of the scene.
 class OtherLook {
@@ -254,10 +260,7 @@ void Traverse(const std::shared_ptr<const sim::World>& world, const ChangedScene
   sim::PlanarPose dead_reckoned;
   for (int step = 0;; ++step) {
     if (is_before && step >= changed.from_step) {
-      if (auto next = SceneDrive::GoOn(changed.world, spec, drive->pose(), rng)) {
-        drive = std::move(next);
-        is_before = false;
-      }
+      is_before = !GoOnIn(changed.world, spec, rng, &drive);
     }
     const bool is_changed = other && step >= changed.from_step;
     TraversalFrame frame = FrameOf(is_changed ? other->seen() : drive->seen(), spec, step, &noise);
