@@ -76,11 +76,8 @@ torch::Tensor SeqNetTraining::DescribeWindows(const SequenceWalk& walk,
   return net_.forward(all.to(torch::kFloat32) / agent::kDescriptorUnit);
 }
 
-void SeqNetTraining::Save(std::map<std::string, std::string> notes,
-                          const std::filesystem::path& file) const {
-  const torch::NoGradGuard no_grad;
-  agent::StayInThisThread();
-  NoteDescriptor(&notes);
+void SeqNetTraining::SaveNet(std::map<std::string, std::string> notes,
+                             const std::filesystem::path& file) const {
   SaveSeqNet(net_, config_.model, std::move(notes), file);
 }
 

@@ -55,12 +55,12 @@ class SeqNetTraining final : public SequenceTraining {
   SeqNetTraining(const Config& config, SequenceWalks walks);
 
   torch::nn::Module& net() override { return net_; }
-  void Save(std::map<std::string, std::string> notes,
-            const std::filesystem::path& file) const override;
   std::optional<Measures> Quantise(const std::filesystem::path& file) override;
   std::string title() const override { return "SeqNet's filter over time"; }
 
  private:
+  void SaveNet(std::map<std::string, std::string> notes,
+               const std::filesystem::path& file) const override;
   torch::Tensor DescribeWindows(const SequenceWalk& walk, std::span<const Window> windows) override;
 
   Config config_;

@@ -85,10 +85,12 @@ SequenceTraining::SequenceTraining(const SequencePlan& plan, const SequenceLengt
   }
 }
 
-void SequenceTraining::NoteDescriptor(std::map<std::string, std::string>* notes) const {
-  if (!walks_.descriptor_hash.empty()) {
-    (*notes)[agent::kDescriptorHashKey] = walks_.descriptor_hash;
-  }
+void SequenceTraining::Save(std::map<std::string, std::string> notes,
+                            const std::filesystem::path& file) const {
+  const torch::NoGradGuard no_grad;
+  agent::StayInThisThread();
+  if (!walks_.descriptor_hash.empty()) notes[agent::kDescriptorHashKey] = walks_.descriptor_hash;
+  SaveNet(std::move(notes), file);
 }
 
 Window SequenceTraining::DrawWindow(const SequenceWalk& walk, sim::Rng* rng) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <optional>
@@ -65,7 +66,7 @@ struct SequenceLengths {
 struct SequenceWalks {
   std::vector<SequenceWalk> train;
   std::vector<SequenceWalk> validation;
-  std::string descriptor_hash;  // FileHash of the network that saw them; empty: not known
+  std::string descriptor_hash = {};  // FileHash of the network that saw them; empty: not known
 };
 
 /// A training of a descriptor of sequences on what a trained network sees on walks: sequences whose
@@ -74,6 +75,9 @@ struct SequenceWalks {
 class SequenceTraining : public Training {
  public:
   double Learn(const TrainStep& step) override;
+  /// Whose descriptors the weights belong to is said in them.
+  void Save(std::map<std::string, std::string> notes,
+            const std::filesystem::path& file) const override;
   Measures Validate() override;
   std::int64_t FramesAfter(int steps) const override;
   std::string frames_are() const override { return "sequences"; }
@@ -90,6 +94,9 @@ class SequenceTraining : public Training {
   SequenceTraining(const SequencePlan& plan, const SequenceLengths& lengths, std::string name,
                    SequenceWalks walks);
 
+  /// As Save, in one thread and without gradients.
+  virtual void SaveNet(std::map<std::string, std::string> notes,
+                       const std::filesystem::path& file) const = 0;
   /// Windows of one length of a walk as the net describes them: [n, size] of length 1.
   virtual torch::Tensor DescribeWindows(const SequenceWalk& walk,
                                         std::span<const Window> windows) = 0;
@@ -99,8 +106,6 @@ class SequenceTraining : public Training {
   Measures MeasuresOf(const InIntegers& describe) const;
 
   const SequenceWalks& walks() const { return walks_; }
-  /// Says whose descriptors the weights belong to.
-  void NoteDescriptor(std::map<std::string, std::string>* notes) const;
   /// A window of a length that is learned from.
   Window DrawWindow(const SequenceWalk& walk, sim::Rng* rng) const;
 

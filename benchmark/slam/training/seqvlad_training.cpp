@@ -85,11 +85,8 @@ MainDirections SeqVladTraining::Directions() const {
   return MainDirectionsOf(at::cat(rows), config_.model.size);
 }
 
-void SeqVladTraining::Save(std::map<std::string, std::string> notes,
-                           const std::filesystem::path& file) const {
-  const torch::NoGradGuard no_grad;
-  agent::StayInThisThread();
-  NoteDescriptor(&notes);
+void SeqVladTraining::SaveNet(std::map<std::string, std::string> notes,
+                              const std::filesystem::path& file) const {
   SaveSeqVlad(net_, Directions(), std::move(notes), file);
 }
 

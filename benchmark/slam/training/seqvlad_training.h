@@ -43,12 +43,12 @@ class SeqVladTraining final : public SequenceTraining {
   SeqVladTraining(const Config& config, SequenceWalks walks);
 
   torch::nn::Module& net() override { return net_; }
-  void Save(std::map<std::string, std::string> notes,
-            const std::filesystem::path& file) const override;
   std::optional<Measures> Quantise(const std::filesystem::path& file) override;
   std::string title() const override { return "The descriptor of sequences"; }
 
  private:
+  void SaveNet(std::map<std::string, std::string> notes,
+               const std::filesystem::path& file) const override;
   torch::Tensor DescribeWindows(const SequenceWalk& walk, std::span<const Window> windows) override;
   torch::Tensor CellsOf(const SequenceWalk& walk, std::span<const Window> windows) const;
   Eigen::MatrixXf SomeCells(sim::Rng* rng) const;
