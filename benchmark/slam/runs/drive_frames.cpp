@@ -36,6 +36,27 @@ std::vector<std::optional<CameraTilt>> TiltsOf(
   return tilts;
 }
 
+/// What the scene of a drive becomes.
+ChangedScene ChangedOf(const SlamConfig& config, const Drive& drive) {
+  const ChangeSpec& spec = *config.changed;
+  sim::WorldOptions options = WorldOptionsOf(config.import);
+  if (spec.finish) options.import.finish = *spec.finish;
+  fs::path source = drive.source;
+  if (spec.houses) {
+    source = fs::path(spec.houses->folder) / source.filename();
+    if (!fs::exists(source)) {
+      throw sim::FileError(source, "",
+                           "is not there: 'changed.houses' must have a house for each that is "
+                           "driven through, of the same name");
+    }
+  }
+  ChangedScene changed;
+  changed.world = sim::World::Load(source, options);
+  changed.from_step = static_cast<int>(spec.from * drive.actions);
+  changed.is_refurnished = spec.houses.has_value();
+  return changed;
+}
+
 }  // namespace
 
 TraversalSpec TraversalOf(const SlamConfig& config, int actions, std::uint64_t seed) {
@@ -64,39 +85,13 @@ sim::WorldOptions WorldOptionsOf(const ImportSpec& import) {
   return options;
 }
 
-namespace {
-
-ChangedScene ChangedOf(const SlamConfig& config, const Drive& drive) {
-  const ChangeSpec& spec = *config.changed;
-  sim::WorldOptions options = WorldOptionsOf(config.import);
-  if (spec.finish) options.import.finish = *spec.finish;
-  fs::path source = drive.source;
-  if (spec.houses) {
-    source = fs::path(spec.houses->folder) / source.filename();
-    if (!fs::exists(source)) {
-      throw sim::FileError(source, "",
-                           "is not there: 'changed.houses' must have a house for each that is "
-                           "driven through, of the same name");
-    }
-  }
-  ChangedScene changed;
-  changed.world = sim::World::Load(source, options);
-  changed.from_step = static_cast<int>(spec.from * drive.actions);
-  changed.is_refurnished = spec.houses.has_value();
-  return changed;
-}
-
-}  // namespace
-
 DriveSource::DriveSource(const SlamConfig& config, const Drive& drive) {
   if (drive.is_recording) {
     recording_ = Read(drive.source);
   } else {
     traversal_ = TraversalOf(config, drive.actions, drive.seed);
     world_ = sim::World::Load(drive.source, WorldOptionsOf(config.import));
-    if (config.changed) {
-      changed_ = ChangedOf(config, drive);
-    }
+    if (config.changed) changed_ = ChangedOf(config, drive);
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/slam/runs/slam_weights.h"
 
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -43,24 +44,26 @@ void RequirePair(const agent::TensorFile& weights, const fs::path& file, const S
                            "; train it on that one: configs/train/" + trained_by);
 }
 
-}  // namespace
-
-std::shared_ptr<const agent::SequenceModel> LoadSequences(const SlamConfig& config) {
-  if (!config.sequences) return nullptr;
-  const fs::path file = FileOf(*config.sequences, kSequences);
+/// What is learned from a descriptor, of the file that a config names, or null.
+template <class Model>
+std::shared_ptr<const Model> LoadPaired(const std::optional<std::string>& name,
+                                        const char* trained_by, const SlamConfig& config) {
+  if (!name) return nullptr;
+  const fs::path file = FileOf(*name, trained_by);
   const agent::TensorFile weights = agent::ReadTensorFile(file);
-  auto model = std::make_shared<const agent::SeqVlad>(weights, file);
-  RequirePair(weights, file, config, kSequences);
+  auto model = std::make_shared<const Model>(weights, file);
+  RequirePair(weights, file, config, trained_by);
   return model;
 }
 
+}  // namespace
+
+std::shared_ptr<const agent::SequenceModel> LoadSequences(const SlamConfig& config) {
+  return LoadPaired<agent::SeqVlad>(config.sequences, kSequences, config);
+}
+
 std::shared_ptr<const agent::SequenceFilter> LoadFilter(const SlamConfig& config) {
-  if (!config.filter) return nullptr;
-  const fs::path file = FileOf(*config.filter, kFilter);
-  const agent::TensorFile weights = agent::ReadTensorFile(file);
-  auto filter = std::make_shared<const agent::SeqNetFilter>(weights, file);
-  RequirePair(weights, file, config, kFilter);
-  return filter;
+  return LoadPaired<agent::SeqNetFilter>(config.filter, kFilter, config);
 }
 
 void CheckWeights(const SlamConfig& config) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <filesystem>
 #include <memory>
 
 #include "agent/slam/retrieval/sequence_filter.h"
