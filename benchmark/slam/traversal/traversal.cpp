@@ -191,16 +191,6 @@ class SceneDrive {
   std::optional<Driver> driver_;
 };
 
-/// Goes on in another scene, unless the body does not fit there yet.
-bool GoOnIn(const std::shared_ptr<const sim::World>& world, const TraversalSpec& spec,
-            const sim::Rng& rng, std::unique_ptr<SceneDrive>* drive) {
-  world->RequireFloor();
-  auto next = std::make_unique<SceneDrive>(world, spec);
-  if (!next->GoOnFrom((*drive)->pose(), rng)) return false;
-  *drive = std::move(next);
-  return true;
-}
-
 /// The same body in another look of the scene.
 class OtherLook {
  public:
@@ -252,15 +242,18 @@ void Traverse(const std::shared_ptr<const sim::World>& world, const ChangedScene
   auto drive = std::make_unique<SceneDrive>(world, spec);
   drive->Begin(&rng);
   std::optional<OtherLook> other;
-  if (changed.world && !changed.is_refurnished) {
+  std::unique_ptr<SceneDrive> next;  // until the body goes on there
+  if (changed.world && changed.is_refurnished) {
+    changed.world->RequireFloor();
+    next = std::make_unique<SceneDrive>(changed.world, spec);
+  } else if (changed.world) {
     other.emplace(changed.world, spec, drive->pose());
   }
-  bool is_before = changed.world && changed.is_refurnished;
   Noise noise(spec, rng);
   sim::PlanarPose dead_reckoned;
   for (int step = 0;; ++step) {
-    if (is_before && step >= changed.from_step) {
-      is_before = !GoOnIn(changed.world, spec, rng, &drive);
+    if (next && step >= changed.from_step && next->GoOnFrom(drive->pose(), rng)) {
+      drive = std::move(next);
     }
     const bool is_changed = other && step >= changed.from_step;
     TraversalFrame frame = FrameOf(is_changed ? other->seen() : drive->seen(), spec, step, &noise);
@@ -272,7 +265,7 @@ void Traverse(const std::shared_ptr<const sim::World>& world, const ChangedScene
     if (other) other->Follow(action, drive->pose());
     dead_reckoned = sim::Compose(dead_reckoned, drive->seen().sensors.odometry);
   }
-  if (is_before) throw sim::Error("the body found no room in the refurnished scene");
+  if (next) throw sim::Error("the body found no room in the refurnished scene");
 }
 
 Intrinsics IntrinsicsOf(const sim::PinholeSpec& camera) {
