@@ -24,11 +24,13 @@ struct House {
   SceneMesh mesh;
 };
 
+/// How homes are lit: those of few triangles are cut finer than LightSpec says.
+inline constexpr LightSpec kHomeLight = {.min_triangles = 24'000};
+
 /// Draws a house from its seed. Frame: the world's, the floor at y = 0, about the origin. The same
 /// seed gives the same house to the last bit on every machine.
 /// `textures`: pictures to share between calls; one per thread. Cost: seconds, most of them light.
 House GenerateHouse(std::uint64_t seed, TextureCache* textures, const PlanOptions& plan = {},
-                    const LightSpec& light = {.min_triangles = 24'000},
-                    const Refurnish& refurnish = {});
+                    const LightSpec& light = kHomeLight, const Refurnish& refurnish = {});
 
 }  // namespace bulletnav::sim

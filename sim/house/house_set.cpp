@@ -46,7 +46,7 @@ Split SplitOf(int index, int count) {
 House Generated(const PlannedHouse& planned, const Refurnish& refurnish, TextureCache* textures) {
   const HouseEntry& entry = planned.entry;
   if (entry.kind.empty() || entry.kind == "home") {
-    return GenerateHouse(entry.seed, textures, {}, {.min_triangles = 24'000}, refurnish);
+    return GenerateHouse(entry.seed, textures, {}, kHomeLight, refurnish);
   }
   return building::GenerateBuilding(building::FindKind(entry.kind), entry.seed, textures,
                                     planned.limits, refurnish);

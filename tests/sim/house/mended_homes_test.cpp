@@ -7,35 +7,18 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/house/floor_plan_generator.h"
-#include "sim/house/furnish.h"
 #include "sim/house/furniture.h"
 #include "sim/house/shell/faces.h"
 #include "sim/house/shell/room_shell.h"
 #include "sim/math/rotation.h"
+#include "tests/sim/house/furnished_home.h"
 
 namespace bulletnav::sim {
 namespace {
 
 constexpr std::uint64_t kHomes = 40;
 
-struct Home {
-  FloorPlan plan;
-  HouseStyle style;
-  std::vector<Furnishing> furniture;
-};
-
-/// As GenerateHouse, without building and light.
-Home Furnished(std::uint64_t seed) {
-  const Rng rng(seed, "house");
-  Home home;
-  home.plan = GenerateFloorPlan(rng.Fork("plan"));
-  home.style = DrawHouseStyle(home.plan, rng.Fork("style"));
-  MeshBuilder builder;
-  home.furniture =
-      FurnishRooms(home.plan, home.style, FurnishHomeRoom, rng.Fork("furnish"), &builder);
-  return home;
-}
+using Home = FurnishedHome;
 
 /// Made once for all tests.
 const std::vector<Home>& Homes() {

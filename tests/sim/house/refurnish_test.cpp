@@ -9,28 +9,12 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/error.h"
-#include "sim/house/floor_plan_generator.h"
-#include "sim/house/furnish.h"
+#include "tests/sim/house/furnished_home.h"
 
 namespace bulletnav::sim {
 namespace {
 
-struct Home {
-  FloorPlan plan;
-  std::vector<Furnishing> furniture;
-};
-
-/// As GenerateHouse, without building and light.
-Home Furnished(std::uint64_t seed, const Refurnish& refurnish) {
-  const Rng rng(seed, "house");
-  Home home;
-  home.plan = GenerateFloorPlan(rng.Fork("plan"));
-  const HouseStyle style = DrawHouseStyle(home.plan, rng.Fork("style"));
-  MeshBuilder builder;
-  home.furniture =
-      FurnishRooms(home.plan, style, FurnishHomeRoom, rng.Fork("furnish"), &builder, refurnish);
-  return home;
-}
+using Home = FurnishedHome;
 
 /// Kinds and places of what is in a room.
 std::vector<std::pair<std::string, Eigen::Vector3f>> In(int room, const Home& home) {
