@@ -253,7 +253,7 @@ void Traverse(const std::shared_ptr<const sim::World>& world, const ChangedScene
   sim::PlanarPose dead_reckoned;
   for (int step = 0;; ++step) {
     if (next && step >= changed.from_step && next->GoOnFrom(drive->pose(), rng)) {
-      drive = std::move(next);
+      drive = std::exchange(next, nullptr);
     }
     const bool is_changed = other && step >= changed.from_step;
     TraversalFrame frame = FrameOf(is_changed ? other->seen() : drive->seen(), spec, step, &noise);
