@@ -14,7 +14,9 @@
 #include "benchmark/cli/progress.h"
 #include "benchmark/cli/shipped_config.h"
 #include "benchmark/cli/slam_commands.h"
+#include "benchmark/slam/runs/drive_files.h"
 #include "benchmark/slam/runs/slam_runner.h"
+#include "benchmark/slam/runs/slam_summary.h"
 #include "benchmark/slam/runs/slam_table.h"
 #include "sim/base/files.h"
 
@@ -34,8 +36,17 @@ struct SlamRunCommandOptions {
 void ShowTables(const SlamConfig& config, const std::vector<DriveResult>& results,
                 const fs::path& folder) {
   const std::string tables = SlamTables(config, results);
+  sim::WriteFileAtomically(folder / "summary.json", ToJson(Summarise(config, results)));
   sim::WriteFileAtomically(folder / "table.md", tables);
   fmt::print("{}", tables);
+  std::vector<TimesByStage> times;
+  for (const Drive& drive : DrivesDone(config, folder)) {
+    times.push_back(ReadDriveTimes(DriveFolder(folder, drive.name)));
+  }
+  const std::string took = SlamTimesTable(config, times);
+  if (took.empty()) return;
+  sim::WriteFileAtomically(folder / "times.md", took);
+  fmt::print("\n{}", took);
 }
 
 void RunAndShow(SlamRunCommandOptions options) {

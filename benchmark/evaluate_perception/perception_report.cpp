@@ -2,43 +2,15 @@
 #include "benchmark/evaluate_perception/perception_report.h"
 
 #include <cmath>
-#include <type_traits>
 
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
+
+#include "benchmark/base/json_visitor.h"
 
 namespace bulletnav::bench {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-/// Turns a struct that lists its members into JSON.
-class JsonVisitor {
- public:
-  template <class T>
-  void operator()(const char* key, T& value) {
-    json_[key] = ToJson(value);
-  }
-  template <class T>
-  static Json ToJson(T& value) {
-    if constexpr (std::is_arithmetic_v<T> || std::is_same_v<T, std::string>) {
-      return value;
-    } else {
-      JsonVisitor visitor;
-      value.Visit(visitor);
-      return visitor.json_;
-    }
-  }
-  template <class T>
-  static Json ToJson(std::vector<T>& values) {
-    Json list = Json::array();
-    for (T& value : values) list.push_back(ToJson(value));
-    return list;
-  }
-
- private:
-  Json json_ = Json::object();
-};
+using Json = JsonVisitor::Json;
 
 Json DataJson(const DataConfig& data) {
   Json json = {{"scenes", data.scenes}};

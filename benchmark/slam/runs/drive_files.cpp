@@ -27,6 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kResult = "result.yaml";
+constexpr const char* kTimes = "times.yaml";
 constexpr const char* kTruth = "groundtruth.tum";
 constexpr const char* kLoopHead =
     "later,earlier,score,inliers,accepted,covisible,wrong,turned_deg,x_m,y_m,yaw_rad\n";
@@ -92,7 +93,7 @@ void WriteDrive(const fs::path& folder, const PlayedDrive& drive) {
   }
   sim::YamlWriter times;
   times.Write(drive.times);
-  sim::WriteFileAtomically(folder / "times.yaml", times.text());
+  sim::WriteFileAtomically(folder / kTimes, times.text());
   sim::WriteFileAtomically(folder / kResult, sim::ToYaml(drive.result));
 }
 
@@ -102,6 +103,11 @@ bool HasDrive(const fs::path& folder) {
 
 DriveResult ReadDriveResult(const fs::path& folder) {
   return sim::LoadYaml<DriveResult>(folder / kResult);
+}
+
+TimesByStage ReadDriveTimes(const fs::path& folder) {
+  if (!fs::exists(folder / kTimes)) return {};
+  return sim::LoadYaml<TimesByStage>(folder / kTimes);
 }
 
 namespace {

@@ -19,6 +19,8 @@ void WriteDrive(const std::filesystem::path& folder, const PlayedDrive& drive);
 bool HasDrive(const std::filesystem::path& folder);
 /// Throws sim::FileError.
 DriveResult ReadDriveResult(const std::filesystem::path& folder);
+/// Empty where there are none, as in results that were kept without. Throws sim::FileError.
+TimesByStage ReadDriveTimes(const std::filesystem::path& folder);
 
 /// What WriteDrive wrote of a drive: the true poses (none where they are not known), the poses that
 /// NAME, a detector or "odometry", has, from the first frame's body, and the pairs that a detector

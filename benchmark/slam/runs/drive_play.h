@@ -43,7 +43,7 @@ struct PlayedDrive {
   std::vector<sim::BodyPose> truth;  // empty where it is not known
   std::vector<PlayedDetector> detectors;
   sim::Image covisible;  // by the truth, see CovisibleMatrix; empty where it is not known
-  std::map<std::string, StageTimes> times;  // by stage, milliseconds a frame
+  TimesByStage times;
 };
 
 /// Throws what PlayDrive would throw at the start of one of the drives: lists of recordings that

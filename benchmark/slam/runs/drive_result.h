@@ -140,5 +140,7 @@ struct StageTimes {
     v("p95_ms", p95_ms);
   }
 };
+/// "corners", "descriptors", "verification of a pair", and each detector by its name.
+using TimesByStage = std::map<std::string, StageTimes>;
 
 }  // namespace bulletnav::bench

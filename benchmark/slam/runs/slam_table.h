@@ -14,4 +14,8 @@ namespace bulletnav::bench {
 /// to compare (slam_comparison.h). Drives whose truth is not known are counted and left out.
 std::string SlamTables(const SlamConfig& config, std::span<const DriveResult> results);
 
+/// Milliseconds a frame of each stage, means over drives, as Markdown; empty if no drive has times.
+/// Apart from the tables above, since they depend on the machine.
+std::string SlamTimesTable(const SlamConfig& config, std::span<const TimesByStage> times);
+
 }  // namespace bulletnav::bench

@@ -115,8 +115,9 @@ TEST(SlamRun, PlaysDrawsAndGoesOn) {
   const Ran ran = RunSlam({"run", config, "apart_m=1", "--out", out, "--workers", "1"});
   EXPECT_EQ(ran.status, 0) << ran.err;
   EXPECT_THAT(ran.out, HasSubstr("Drives of 30 actions (1)"));
-  for (const char* file : {"table.md", "config.yaml", "plots/precision_recall.svg",
-                           "plots/headings.png", "plots/floor_30_0.svg"}) {
+  for (const char* file :
+       {"table.md", "summary.json", "times.md", "config.yaml", "plots/precision_recall.svg",
+        "plots/headings.png", "plots/floor_30_0.svg"}) {
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "run" / file)) << file;
   }
   const Ran again = RunSlam({"table", out});

@@ -2,7 +2,9 @@
 #include "benchmark/slam/runs/measure_drive.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
+#include "benchmark/slam/runs/slam_summary.h"
 #include "benchmark/slam/runs/slam_table.h"
 
 namespace bulletnav::bench {
@@ -72,6 +74,55 @@ TEST(SlamTables, MeansOfRecallAreOverDrivesThatHaveIt) {
   results[1].detectors[0].recall_at_10 = 0.8;
   const std::string text = SlamTables(config, results);
   EXPECT_NE(text.find("| mine | 0.250 |  | 0.600 |"), std::string::npos) << text;
+}
+
+TEST(SlamTables, ErrorsAreMeansOverDrivesOfOneLength) {
+  SlamConfig config;
+  config.detectors.push_back({});
+  config.detectors.front().name = "mine";
+  config.actions = {10, 20};
+  std::vector<DriveResult> results(3);
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const double off = static_cast<double>(i);
+    results[i].actions = i < 2 ? 10 : 20;
+    results[i].odometry.emplace();
+    results[i].odometry->start = {0.0, 1.0 + off, 4.0, 2.0 + off};
+    results[i].odometry->planar = {0.0, 0.5, 1.0, 0.75};
+    DetectorResult& detector = results[i].detectors.emplace_back();
+    detector.outcome.accepted = 3;
+    detector.outcome.wrong = 1;
+    // The second drive has no trajectory, and the third is worse than odometry.
+    if (i != 1) detector.outcome.error = BothErrors{{0.0, 0.5, 1.0, 0.6}, {0.0, off, 1.0, 0.4}};
+  }
+  results.emplace_back().actions = 10;  // nothing is known of it
+  const std::string text = SlamTables(config, results);
+  for (const char* line :
+       {"| odometry alone | 0.000 | 1.500 | 4.000 | 2.500 | 0.500 | 0.750 |  |  |  |",
+        "| mine | 0.000 | 0.500 | 1.000 | 0.600 | 0.000 | 0.400 | 6 | 2 | 0 |",
+        "| odometry alone | 0.000 | 3.000 | 4.000 | 4.000 | 0.500 | 0.750 |  |  |  |",
+        "| mine | 0.000 | 0.500 | 1.000 | 0.600 | 2.000 | 0.400 | 3 | 1 | 1 |"}) {
+    EXPECT_NE(text.find(line), std::string::npos) << line << "\n" << text;
+  }
+  const std::string json = ToJson(Summarise(config, results));
+  const auto read = nlohmann::json::parse(json);
+  EXPECT_EQ(read["drives"], 4);
+  EXPECT_EQ(read["without_truth"], 1);
+  EXPECT_EQ(read["odometry"]["10"]["error"]["start"]["rmse"], 2.5);
+  EXPECT_EQ(read["detectors"][0]["trajectories"]["10"]["drives"], 1);
+  EXPECT_EQ(read["detectors"][0]["trajectories"]["20"]["made_worse"], 1);
+  EXPECT_TRUE(read["detectors"][0]["recall_at_1"].is_null());
+}
+
+TEST(SlamTables, TimesAreMeansOverDrivesThatHaveThem) {
+  SlamConfig config;
+  config.detectors.push_back({});
+  config.detectors.front().name = "mine";
+  EXPECT_EQ(SlamTimesTable(config, std::vector<TimesByStage>(2)), "");
+  const std::vector<TimesByStage> times = {
+      {{"mine", {1.0, 2.0}}, {"corners", {0.5, 0.5}}}, {}, {{"mine", {3.0, 5.0}}}};
+  const std::string text = SlamTimesTable(config, times);
+  EXPECT_NE(text.find("| corners | 0.500 | 0.500 |\n| mine | 2.000 | 3.500 |\n"), std::string::npos)
+      << text;
 }
 
 }  // namespace
