@@ -64,7 +64,13 @@ void KeepFingerprints(const SlamConfig& config, const fs::path& folder) {
   if (fs::exists(file)) {
     const auto before = sim::LoadYaml<FingerprintFile>(file);
     CheckSame(before.files, now.files, file);
-    CheckSame(now.files, before.files, file);
+    // Detectors that were added may use weights that nobody used before.
+    SlamFingerprints known = now.files;
+    for (const auto* weights : {&config.sequences, &config.filter}) {
+      if (*weights && before.files.count(**weights) == 0) known.erase(**weights);
+    }
+    CheckSame(known, before.files, file);
+    if (known.size() < now.files.size()) sim::WriteFileAtomically(file, sim::ToYaml(now));
   } else if (!now.files.empty()) {
     sim::WriteFileAtomically(file, sim::ToYaml(now));
   }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "benchmark/base/program_version.h"
+#include "benchmark/slam/runs/added_detectors.h"
 #include "benchmark/slam/runs/drive_files.h"
 #include "benchmark/slam/runs/slam_fingerprints.h"
 #include "benchmark/slam/runs/vocabulary.h"
@@ -27,15 +28,14 @@ std::function<void()> Start(const SlamRunOptions& options, const std::string& wh
   return options.progress(what, total);
 }
 
-/// Writes the config, or sees that it is the one that is there.
-void KeepConfig(const SlamConfig& config, const fs::path& folder) {
-  const std::string text = sim::ToYaml(config);
+/// Sees that the config goes on with the one that is there.
+void CheckConfig(const SlamConfig& config, const fs::path& folder) {
   const fs::path file = folder / kConfig;
-  if (!fs::exists(file)) {
-    sim::WriteFileAtomically(file, text);
-  } else if (sim::ReadTextFile(file) != text) {
-    throw sim::FileError(file, "", "is another config than this run's; choose another --out");
-  }
+  if (!fs::exists(file) || sim::ReadTextFile(file) == sim::ToYaml(config)) return;
+  if (OnlyAddsDetectors(LoadSlamConfig(file), config)) return;
+  throw sim::FileError(file, "",
+                       "is another config than this run's, which may only add detectors; choose "
+                       "another --out");
 }
 
 void MakeAllHouses(const SlamConfig& config, const SlamRunOptions& options) {
@@ -72,14 +72,28 @@ std::set<std::string> NamesDone(const fs::path& folder) {
 
 /// A result that was cut off may still be read.
 void RequireWhole(const SlamConfig& config, const DriveResult& result, const fs::path& folder) {
-  bool is_whole = result.detectors.size() == config.detectors.size();
-  for (std::size_t i = 0; is_whole && i < result.detectors.size(); ++i) {
-    is_whole = result.detectors[i].name == config.detectors[i].name;
-  }
-  if (is_whole) return;
+  if (HasAllRows(config, result)) return;
   throw sim::FileError(folder, "",
                        "holds a result of other detectors than config.yaml names, or a part of "
-                       "one; remove the folder to have the drive played again");
+                       "one; 'slam run' plays what lacks, or remove the folder to have the drive "
+                       "played again");
+}
+
+bool IsLeft(const SlamConfig& config, const fs::path& folder) {
+  return !HasDrive(folder) || !HasAllRows(config, ReadDriveResult(folder));
+}
+
+/// Plays a drive, or what its folder lacks of it.
+void PlayInto(const fs::path& folder, const SlamConfig& config, const Drive& drive,
+              const std::shared_ptr<const agent::Vocabulary>& vocabulary) {
+  if (!HasDrive(folder)) {
+    WriteDrive(folder, PlayDrive(config, drive, vocabulary));
+    return;
+  }
+  const DriveResult earlier = ReadDriveResult(folder);
+  PlayedDrive played = PlayDrive(WithMissingRows(config, earlier), drive, vocabulary);
+  AddEarlierRows(config, earlier, ReadDriveTimes(folder), &played);
+  WriteDrive(folder, played);
 }
 
 /// None where houses, scenes or recordings are gone.
@@ -101,13 +115,14 @@ std::vector<DriveResult> RunSlam(const SlamConfig& config, const fs::path& folde
                                  const SlamRunOptions& options) {
   sim::MakeFolder(folder);
   const sim::FolderLock lock(folder);
-  KeepConfig(config, folder);
+  CheckConfig(config, folder);
   MakeAllHouses(config, options);
   std::vector<Drive> left;
   const std::vector<Drive> drives = DrivesOf(config);
   KeepFingerprints(config, folder);
+  sim::WriteFileAtomically(folder / kConfig, sim::ToYaml(config));
   for (const Drive& drive : drives) {
-    if (!HasDrive(DriveFolder(folder, drive.name))) left.push_back(drive);
+    if (IsLeft(config, DriveFolder(folder, drive.name))) left.push_back(drive);
   }
   if (!left.empty()) {
     NoteVersion(folder);
@@ -117,7 +132,7 @@ std::vector<DriveResult> RunSlam(const SlamConfig& config, const fs::path& folde
     sim::WorkerPool pool(options.workers);
     pool.ForEach(static_cast<int>(left.size()), [&](int task, int /*worker*/) {
       const Drive& drive = left[static_cast<std::size_t>(task)];
-      WriteDrive(DriveFolder(folder, drive.name), PlayDrive(config, drive, vocabulary));
+      PlayInto(DriveFolder(folder, drive.name), config, drive, vocabulary);
       advance();
     });
   }

@@ -15,10 +15,11 @@ struct SlamRunOptions {
 };
 
 /// Makes houses, grows the vocabulary and plays every drive of a config that `folder` has no result
-/// of yet; a folder a drive, below `folder`/drives. Results depend on the config alone, not on
-/// workers or on how often the run was stopped. Throws sim::FileError, also if the folder holds
-/// results of another config, or of recordings or weights that have changed since, see
-/// KeepFingerprints; and sim::FolderBusy.
+/// of yet; a folder a drive, below `folder`/drives. A config that adds detectors to the one that is
+/// there goes on with its results and plays those alone, see OnlyAddsDetectors. Results depend on
+/// the config alone, not on workers or on how often the run was stopped. Throws sim::FileError,
+/// also if the folder holds results of another config, or of recordings or weights that have
+/// changed since, see KeepFingerprints; and sim::FolderBusy.
 std::vector<DriveResult> RunSlam(const SlamConfig& config, const std::filesystem::path& folder,
                                  const SlamRunOptions& options);
 

@@ -78,6 +78,44 @@ TEST_F(SlamRunner, WritesTheSameForAnyNumberOfWorkersAndAfterAKill) {
                     HasSubstr("| seqslam | near |"), HasSubstr("| true loops |")));
 }
 
+/// A row that is added later is the one that it would have been from the start, among the others.
+TEST_F(SlamRunner, DetectorsThatAreAddedArePlayedAlone) {
+  RunSlam(Config(), path("run"), {});
+  const fs::path room = path("room.obj");
+  const auto with = [&](const std::string& detectors) {
+    return LoadSlamConfig(folder_.Write(
+        "drive.yaml", "scenes: [" + room.string() + "]\nactions: [60]\nseeds: [3, 4]\n" +
+                          "apart_m: 1\ncamera: {rows: 24, cols: 32}\ndetectors: " + detectors));
+  };
+  const SlamConfig more = with(
+      "[{detector: seqslam, name: short, parameters: {length: 5}}, {detector: seqslam}, "
+      "{detector: rtabmap_like}]\nagainst: short\n");
+  const auto added = RunSlam(more, path("run"), {});
+  ASSERT_EQ(added.size(), 2u);
+  ASSERT_EQ(added[0].detectors.size(), 3u);
+  RunSlam(more, path("fresh"), {});
+  EXPECT_EQ(sim::ReadTextFile(path("run") / "config.yaml"),
+            sim::ReadTextFile(path("fresh") / "config.yaml"));
+  for (const char* file : {"result.yaml", "short.csv", "seqslam.g2o", "rtabmap_like.tum"}) {
+    const fs::path drive = fs::path("drives/room_60_4") / file;
+    EXPECT_EQ(sim::ReadTextFile(folder_.path() / "run" / drive),
+              sim::ReadTextFile(folder_.path() / "fresh" / drive))
+        << file;
+  }
+  EXPECT_EQ(ReadDriveTimes(path("run") / "drives/room_60_4").size(), 5u);
+  for (const char* other : {"[{detector: seqslam}]",
+                            "[{detector: seqslam, parameters: {length: 5}}, "
+                            "{detector: seqslam, name: short, parameters: {length: 5}}, "
+                            "{detector: rtabmap_like}]\nagainst: short\n"}) {
+    EXPECT_THAT(
+        [&] {
+          RunSlam(with(other), path("run"), {});
+        },
+        ThrowsMessage<sim::FileError>(HasSubstr("may only add detectors")))
+        << other;
+  }
+}
+
 /// Results are kept, and moved, without what they were made from.
 TEST_F(SlamRunner, ResultsAreReadWithoutTheirScenes) {
   const auto results = RunSlam(Config(), path("run"), {});
