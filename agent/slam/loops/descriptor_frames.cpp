@@ -31,6 +31,7 @@ DescriptorFrames::DescriptorFrames(std::string_view detector, const LoopContext&
 void DescriptorFrames::Add(const LoopFrame& frame) {
   descriptors_.emplace_back(frame.descriptor.begin(), frame.descriptor.end());
   comparable_.push_back(frame.comparable);
+  odometry_.Add(frame.odometry);
   if (keeps_cells_) cells_.emplace_back(frame.cells.begin(), frame.cells.end());
 }
 
@@ -77,9 +78,8 @@ void ProposeBest(std::size_t first, double least, std::vector<LoopCandidate>* ca
   }
 }
 
-std::vector<LoopCandidate> CompareWithAll(int later, int comparable,
-                                          const std::vector<PictureDescriptor>& descriptors,
-                                          double least) {
+std::vector<LoopCandidate> ScoreAll(int later, int comparable,
+                                    const std::vector<PictureDescriptor>& descriptors) {
   std::vector<LoopCandidate> candidates;
   candidates.reserve(static_cast<std::size_t>(comparable));
   for (int earlier = 0; earlier < comparable; ++earlier) {
@@ -87,6 +87,13 @@ std::vector<LoopCandidate> CompareWithAll(int later, int comparable,
                                  descriptors[static_cast<std::size_t>(earlier)]);
     candidates.push_back({later, earlier, cosine, false});
   }
+  return candidates;
+}
+
+std::vector<LoopCandidate> CompareWithAll(int later, int comparable,
+                                          const std::vector<PictureDescriptor>& descriptors,
+                                          double least) {
+  std::vector<LoopCandidate> candidates = ScoreAll(later, comparable, descriptors);
   ProposeBest(0, least, &candidates);
   return candidates;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "agent/slam/loops/loop_detector.h"
+#include "agent/slam/loops/odometry_prior.h"
 #include "agent/slam/retrieval/picture_descriptor.h"
 
 namespace bulletnav::agent {
@@ -39,6 +40,7 @@ class DescriptorFrames {
   }
   /// Of the last `length` frames, or of all while they are fewer.
   std::span<const PictureDescriptor> Last(int length) const;
+  const OdometryTrack& odometry() const { return odometry_; }
   int comparable(int frame) const { return comparable_[static_cast<std::size_t>(frame)]; }
   /// Of frames `first` to `last`, one after the other.
   std::vector<std::uint8_t> Cells(int first, int last) const;
@@ -46,6 +48,7 @@ class DescriptorFrames {
  private:
   std::vector<PictureDescriptor> descriptors_;
   std::vector<int> comparable_;
+  OdometryTrack odometry_;
   bool keeps_cells_;
   std::vector<std::vector<std::uint8_t>> cells_;  // by frame, if there is who describes sequences
 };
@@ -59,8 +62,11 @@ double OrderedCosine(const DescriptorFrames& frames, int later, int earlier, int
 /// most three, whose earlier frames are 20 apart or more.
 void ProposeBest(std::size_t first, double least, std::vector<LoopCandidate>* candidates);
 
-/// Compares frame `later` with each before its `comparable`, and takes the best for loops, see
-/// ProposeBest; `descriptors` are by frame, of frames or of what ends with them.
+/// Compares frame `later` with each before its `comparable`: their cosines. `descriptors` are by
+/// frame, of frames or of what ends with them.
+std::vector<LoopCandidate> ScoreAll(int later, int comparable,
+                                    const std::vector<PictureDescriptor>& descriptors);
+/// The same, and takes the best for loops, see ProposeBest.
 std::vector<LoopCandidate> CompareWithAll(int later, int comparable,
                                           const std::vector<PictureDescriptor>& descriptors,
                                           double least);

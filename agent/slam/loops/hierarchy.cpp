@@ -32,6 +32,7 @@ void SequenceMatchSpec::Validate() const {
   if (!(sequence_weight >= 0.0 && sequence_weight <= 1.0)) {
     throw sim::Error("sequence_weight must lie between 0 and 1");
   }
+  odometry.Validate();
 }
 
 void HierarchyConfig::Validate() const {
@@ -84,7 +85,8 @@ void CompareInSequences(int frame, std::size_t own, const DescriptorFrames& fram
       const double cosine = Cosine(frames.descriptor(frame), frames.descriptor(earlier));
       const double score = (1.0 - spec.sequence_weight - described.window_weight) * cosine +
                            spec.sequence_weight * *alike + WindowPart(described, frame, earlier);
-      candidates->push_back({frame, earlier, score, false});
+      const double against = frames.odometry().Against(frame, earlier, spec.odometry);
+      candidates->push_back({frame, earlier, score - against, false});
     }
   }
   ProposeBest(first, spec.least_frame, candidates);

@@ -18,7 +18,8 @@ struct SequenceMatchSpec {
   double least_frame = 0.3;     // t_g, cosine of two frames
   /// Of the sequences' cosine in a pair's score, the rest is the frames'. 0 is as the paper has it.
   double sequence_weight = 0.5;
-  bool within_clusters = false;  // sequences of other clusters are never joined
+  bool within_clusters = false;     // sequences of other clusters are never joined
+  OdometryPriorSpec odometry = {};  // ours
 
   template <class V>
   void Visit(V& v) {
@@ -26,6 +27,7 @@ struct SequenceMatchSpec {
     v("least_frame", least_frame);
     v("sequence_weight", sequence_weight);
     v("within_clusters", within_clusters);
+    odometry.Visit(v);
   }
   /// Throws sim::Error.
   void Validate() const;

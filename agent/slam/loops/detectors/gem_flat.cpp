@@ -16,13 +16,16 @@ class GemFlat final : public LoopDetector {
   static constexpr std::string_view kName = "gem_flat";
 
   struct Config {
-    double least_frame = 0.3;  // t_g, cosine of two frames
+    double least_frame = 0.3;    // t_g, cosine of two frames
+    OdometryPriorSpec odometry;  // ours; the paper's has none
 
     template <class V>
     void Visit(V& v) {
       v("least_frame", least_frame);
+      odometry.Visit(v);
     }
     void Validate() const {
+      odometry.Validate();
       if (!std::isfinite(least_frame)) throw sim::Error("least_frame must be a number");
     }
   };
@@ -32,8 +35,14 @@ class GemFlat final : public LoopDetector {
 
   std::vector<LoopCandidate> Add(const LoopFrame& frame) override {
     frames_.Add(frame);
-    return CompareWithAll(frame.number, frame.comparable, frames_.descriptors(),
-                          config_.least_frame);
+    std::vector<LoopCandidate> candidates =
+        ScoreAll(frame.number, frame.comparable, frames_.descriptors());
+    for (LoopCandidate& candidate : candidates) {
+      candidate.score -=
+          frames_.odometry().Against(candidate.later, candidate.earlier, config_.odometry);
+    }
+    ProposeBest(0, config_.least_frame, &candidates);
+    return candidates;
   }
 
  private:

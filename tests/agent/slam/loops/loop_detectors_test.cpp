@@ -359,6 +359,29 @@ TEST(Hierarchies, WindowsAreAPartOfTheScore) {
   }
 }
 
+/// Only pairs that odometry has far apart lose, the more the farther, and the same in all
+/// detectors.
+TEST(Hierarchies, OdometrySpeaksAgainstPairsFarApart) {
+  const std::string odometry = "odometry_weight: 0.05, odometry_reach_m: 12}";
+  std::map<std::pair<int, int>, double> lost;
+  std::map<std::pair<int, int>, double> pictures;
+  for (const LoopCandidate& pair : Drive("gem_flat", true, "{least_frame: 0.95}")) {
+    pictures[{pair.later, pair.earlier}] = pair.score;
+  }
+  for (const LoopCandidate& pair : Drive("gem_flat", true, "{least_frame: 0.95, " + odometry)) {
+    const double less = pictures.at({pair.later, pair.earlier}) - pair.score;
+    lost[{pair.later, pair.earlier}] = less;
+    // Places are 5 m apart.
+    const int apart = std::abs(pair.later % kPlaces - pair.earlier % kPlaces);
+    EXPECT_EQ(less > 0.0, apart > 2) << pair.later << " " << pair.earlier;
+  }
+  const std::string alike = "{least_sequence: -1, sequence_weight: 0, window_weight: 0";
+  for (const LoopCandidate& pair : Drive("hut", true, alike + ", " + odometry)) {
+    const std::pair<int, int> key = {pair.later, pair.earlier};
+    EXPECT_NEAR(pair.score, pictures.at(key) - lost.at(key), 1e-12);
+  }
+}
+
 TEST(ProposeBest, TakesAtMostThreeLoopsAFrameThatAreApart) {
   std::map<int, std::vector<int>> proposed;
   for (const LoopCandidate& pair : Drive("gem_flat", true, "{least_frame: -1}")) {
