@@ -9,6 +9,7 @@
 
 #include "benchmark/base/program_version.h"
 #include "benchmark/cli/commands.h"
+#include "benchmark/cli/number_range.h"
 #include "benchmark/cli/progress.h"
 #include "benchmark/cli/stop_note.h"
 #include "sim/config/yaml_reader.h"
@@ -135,7 +136,7 @@ void AddGenerateCommand(CLI::App* scenes) {
   command
       ->add_option("--refurnished", options->set.refurnished.share,
                    "Share of the rooms that is furnished anew: the same houses, years later")
-      ->check(CLI::Range(0.0, 1.0));
+      ->check(NumberFrom(0.0, 1.0));
   command->add_option("--out", options->out, "Folder to write to")->capture_default_str();
   command->add_option("--workers", options->set.workers, "Threads; 0: one per processor")
       ->check(CLI::Range(0, 1024))

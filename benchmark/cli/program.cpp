@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/cli/program.h"
 
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -67,6 +68,8 @@ int Run(int argc, char** argv, const std::function<void(CLI::App*)>& add_command
 int RunProgram(int argc, char** argv, const std::function<void(CLI::App*)>& add_commands) {
   try {
     const StopWatch stops;
+    std::signal(SIGXFSZ,
+                SIG_IGN);  // writing beyond a limit of file sizes is then an error like others
     const int status = Run(argc, argv, add_commands);
     const bool is_told = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
     if (status != 0 || is_told) return status;

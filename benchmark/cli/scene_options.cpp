@@ -1,24 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/cli/scene_options.h"
 
-#include <cmath>
-#include <cstdlib>
-
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include "benchmark/cli/number_range.h"
 #include "sim/config/yaml_reader.h"
 
 namespace bulletnav::bench {
-
-namespace {
-
-/// CLI11's ranges let NaN pass.
-std::string RequireNumber(const std::string& text) {
-  return std::isnan(std::strtod(text.c_str(), nullptr)) ? text + " is not a number" : "";
-}
-
-}  // namespace
 
 void SceneOptions::AddTo(CLI::App* command) {
   command
@@ -32,8 +21,7 @@ void SceneOptions::AddImportOptions(CLI::App* command) {
   command->add_option("--up", up, "Axis of the file that points up: auto|y|z")
       ->check(CLI::IsMember({"auto", "y", "z"}));
   command->add_option("--scale", scale, "Metres per unit of the file, 0.001 for millimetres")
-      ->check(CLI::Range(1e-6, 1e6))
-      ->check(RequireNumber);
+      ->check(NumberFrom(1e-6, 1e6));
   command->add_flag("--ground-plane", ground_plane,
                     "Add a floor under the mesh, for scenes made without one");
   command->add_option("--doors", doors,

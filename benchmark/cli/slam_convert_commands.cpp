@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include "benchmark/base/counted.h"
+#include "benchmark/cli/number_range.h"
 #include "benchmark/cli/scene_options.h"
 #include "benchmark/cli/slam_commands.h"
 #include "benchmark/slam/recordings/export_recording.h"
@@ -47,9 +48,8 @@ void Import(ImportOptions options) {
              outcome.with_truth, options.spec.out.string());
   if (outcome.is_visual) {
     fmt::print(stderr,
-               "odometry was made from pictures; in {} of {} steps too few corners were found "
-               "again, or another way back than there, and it went on as before; --odometry FILE "
-               "takes a better one\n",
+               "odometry was made from pictures; in {} of {} steps they did not tell the motion, "
+               "and that of the step before was taken; --odometry FILE takes a better one\n",
                outcome.guessed, outcome.frames - 1);
   }
   if (outcome.left_out > 0) {
@@ -79,7 +79,7 @@ void AddSlamImportCommand(CLI::App* slam) {
   command
       ->add_option("--most-apart", spec.most_apart,
                    "Seconds between a colour and a depth picture of one frame")
-      ->check(CLI::Range(0.0, 10.0))
+      ->check(NumberFrom(0.0, 10.0))
       ->capture_default_str();
   command->callback([options] {
     Import(*options);

@@ -36,17 +36,17 @@ struct SlamRunCommandOptions {
 void ShowTables(const SlamConfig& config, const std::vector<DriveResult>& results,
                 const fs::path& folder) {
   const std::string tables = SlamTables(config, results);
+  fmt::print("{}", tables);
   sim::WriteFileAtomically(folder / "summary.json", ToJson(Summarise(config, results)));
   sim::WriteFileAtomically(folder / "table.md", tables);
-  fmt::print("{}", tables);
   std::vector<TimesByStage> times;
   for (const Drive& drive : DrivesDone(config, folder)) {
     times.push_back(ReadDriveTimes(DriveFolder(folder, drive.name)));
   }
   const std::string took = SlamTimesTable(config, times);
   if (took.empty()) return;
-  sim::WriteFileAtomically(folder / "times.md", took);
   fmt::print("\n{}", took);
+  sim::WriteFileAtomically(folder / "times.md", took);
 }
 
 void RunAndShow(SlamRunCommandOptions options) {
@@ -80,7 +80,8 @@ void AddSlamRunCommand(CLI::App* slam) {
 
 void AddSlamTableCommand(CLI::App* slam) {
   auto folder = std::make_shared<fs::path>();
-  CLI::App* command = slam->add_subcommand("table", "Print the tables of a run again");
+  CLI::App* command = slam->add_subcommand(
+      "table", "Write table.md and summary.json of a run again, and print the tables");
   command->add_option("run", *folder, "Folder of results of slam run")->required();
   command->callback([folder] {
     const SlamConfig config = ReadSlamRun(*folder);

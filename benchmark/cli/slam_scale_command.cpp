@@ -15,6 +15,7 @@
 #include "benchmark/cli/slam_commands.h"
 #include "benchmark/slam/plots/scale_chart.h"
 #include "benchmark/slam/scale/run_scale.h"
+#include "sim/base/error.h"
 #include "sim/base/files.h"
 #include "sim/config/yaml_writer.h"
 
@@ -30,9 +31,22 @@ struct ScaleOptions {
   int workers = 0;
 };
 
+/// Results of anything else are left alone.
+void CheckFolder(const ScaleConfig& config, const fs::path& folder) {
+  for (const char* name : {"config.yaml", "rgb.txt", "times.txt"}) {
+    const fs::path file = folder / name;
+    if (!fs::exists(file)) continue;
+    if (name == std::string("config.yaml") && sim::ReadTextFile(file) == sim::ToYaml(config))
+      return;
+    throw sim::FileError(file, "",
+                         "is of something else than this measurement; choose another --out");
+  }
+}
+
 void MeasureScale(const ScaleOptions& options) {
   const ScaleConfig config = LoadScaleConfig(ShippedConfig(options.config), options.overrides);
   const fs::path folder = options.out.empty() ? fs::path("results") / config.name : options.out;
+  CheckFolder(config, folder);
   const PlayedScale played = PlayScale(config, options.workers, StartLine);
   const std::string table = ScaleTable(played);
   sim::MakeFolder(folder);

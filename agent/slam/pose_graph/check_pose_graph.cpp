@@ -101,7 +101,7 @@ Positions PositionsOf(const PoseGraph<Pose>& graph) {
     const std::string name = "vertex " + std::to_string(vertex.id);
     if (const auto trouble = Trouble(vertex)) throw sim::Error(name + ": " + *trouble);
     if (!positions.try_emplace(vertex.id, static_cast<int>(positions.size())).second) {
-      throw sim::Error(name + " is there twice; number vertices apart");
+      throw sim::Error(name + " is there twice; give each a number of its own");
     }
   }
   return positions;
@@ -163,7 +163,7 @@ void CheckOnePiece(const PoseGraph<Pose>& graph, const PoseGraphLinks& links) {
       "the pose graph is in " + std::to_string(links.pieces) +
       " pieces: no edges lead from vertex " + std::to_string(graph.vertices.front().id) +
       " to vertex " + std::to_string(graph.vertices[static_cast<std::size_t>(first)].id) +
-      " and its piece of " + std::to_string(others) + "; add an edge, or allow pieces");
+      " and its piece of " + std::to_string(others) + "; add an edge, or say --pieces");
 }
 
 #define BULLETNAV_FOR_POSE(Pose)                                        \

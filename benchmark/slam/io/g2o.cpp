@@ -106,7 +106,7 @@ class Reader {
     line.ExpectWords(2 + Kind::kNumbers, Kind::kVertexWords);
     const std::int64_t id = line.Integer(1);
     if (!positions_.try_emplace(id, graph_.vertices.size()).second) {
-      line.Fail(fmt::format("vertex {} is there twice; number vertices apart", id));
+      line.Fail(fmt::format("vertex {} is there twice; give each a number of its own", id));
     }
     graph_.vertices.push_back({id, Kind::Read(line, 2)});
     if (const auto trouble = agent::Trouble(graph_.vertices.back())) line.Fail(*trouble);

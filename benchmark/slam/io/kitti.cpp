@@ -5,6 +5,7 @@
 
 #include "benchmark/base/counted.h"
 #include "benchmark/slam/io/file_frames.h"
+#include "benchmark/slam/io/rigid_numbers.h"
 #include "benchmark/slam/io/text_lines.h"
 #include "sim/base/error.h"
 
@@ -36,7 +37,9 @@ agent::SpatialPose PoseOf(const TextLine& line) {
 std::vector<agent::SpatialPose> ReadKittiPoses(const std::filesystem::path& file) {
   std::vector<agent::SpatialPose> poses;
   ForEachLine(file, [&](const TextLine& line) {
-    poses.push_back(agent::Compose(FirstCamera(), PoseOf(line)));
+    const agent::SpatialPose pose = PoseOf(line);
+    ExpectNear(line, pose.position);
+    poses.push_back(agent::Compose(FirstCamera(), pose));
   });
   if (poses.empty()) throw sim::FileError(file, "", "there are no poses");
   return poses;

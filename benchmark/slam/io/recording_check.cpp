@@ -9,6 +9,13 @@
 #include "sim/base/error.h"
 
 namespace bulletnav::bench {
+namespace {
+
+/// Of focal lengths, in widths of a picture: fields of view of 176 and of .3 degrees.
+constexpr double kLeastFocal = 0.02;
+constexpr double kMostFocal = 200.0;
+
+}  // namespace
 
 std::string SizeText(int width_px, int height_px) {
   return fmt::format("{} x {}", width_px, height_px);
@@ -33,6 +40,15 @@ void RecordingCheck::TakeFirst(const std::filesystem::path& file, const sim::Ima
         fmt::format("the principal point {}, {} lies outside of pictures of {} pixels; import it "
                     "with the intrinsics of these pictures, --intrinsics fx,fy,cx,cy",
                     k.cx, k.cy, size));
+  }
+  const auto is_odd = [&](double focal) {
+    return focal < kLeastFocal * color.width || focal > kMostFocal * color.width;
+  };
+  if (is_odd(k.fx) || is_odd(k.fy)) {
+    throw sim::FileError(folder_, "",
+                         fmt::format("focal lengths of {} and {} pixels are of no camera with "
+                                     "pictures of {}; import it with --intrinsics fx,fy,cx,cy",
+                                     k.fx, k.fy, size));
   }
   width_ = color.width;
   height_ = color.height;
@@ -65,7 +81,9 @@ void RecordingCheck::TakeDepth(const std::filesystem::path& file, const DepthPic
 
 void RecordingCheck::Finish() const {
   if (has_depth_) return;
-  throw sim::FileError(folder_, "", "no picture of depth has any; is it of 16 bits?");
+  throw sim::FileError(folder_, "",
+                       "no picture has any depth; depth PNGs must be of 16 bits, and of two "
+                       "cameras the left and the right picture must differ");
 }
 
 }  // namespace bulletnav::bench

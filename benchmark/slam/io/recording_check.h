@@ -19,7 +19,7 @@ class RecordingCheck {
   RecordingCheck(std::filesystem::path folder, const Intrinsics& intrinsics);
 
   /// RGB of the next frame: at least 8 x 8 pixels, as large as the first one, which holds the
-  /// principal point.
+  /// principal point and fits the focal lengths.
   void TakeColor(const std::filesystem::path& file, const sim::Image& color);
   /// Depth of that frame: as large as its colour.
   void TakeDepth(const std::filesystem::path& file, const DepthPicture& depth);

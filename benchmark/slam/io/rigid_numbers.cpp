@@ -17,6 +17,12 @@ agent::SpatialPose QuaternionPose(const TextLine& line, std::size_t first) {
   return {{n[0], n[1], n[2]}, rotation.normalized()};
 }
 
+void ExpectNear(const TextLine& line, const Eigen::Vector3d& position) {
+  constexpr double kFarthest = 1e7;
+  if (position.cwiseAbs().maxCoeff() <= kFarthest) return;
+  line.Fail("the place is more than 1e7 m away; mend the line");
+}
+
 std::string ToText(const agent::SpatialPose& pose) {
   Eigen::Quaterniond q = pose.rotation;
   if (q.w() < 0.0) q.coeffs() = -q.coeffs();

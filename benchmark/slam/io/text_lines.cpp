@@ -13,6 +13,7 @@ namespace bulletnav::bench {
 namespace {
 
 constexpr std::string_view kBlanks = " \t\r";
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // some editors begin UTF-8 with it
 
 std::vector<std::string_view> WordsOf(std::string_view line) {
   std::vector<std::string_view> words;
@@ -75,7 +76,8 @@ void TextLine::Fail(const std::string& what) const {
 void ForEachLine(const std::filesystem::path& file,
                  const std::function<void(const TextLine&)>& take) {
   const std::string text = sim::ReadTextFile(file);
-  const std::string_view all = text;
+  std::string_view all = text;
+  if (all.starts_with(kByteOrderMark)) all.remove_prefix(kByteOrderMark.size());
   int number = 0;
   for (std::size_t begin = 0; begin < all.size();) {
     const std::size_t end = std::min(all.find('\n', begin), all.size());

@@ -61,6 +61,7 @@ CameraTrajectory ReadTumTrajectory(const fs::path& file) {
     const double time = line.Number(0);
     CheckRising(trajectory, time, line);
     trajectory.push_back({time, QuaternionPose(line, 1)});
+    ExpectNear(line, trajectory.back().pose.position);
   });
   if (trajectory.empty()) throw sim::FileError(file, "", "there are no poses");
   return trajectory;
@@ -166,7 +167,8 @@ TumFolder ReadTumFolder(const fs::path& folder, const TumOptions& options) {
     throw sim::FileError(
         folder / "rgb.txt", "",
         fmt::format("only {} of {} pictures have one of depth.txt within {} s: the recordings are "
-                    "not synchronised; mend their times, or allow more",
+                    "not synchronised; mend their times, or let 'slam import' allow more with "
+                    "--most-apart",
                     read.frames.size(), colors.size(), options.most_apart));
   }
   read.left_out = static_cast<int>(colors.size() - read.frames.size());

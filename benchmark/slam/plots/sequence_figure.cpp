@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <set>
 
 #include "benchmark/report/chart.h"
 #include "benchmark/report/palette.h"
@@ -59,11 +60,19 @@ void DrawSequence(const Drawing& drawing, const agent::Sequence& sequence, const
   canvas->Disc(points.front(), 3.0, paint);
 }
 
+/// Those that have a sequence: short ones join others.
+std::size_t ClustersSeen(const agent::SequenceTrace& trace) {
+  std::set<int> seen;
+  for (const agent::Sequence& sequence : trace.sequences) seen.insert(sequence.cluster);
+  return seen.size();
+}
+
 void DrawPanel(const Drawing& drawing, std::size_t number, Canvas* canvas) {
   const double left = kGap + static_cast<double>(number) * (kPanel + kGap);
   const Eigen::AlignedBox2d box(Eigen::Vector2d(left, kTitle),
                                 Eigen::Vector2d(left + kPanel, kTitle + kPanel));
   const PanelPlace place(drawing.extent, box);
+  canvas->Clip(box);
   if (drawing.map) {
     std::vector<Canvas::Point> corners;
     corners.reserve(drawing.map->walkable.size());
@@ -76,8 +85,9 @@ void DrawPanel(const Drawing& drawing, std::size_t number, Canvas* canvas) {
   for (const agent::Sequence& sequence : panel.trace.sequences) {
     DrawSequence(drawing, sequence, place, canvas);
   }
+  canvas->Unclip();
   const std::string title = panel.title + ": " + std::to_string(panel.trace.sequences.size()) +
-                            " sequences of " + std::to_string(ClustersOf(panel.trace)) +
+                            " sequences of " + std::to_string(ClustersSeen(panel.trace)) +
                             " clusters";
   canvas->Text({box.center().x(), kTitle / 2.0}, title,
                {14.0, kInk, true, Align::kCenter, false, false});

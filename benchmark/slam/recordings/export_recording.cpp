@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "benchmark/slam/recordings/import_recording.h"
 #include "benchmark/slam/runs/drive_files.h"
 #include "benchmark/slam/runs/drive_frames.h"
+#include "benchmark/slam/runs/slam_fingerprints.h"
 #include "benchmark/slam/runs/slam_runner.h"
 #include "sim/base/error.h"
 #include "sim/base/files.h"
@@ -120,7 +122,11 @@ agent::PlanarPoseGraph ChainOf(const Chosen& chosen) {
   source.ForEach([&](const DriveFrame& frame) {
     poses.push_back(frame.odometry);
   });
-  return RunBackEnd(poses, {}, chosen.config.back_end).graph;
+  BackEndOutcome outcome = RunBackEnd(poses, {}, chosen.config.back_end);
+  if (!outcome.trouble.empty()) {
+    throw sim::FileError(chosen.drive.source, "", "odometry makes no graph: " + outcome.trouble);
+  }
+  return std::move(outcome.graph);
 }
 
 int WriteGraph(const ExportSpec& spec, const Chosen& chosen) {
@@ -153,6 +159,7 @@ int ExportRecording(const ExportSpec& spec, const std::function<void(int)>& adva
     throw sim::Error("--detector chooses a pose graph, so it needs --format g2o; leave it out");
   }
   const Chosen chosen = Choose(spec);
+  if (!chosen.results.empty()) CheckFingerprints(chosen.config, spec.source);
   if (fs::exists(spec.out) && fs::equivalent(spec.source, spec.out)) {
     throw sim::FileError(spec.out, "", "is what is exported; name another --out");
   }

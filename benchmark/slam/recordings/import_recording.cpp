@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include "agent/slam/features/stereo.h"
+#include "benchmark/base/counted.h"
 #include "benchmark/slam/io/kitti_folder.h"
 #include "benchmark/slam/io/recording_check.h"
 #include "benchmark/slam/io/tum.h"
@@ -137,6 +138,7 @@ class Importer {
   }
 
   ImportOutcome Run(const std::function<void(int)>& advance) {
+    if (spec_.format == RecordingFormat::kKitti) ExpectTruthOfAllOrNone();
     for (std::size_t i = 0; i < source_.frames.size(); ++i) {
       Take(i);
       if (advance) advance(static_cast<int>(i) + 1);
@@ -146,8 +148,8 @@ class Importer {
     if (2 * visual_.guessed() > visual_.steps()) {
       throw sim::FileError(
           spec_.source, "",
-          fmt::format("has no odometry, and too few corners were found again in {} of {} steps to "
-                      "make it from pictures; give it with --odometry FILE",
+          fmt::format("has no odometry, and in {} of {} steps too few corners of the picture "
+                      "before were found to make it from pictures; give it with --odometry FILE",
                       visual_.guessed(), visual_.steps()));
     }
     writer_->Finish();
@@ -156,6 +158,19 @@ class Importer {
   }
 
  private:
+  /// KITTI's poses have no times: a line is a frame's.
+  void ExpectTruthOfAllOrNone() const {
+    const auto known =
+        static_cast<std::size_t>(std::count_if(truth_.begin(), truth_.end(), [](const auto& pose) {
+          return pose.has_value();
+        }));
+    if (known == 0 || known == truth_.size()) return;
+    throw sim::FileError(spec_.source, "",
+                         fmt::format("KITTI's poses are a line a frame, but only {} of {} have "
+                                     "one; export as tum instead",
+                                     known, Counted(truth_.size(), "frame")));
+  }
+
   void Take(std::size_t i) {
     const SourceFrame& from = source_.frames[i];
     RecordedFrame frame;

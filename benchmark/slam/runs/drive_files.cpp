@@ -102,7 +102,11 @@ bool HasDrive(const fs::path& folder) {
 }
 
 DriveResult ReadDriveResult(const fs::path& folder) {
-  return sim::LoadYaml<DriveResult>(folder / kResult);
+  const fs::path file = folder / kResult;
+  if (fs::file_size(file) == 0) {
+    throw sim::FileError(file, "", "is empty; remove the folder to have the drive played again");
+  }
+  return sim::LoadYaml<DriveResult>(file);
 }
 
 TimesByStage ReadDriveTimes(const fs::path& folder) {

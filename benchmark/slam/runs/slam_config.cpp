@@ -2,6 +2,7 @@
 #include "benchmark/slam/runs/slam_config.h"
 
 #include <algorithm>
+#include <cctype>
 #include <set>
 
 #include <fmt/core.h>
@@ -17,9 +18,34 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Of metres and degrees: information is one over their squares.
+constexpr double kLeastDeviation = 1e-6;
+constexpr double kMostDeviation = 1e6;
+
+/// What results call files of a drive.
+const std::set<std::string>& TakenNames() {
+  static const std::set<std::string> names = {"odometry",    "groundtruth", "covisible", "result",
+                                              "times",       "rgb",         "depth",     "poses",
+                                              "calibration", "calib",       "config"};
+  return names;
+}
+
+/// Rows' names are files, too, and cells of tables.
+bool IsFileName(const std::string& name) {
+  constexpr std::size_t kLongest = 64;
+  return !name.empty() && name.size() <= kLongest && name.front() != '.' && name.front() != '-' &&
+         std::all_of(name.begin(), name.end(), [](unsigned char c) {
+           return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.';
+         });
+}
+
 /// Fills in names, and defaults of parameters, which complain at their place in the file.
 void Complete(const sim::YamlNode& root, const fs::path& file, SlamConfig* config) {
   if (config->name.empty()) config->name = file.stem().string();
+  if (config->name.find('/') != std::string::npos || config->name.front() == '.') {
+    root.FailAt("name", "'" + config->name +
+                            "' cannot name a folder of results; leave '/' and a dot in front out");
+  }
   std::set<std::string> names;
   const YAML::Node entries = root.yaml()["detectors"];
   for (std::size_t i = 0; i < config->detectors.size(); ++i) {
@@ -29,6 +55,11 @@ void Complete(const sim::YamlNode& root, const fs::path& file, SlamConfig* confi
     const std::string resolved = agent::ResolveLoopConfig(detector, entry.parameters);
     entry.parameters.emplace(root.Child(YAML::Load(resolved)));
     if (entry.name.empty()) entry.name = entry.detector;
+    if (!IsFileName(entry.name) || TakenNames().count(entry.name) > 0) {
+      place.Fail("'" + entry.name +
+                 "' cannot name a detector's files; take at most 64 letters, digits, '_', '-' and "
+                 "'.', and no name of another file, as 'odometry'");
+    }
     if (!names.insert(entry.name).second) {
       place.Fail("two detectors are called '" + entry.name + "'; give one a 'name'");
     }
@@ -68,8 +99,9 @@ void ChangeSpec::Validate() const {
 }
 
 void BackEndSpec::Validate() const {
-  if (!(step_m > 0.0 && step_deg > 0.0 && loop_m > 0.0 && loop_deg > 0.0 && width > 0.0)) {
-    throw sim::Error("step_m, step_deg, loop_m, loop_deg and width must be positive");
+  for (const double deviation : {step_m, step_deg, loop_m, loop_deg, width}) {
+    if (deviation >= kLeastDeviation && deviation <= kMostDeviation) continue;
+    throw sim::Error("step_m, step_deg, loop_m, loop_deg and width must lie between 1e-6 and 1e6");
   }
   if (!(confidence > 0.0 && confidence < 1.0)) {
     throw sim::KeyError("confidence", "confidence must lie between 0 and 1");
@@ -106,6 +138,9 @@ void SlamConfig::Validate() const {
   if (panorama && (sequences || filter)) {
     throw sim::KeyError(sequences ? "sequences" : "filter",
                         "is trained on flat pictures; leave it or 'panorama' out");
+  }
+  if (panorama && !recordings.empty()) {
+    throw sim::KeyError("panorama", "recordings are of flat pictures; leave one of the two out");
   }
   if (places && !panorama) {
     throw sim::KeyError("places", "'places' needs 'panorama': {} for the task's own");

@@ -6,6 +6,7 @@
 
 #include "benchmark/base/file_hash.h"
 #include "benchmark/base/shipped_file.h"
+#include "benchmark/episodes/generator.h"
 #include "sim/base/error.h"
 #include "sim/base/files.h"
 #include "sim/config/yaml_writer.h"
@@ -14,6 +15,8 @@ namespace bulletnav::bench {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* kFile = "fingerprints.yaml";
 
 struct FingerprintFile {
   SlamFingerprints files;
@@ -50,6 +53,9 @@ SlamFingerprints FingerprintsOf(const SlamConfig& config) {
       Add(file.string(), file, &all);
     }
   }
+  GeneratorSpec own;
+  own.scenes = config.scenes;
+  for (const std::string& scene : ScenesOf(own)) Add(scene, scene, &all);
   for (const std::optional<std::string>* weights :
        {&config.descriptors, &config.places, &config.sequences, &config.filter}) {
     if (*weights) Add(**weights, ShippedOr(**weights), &all);
@@ -57,22 +63,27 @@ SlamFingerprints FingerprintsOf(const SlamConfig& config) {
   return all;
 }
 
-void KeepFingerprints(const SlamConfig& config, const fs::path& folder) {
-  const fs::path file = folder / "fingerprints.yaml";
+SlamFingerprints CheckFingerprints(const SlamConfig& config, const fs::path& folder) {
+  const fs::path file = folder / kFile;
+  SlamFingerprints now = FingerprintsOf(config);
+  if (!fs::exists(file)) return now;
+  const SlamFingerprints before = sim::LoadYaml<FingerprintFile>(file).files;
+  CheckSame(before, now, file);
+  // A recording that has a list more is another one. Detectors that were added may use weights that
+  // nobody used before, and earlier versions did not note scenes.
+  SlamFingerprints known = now;
+  std::erase_if(known, [&](const auto& one) {
+    return before.count(one.first) == 0 && fs::path(one.first).extension() != ".txt";
+  });
+  CheckSame(known, before, file);
+  return now;
+}
+
+void KeepFingerprints(const SlamConfig& config, const fs::path& folder, bool is_new) {
   FingerprintFile now;
-  now.files = FingerprintsOf(config);
-  if (fs::exists(file)) {
-    const auto before = sim::LoadYaml<FingerprintFile>(file);
-    CheckSame(before.files, now.files, file);
-    // Detectors that were added may use weights that nobody used before.
-    SlamFingerprints known = now.files;
-    for (const auto* weights : {&config.sequences, &config.filter}) {
-      if (*weights && before.files.count(**weights) == 0) known.erase(**weights);
-    }
-    CheckSame(known, before.files, file);
-    if (known.size() < now.files.size()) sim::WriteFileAtomically(file, sim::ToYaml(now));
-  } else if (!now.files.empty()) {
-    sim::WriteFileAtomically(file, sim::ToYaml(now));
+  now.files = is_new ? FingerprintsOf(config) : CheckFingerprints(config, folder);
+  if (is_new || !now.files.empty()) {
+    sim::WriteFileAtomically(folder / kFile, sim::ToYaml(now));
   }
 }
 

@@ -28,14 +28,20 @@ std::function<void()> Start(const SlamRunOptions& options, const std::string& wh
   return options.progress(what, total);
 }
 
-/// Sees that the config goes on with the one that is there.
-void CheckConfig(const SlamConfig& config, const fs::path& folder) {
+/// Sees that the config goes on with the one that is there; where no drive is done it may be any.
+void CheckConfig(const SlamConfig& config, const fs::path& folder, bool is_new) {
   const fs::path file = folder / kConfig;
   if (!fs::exists(file) || sim::ReadTextFile(file) == sim::ToYaml(config)) return;
-  if (OnlyAddsDetectors(LoadSlamConfig(file), config)) return;
+  const SlamConfig before = ReadSlamRun(folder);
+  if (is_new || OnlyAddsDetectors(before, config)) return;
   throw sim::FileError(file, "",
                        "is another config than this run's, which may only add detectors; choose "
                        "another --out");
+}
+
+void ExpectNoRecording(const fs::path& folder) {
+  if (!fs::exists(folder / "rgb.txt") && !fs::exists(folder / "times.txt")) return;
+  throw sim::FileError(folder, "", "holds a recording; choose another --out");
 }
 
 void MakeAllHouses(const SlamConfig& config, const SlamRunOptions& options) {
@@ -115,11 +121,13 @@ std::vector<DriveResult> RunSlam(const SlamConfig& config, const fs::path& folde
                                  const SlamRunOptions& options) {
   sim::MakeFolder(folder);
   const sim::FolderLock lock(folder);
-  CheckConfig(config, folder);
+  ExpectNoRecording(folder);
+  const bool is_new = NamesDone(folder).empty();
+  CheckConfig(config, folder, is_new);
   MakeAllHouses(config, options);
   std::vector<Drive> left;
   const std::vector<Drive> drives = DrivesOf(config);
-  KeepFingerprints(config, folder);
+  KeepFingerprints(config, folder, is_new);
   sim::WriteFileAtomically(folder / kConfig, sim::ToYaml(config));
   for (const Drive& drive : drives) {
     if (IsLeft(config, DriveFolder(folder, drive.name))) left.push_back(drive);

@@ -151,6 +151,24 @@ std::string UnmeasuredLines(std::span<const DriveResult> results) {
   return text;
 }
 
+/// A line of each detector whose loops no trajectory could be made of, with the first reason.
+std::string TroubleLines(const SlamConfig& config, std::span<const DriveResult> results) {
+  std::string text;
+  for (std::size_t i = 0; i < config.detectors.size(); ++i) {
+    std::size_t count = 0;
+    std::string first;
+    for (const DriveResult& result : results) {
+      if (i >= result.detectors.size() || result.detectors[i].outcome.trouble.empty()) continue;
+      if (count++ == 0) first = result.drive + ": " + result.detectors[i].outcome.trouble;
+    }
+    if (count == 0) continue;
+    text +=
+        fmt::format("{}: no trajectory could be made of the loops of {}, odometry's counts; {}\n",
+                    config.detectors[i].name, Counted(count, "drive"), first);
+  }
+  return text;
+}
+
 /// A line of a stage; empty if no drive has it.
 std::string TimesLine(const std::string& stage, std::span<const TimesByStage> times) {
   StageTimes sum;
@@ -181,7 +199,7 @@ std::string SlamTables(const SlamConfig& config, std::span<const DriveResult> re
     text += ComparisonTable(config, measured);
     text += StageTable(config, measured);
   }
-  return text + UnmeasuredLines(results);
+  return text + TroubleLines(config, results) + UnmeasuredLines(results);
 }
 
 std::string SlamTimesTable(const SlamConfig& config, std::span<const TimesByStage> times) {

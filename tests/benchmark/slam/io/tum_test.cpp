@@ -33,6 +33,16 @@ TEST(Tum, ReadsAHandMadeTrajectory) {
   EXPECT_NEAR(trajectory[0].pose.rotation.y(), 0.5962, 1e-4);
 }
 
+/// As some editors write UTF-8.
+TEST(Tum, AByteOrderMarkIsNoWord) {
+  const tests::TemporaryFolder folder;
+  EXPECT_EQ(ReadTumTrajectory(folder.Write("t.txt",
+                                           "\xEF\xBB\xBF"
+                                           "1 2 0 0 0 0 0 1\n"))[0]
+                .time,
+            1.0);
+}
+
 TEST(Tum, WritesWhatItReads) {
   CameraTrajectory trajectory;
   for (int i = 0; i < 6; ++i) {
@@ -182,6 +192,7 @@ TEST(Tum, TellsFileAndLine) {
   expect("1 0 0 0 0 0 1\n", "1: expected 8 words, 't x y z qx qy qz qw', and found 7");
   expect("1 0 0 nan 0 0 0 1\n", "1: 'nan' is not finite");
   expect("1 0 0 0 0 0 0 0.5\n", "1: the quaternion");
+  expect("1 0 2e7 0 0 0 0 1\n", "1: the place is more than 1e7 m away");
   expect("# nothing\n", " there are no poses");
 }
 

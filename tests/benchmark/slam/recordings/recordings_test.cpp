@@ -295,12 +295,15 @@ TEST_F(Recordings, RunRefusesWhatImportRefuses) {
   bad = Record<TumWriter>("point", true);
   sim::WriteFileAtomically(bad / "calibration.txt", "525 525 319.5 239.5\n");
   expect_both(bad, "principal point 319.5, 239.5 lies outside");
+  bad = Record<TumWriter>("focal", true);
+  sim::WriteFileAtomically(bad / "calibration.txt", "1e300 1e300 79.5 59.5\n");
+  expect_both(bad, "are of no camera with pictures of 160 x 120");
   bad = Record<TumWriter>("empty", true);
   for (int i = 0; i < 4; ++i) {
     WriteTumDepth(bad / "depth" / ("00000" + std::to_string(i) + ".png"),
                   {kWidth, kHeight, std::vector<float>(kWidth * kHeight)});
   }
-  expect_both(bad, "no picture of depth has any");
+  expect_both(bad, "no picture has any depth");
   bad = Record<TumWriter>("pixel", true);
   sim::WriteFileAtomically(bad / "calibration.txt", "1 1 0.5 0.5\n");
   for (int i = 0; i < 4; ++i) {
@@ -371,6 +374,49 @@ TEST_F(Recordings, ARunDoesNotGoOnWithAChangedRecording) {
   fs::remove(fingerprints);
   Run(tum);
   EXPECT_EQ(sim::ReadTextFile(fingerprints), before);
+}
+
+/// What was told of a mistake can be done: nothing is bound before a drive is done.
+TEST_F(Recordings, AMistakeThatIsMendedDoesNotNeedAnotherFolder) {
+  const fs::path tum = Record<TumWriter>("tum", true);
+  const std::string odometry = sim::ReadTextFile(tum / "odometry.txt");
+  sim::WriteFileAtomically(tum / "odometry.txt", odometry + "word\n");
+  EXPECT_THROW(Run(tum), sim::FileError);
+  sim::WriteFileAtomically(tum / "odometry.txt", odometry);
+  const SlamConfig other = LoadSlamConfig(folder_.Write(
+      "other.yaml",
+      "recordings: [" + tum.string() + "]\napart_m: 2\ndetectors: [{detector: seqslam}]\n"));
+  const fs::path run = folder_.path() / "run/tum";
+  EXPECT_EQ(RunSlam(other, run, {}).size(), 1u);
+  EXPECT_THROW(Run(tum), sim::FileError);  // now it is bound
+}
+
+TEST_F(Recordings, ResultsAndRecordingsHaveFoldersOfTheirOwn) {
+  const fs::path tum = Record<TumWriter>("tum", true);
+  const fs::path run = Run(tum);
+  EXPECT_THAT(
+      [&] {
+        Import(tum, "run/tum");
+      },
+      ThrowsMessage<sim::FileError>(HasSubstr("holds results")));
+  EXPECT_THAT(
+      [&] {
+        RunSlam(ReadSlamRun(run), tum, {});
+      },
+      ThrowsMessage<sim::FileError>(HasSubstr("holds a recording")));
+}
+
+/// Nothing is written first: a line of KITTI's poses is a frame's.
+TEST_F(Recordings, KittiWantsTruthOfAllFramesOrNone) {
+  const fs::path most = Record<TumWriter>("most", true);
+  sim::WriteFileAtomically(most / "groundtruth.txt", "0 0 0 0 -0.5 0.5 -0.5 0.5\n");
+  const fs::path out = folder_.path() / "out";
+  EXPECT_THAT(
+      [&] {
+        ExportRecording({.source = most, .out = out, .format = RecordingFormat::kKitti}, {});
+      },
+      ThrowsMessage<sim::FileError>(HasSubstr("only 1 of 4 frames have one; export as tum")));
+  EXPECT_FALSE(fs::exists(out / "image_2"));
 }
 
 TEST_F(Recordings, PicturesOfAnImportThatStoppedAreRemoved) {

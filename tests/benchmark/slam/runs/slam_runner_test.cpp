@@ -279,6 +279,43 @@ TEST_F(SlamRunner, WeightsThatAreMissingAreTold) {
           AllOf(HasSubstr("nowhere.safetensors"), HasSubstr("place.yaml"))));
 }
 
+/// A scene that was exchanged is another experiment.
+TEST_F(SlamRunner, ARunDoesNotGoOnInAChangedScene) {
+  RunSlam(Config(), path("run"), {});
+  fs::remove_all(path("run") / "drives/room_60_3");
+  folder_.Write("room.obj", std::string(kRoom) + "v 1 1 -1\nv 2 1 -1\nv 2 1 -2\nf 9 10 11\n");
+  EXPECT_THAT(
+      [&] {
+        RunSlam(Config(), path("run"), {});
+      },
+      ThrowsMessage<sim::FileError>(AllOf(HasSubstr("room.obj"), HasSubstr("has changed"))));
+}
+
+/// Names of detectors are those of files and of cells.
+TEST_F(SlamRunner, NamesThatAreNoFilesAreRefused) {
+  for (const char* name : {"../x", "odometry", "a|b", "\"a b\"", "-x", "''"}) {
+    const std::string text = "scenes: [" + path("room.obj").string() +
+                             "]\ndetectors: [{detector: seqslam, name: " + name + "}]\n";
+    if (std::string_view(name) == "''") {
+      EXPECT_EQ(LoadSlamConfig(folder_.Write("n.yaml", text)).detectors[0].name, "seqslam");
+      continue;
+    }
+    EXPECT_THAT(
+        [&] {
+          LoadSlamConfig(folder_.Write("n.yaml", text));
+        },
+        ThrowsMessage<sim::FileError>(HasSubstr("n.yaml:2")))
+        << name;
+  }
+  EXPECT_THROW(
+      LoadSlamConfig(folder_.Write("m.yaml", "name: ../m\ndetectors: [{detector: seqslam}]\n")),
+      sim::FileError);
+  EXPECT_THROW(LoadSlamConfig(folder_.Write("p.yaml",
+                                            "recordings: [x]\npanorama: {}\n"
+                                            "detectors: [{detector: seqslam}]\n")),
+               sim::FileError);
+}
+
 TEST(SlamConfig, EveryShippedOneLoads) {
   int count = 0;
   for (const auto& entry : fs::directory_iterator(fs::path(BULLETNAV_CONFIGS) / "slam")) {
