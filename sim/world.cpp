@@ -23,7 +23,7 @@ World::World(std::string name, const ImportedScene& scene, const WorldOptions& o
       id_(Hash64(name_)),
       report_(scene.report),
       physics_(scene.mesh),
-      navmesh_(scene.mesh, options.navmesh),
+      navmesh_(scene.mesh, options.navmesh, name_),
       objects_(scene.drawn_mesh().objects),
       doors_(scene.doors),
       render_scene_(MakeRenderScene(scene.drawn_mesh(), options.backend)) {}

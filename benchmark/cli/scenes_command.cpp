@@ -55,7 +55,7 @@ void Inspect(const InspectOptions& options) {
   std::optional<Progress> progress(std::in_place, "reading " + file);
   const sim::ImportedScene scene = sim::ImportScene(options.scene.file, options.scene.import());
   progress->Rename("finding the walkable floor of " + file);
-  const sim::Navmesh navmesh(scene.mesh, {});
+  const sim::Navmesh navmesh(scene.mesh, {}, file);
   progress->Rename("measuring " + file);
   SceneReport report = InspectScene(scene.report, navmesh);
   report.doors = scene.doors;

@@ -14,7 +14,7 @@ namespace bulletnav::bench {
 /// SceneCache loads it.
 struct Ground {
   Ground(std::string scene, const sim::SceneMesh& mesh, const sim::NavmeshSpec& spec)
-      : name(std::move(scene)), physics(mesh), navmesh(mesh, spec) {}
+      : name(std::move(scene)), physics(mesh), navmesh(mesh, spec, name) {}
 
   std::string name;  // the file's, as sim::World's
   sim::PhysicsWorld physics;

@@ -60,6 +60,14 @@ void SceneCache::Keep(const Imported& scene, Entry* entry) {
   entry->imported = scene;
 }
 
+void SceneCache::WarnIfOpen(const fs::path& file, const sim::Navmesh& navmesh, Entry* entry) {
+  if (!navmesh.is_open() || !warn_ || std::exchange(entry->has_warned_of_open, true)) return;
+  const std::lock_guard lock(warning_);
+  warn_(file.string() +
+        ": nothing is indoors, so all that is level counts as floor, roofs too; if its floor is "
+        "missing, give the block 'import' ground_plane: true, if it lies on its side, up: z");
+}
+
 void SceneCache::Drop(Entry* entry) {
   entry->imported.reset();
   const std::lock_guard lock(mutex_);
@@ -84,6 +92,7 @@ std::unique_ptr<const Ground> SceneCache::LoadGround(const fs::path& file) {
   auto ground =
       std::make_unique<const Ground>(file.filename().string(), scene->mesh, options_.navmesh);
   sim::RequireFloor(file.string(), scene->report, ground->navmesh);
+  WarnIfOpen(file, ground->navmesh, &entry);
   return ground;
 }
 
@@ -116,6 +125,7 @@ std::shared_ptr<const sim::World> SceneCache::Get(const fs::path& file) {
     Drop(&entry);
     auto world = std::make_shared<const sim::World>(file.filename().string(), *scene, options_);
     world->RequireFloor();
+    WarnIfOpen(file, world->navmesh(), &entry);
     entry.world = std::move(world);
   }
   return entry.world;

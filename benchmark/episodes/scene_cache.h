@@ -57,7 +57,8 @@ class SceneCache {
     std::shared_ptr<const sim::World> world;
     std::size_t bytes = 0;  // of `imported`, while it is kept
     int expected = 0;
-    bool has_warned = false;
+    bool has_warned = false;          // of what is drawn grey
+    bool has_warned_of_open = false;  // that nothing is indoors
   };
   using Imported = std::shared_ptr<const sim::ImportedScene>;
 
@@ -65,6 +66,7 @@ class SceneCache {
   /// Of an entry whose `loading` is held.
   Imported Import(const std::filesystem::path& file, Entry* entry);
   void Keep(const Imported& scene, Entry* entry);
+  void WarnIfOpen(const std::filesystem::path& file, const sim::Navmesh& navmesh, Entry* entry);
   void Drop(Entry* entry);
 
   sim::WorldOptions options_;

@@ -73,6 +73,7 @@ SceneReport InspectScene(const sim::ImportReport& import, const sim::Navmesh& na
   report.import = import;
   report.islands = static_cast<int>(navmesh.islands().size());
   report.walkable_m2 = navmesh.area();
+  report.is_open = navmesh.is_open();
   report.longest_geodesic_m = LongestGeodesic(navmesh);
   return report;
 }
@@ -88,6 +89,7 @@ std::string ToJson(const SceneReport& report) {
       {"up_axis", import.up_axis == sim::UpAxis::kY ? "y" : "z"},
       {"islands", report.islands},
       {"walkable_m2", report.walkable_m2},
+      {"is_open", report.is_open},
       {"longest_geodesic_m", report.longest_geodesic_m},
       {"skipped", import.skipped},
       {"missing_textures", import.textures_missing},
@@ -104,12 +106,14 @@ std::string ToText(const SceneReport& report) {
       "textures          {} found, {} missing\n"
       "extent            {:.2f} x {:.2f} x {:.2f} m (x, y up, z)\n"
       "up axis as read   {}\n"
-      "walkable          {:.1f} m2 in {} island{}\n"
+      "walkable          {:.1f} m2 in {} island{}{}\n"
       "longest geodesic  {:.1f} m\n",
       import.triangles, import.materials, import.textures_found, import.textures_missing.size(),
       import.extent_m.x(), import.extent_m.y(), import.extent_m.z(),
       import.up_axis == sim::UpAxis::kY ? "y" : "z", report.walkable_m2, report.islands,
-      report.islands == 1 ? "" : "s", report.longest_geodesic_m);
+      report.islands == 1 ? "" : "s",
+      report.is_open ? "; nothing is indoors, so that all that is level counts, roofs too" : "",
+      report.longest_geodesic_m);
   if (!report.doors.empty()) {
     const auto open =
         std::count_if(report.doors.begin(), report.doors.end(), [](const sim::DoorLeaf& door) {

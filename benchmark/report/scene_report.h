@@ -11,6 +11,7 @@ namespace bulletnav::bench {
 struct SceneReport {
   sim::ImportReport import;
   int islands = 0;
+  bool is_open = false;  // nothing is indoors, see sim::Navmesh::is_open
   float walkable_m2 = 0.0f;
   /// Length of the longest shortest path found on the largest island: farthest point of the
   /// farthest point, a lower bound that is mostly exact.
@@ -22,7 +23,7 @@ SceneReport InspectScene(const sim::ImportReport& import, const sim::Navmesh& na
 
 /// Keys: triangles, materials, textures_found, textures_missing (numbers), extent_m [3], up_axis
 /// ("y" or "z", as read: COLLADA files are turned by their own element while they are), islands,
-/// walkable_m2, longest_geodesic_m, skipped [texts], missing_textures [texts]; where
+/// walkable_m2, is_open, longest_geodesic_m, skipped [texts], missing_textures [texts]; where
 /// doors are known, doors [{object, hinge [x, y, z], axis [x, y, z], width_m, angle_deg, open,
 /// leads_outside}].
 std::string ToJson(const SceneReport& report);

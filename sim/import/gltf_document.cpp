@@ -40,6 +40,8 @@ void AppendChunk(std::uint32_t type, std::span<const std::uint8_t> data,
   glb->insert(glb->end(), data.begin(), data.end());
 }
 
+constexpr const char* kNoCount = "is not a whole number from 0 on";
+
 /// What else is often saved under the name of a mesh, and what to do then.
 std::string CauseOfNoJson(std::span<const std::uint8_t> bytes) {
   constexpr std::string_view kPointer = "version https://git-lfs";
@@ -62,7 +64,9 @@ GltfDocument::GltfDocument(const std::filesystem::path& file, Bytes bytes) : fil
   is_glb_ = bytes.size() >= 4 && ReadUint(bytes, 0, 4) == kGlbMagic;
   if (is_glb_) json_bytes = SplitGlb(bytes);
   json_ = Json::parse(json_bytes.begin(), json_bytes.end(), nullptr, false);
-  if (json_.is_discarded()) Fail("", "holds no readable JSON; " + CauseOfNoJson(bytes));
+  if (json_.is_discarded()) {
+    throw FileError(file_, "", "holds no readable JSON; " + CauseOfNoJson(bytes));
+  }
   if (!json_.is_object()) Fail("", "is not a glTF document");
   RefuseVersion1();
 }
@@ -141,12 +145,12 @@ std::uint64_t GltfDocument::WholeNumber(const Json& value, const std::string& pl
   constexpr std::uint64_t kMost = std::uint64_t{1} << 40;
   if (value.is_number_float()) {
     const auto number = value.get<double>();
-    if (!(number >= 0.0) || number != std::floor(number)) Fail(place, "is not a whole number");
+    if (!(number >= 0.0) || number != std::floor(number)) Fail(place, kNoCount);
     if (number > static_cast<double>(kMost)) Fail(place, "is absurdly large");
     counts_in_floats_ = true;
     return static_cast<std::uint64_t>(number);
   }
-  if (!value.is_number_unsigned()) Fail(place, "is not a whole number");
+  if (!value.is_number_unsigned()) Fail(place, kNoCount);
   const auto number = value.get<std::uint64_t>();
   if (number > kMost) Fail(place, "is absurdly large");
   return number;

@@ -151,7 +151,7 @@ class PlyChecker {
     FinishElement();
     Element element;
     if (!(*words >> element.name >> element.count) || element.count > kMostElements) {
-      Fail("has no sane element count; it is damaged");
+      Fail("has no sane element count; it is damaged, export or download it again");
     }
     if (element.name == "vertex") vertices_ = element.count;
     elements_.push_back(element);

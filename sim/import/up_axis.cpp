@@ -11,6 +11,35 @@ namespace {
 constexpr float kLayer = 0.1f;        // metres
 constexpr float kFlatCosine = 0.95f;  // within 18 degrees of level
 constexpr double kClearlyBetter = 1.3;
+constexpr double kNothing = 0.15;  // of the area that faces along another axis: tops of walls
+constexpr double kMuch = 0.2;
+
+/// Area that faces along each axis.
+Eigen::Vector3d FacingArea(const SceneMesh& mesh) {
+  Eigen::Vector3d area = Eigen::Vector3d::Zero();
+  for (const auto& t : mesh.triangles) {
+    const Eigen::Vector3f& a = mesh.positions[t[0]];
+    const Eigen::Vector3f normal = (mesh.positions[t[1]] - a).cross(mesh.positions[t[2]] - a);
+    const float double_area = normal.norm();
+    for (int axis = 0; axis < 3; ++axis) {
+      if (std::abs(normal[axis]) >= kFlatCosine * double_area) area[axis] += 0.5 * double_area;
+    }
+  }
+  return area;
+}
+
+/// Walls without floor and ceiling: hardly anything faces along `up`, along which the mesh is
+/// lowest, and much along both of the others. Turned on its side such a building would have walls
+/// in one direction alone.
+bool IsWallsAlone(const SceneMesh& mesh, int up) {
+  const Eigen::Vector3d area = FacingArea(mesh);
+  const double one = area[up == 1 ? 0 : 1];
+  const double other = area[up == 2 ? 0 : 2];
+  const Eigen::Vector3f size = mesh.Bounds().sizes();
+  if (!(size[up] <= size.minCoeff())) return false;
+  return area[up] < kNothing * std::max(one, other) &&
+         std::min(one, other) > kMuch * std::max(one, other);
+}
 
 /// Root of the summed squares of the level area in each layer: large for two wide floors, small for
 /// the same area spread over many shelves and treads.
@@ -39,6 +68,8 @@ double Score(const SceneMesh& mesh, int axis) {
 }  // namespace
 
 UpAxis DetectUpAxis(const SceneMesh& mesh, UpAxis usual) {
+  if (IsWallsAlone(mesh, 1)) return UpAxis::kY;
+  if (IsWallsAlone(mesh, 2)) return UpAxis::kZ;
   const double y = Score(mesh, 1);
   const double z = Score(mesh, 2);
   if (usual == UpAxis::kY) return z > kClearlyBetter * y ? UpAxis::kZ : UpAxis::kY;

@@ -6,7 +6,8 @@ namespace bulletnav::sim {
 
 /// Which way up a mesh is, judged by its floors and ceilings: the axis along which the area of the
 /// faces perpendicular to it is gathered in few thin layers, and along which the mesh is low.
-/// `usual` (the format's convention) wins unless the other axis is clearly better.
+/// `usual` (the format's convention) wins unless the other axis is clearly better. Of walls without
+/// floor and ceiling, the axis along which nothing faces.
 UpAxis DetectUpAxis(const SceneMesh& mesh, UpAxis usual);
 
 /// (x, y, z) -> (x, z, -y).

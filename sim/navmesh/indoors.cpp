@@ -120,18 +120,19 @@ std::vector<Surroundings> LookAround(const rcHeightfield& heights,
   return all;
 }
 
-void KeepIndoors(const std::vector<Surroundings>& surroundings, rcCompactHeightfield* compact) {
+bool KeepIndoors(const std::vector<Surroundings>& surroundings, rcCompactHeightfield* compact) {
   const auto indoors =
       static_cast<float>(std::count_if(surroundings.begin(), surroundings.end(), [](const auto& s) {
         return s.is_indoors();
       }));
   const float area = indoors * compact->cs * compact->cs;
   if (area < kLeastIndoors || indoors < kLeastShare * static_cast<float>(surroundings.size())) {
-    return;
+    return false;
   }
   for (std::size_t i = 0; i < surroundings.size(); ++i) {
     if (!surroundings[i].is_indoors()) compact->areas[i] = RC_NULL_AREA;
   }
+  return true;
 }
 
 }  // namespace bulletnav::sim

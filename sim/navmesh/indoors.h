@@ -23,8 +23,8 @@ struct Surroundings {
 std::vector<Surroundings> LookAround(const rcHeightfield& heights,
                                      const rcCompactHeightfield& compact);
 
-/// Makes what is not indoors unwalkable. Nothing, if less than 4 m2 or a hundredth of all that is
-/// walkable is indoors: such scenes are open.
-void KeepIndoors(const std::vector<Surroundings>& surroundings, rcCompactHeightfield* compact);
+/// Makes what is not indoors unwalkable. Nothing, and returns false, if less than 4 m2 or a
+/// hundredth of all that is walkable is indoors: such scenes are open.
+bool KeepIndoors(const std::vector<Surroundings>& surroundings, rcCompactHeightfield* compact);
 
 }  // namespace bulletnav::sim

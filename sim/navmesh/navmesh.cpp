@@ -65,7 +65,7 @@ void NavmeshSpec::Validate() const {
 }
 
 struct Navmesh::Impl {
-  explicit Impl(std::vector<std::uint8_t> bytes) : data(std::move(bytes)) {
+  explicit Impl(DetourTile tile) : data(std::move(tile.bytes)), is_open(tile.is_open) {
     if (data.empty()) return;
     // Detour takes over, changes and frees the memory it is given.
     auto* copy = static_cast<unsigned char*>(dtAlloc(data.size(), DT_ALLOC_PERM));
@@ -181,6 +181,7 @@ struct Navmesh::Impl {
   }
 
   std::vector<std::uint8_t> data;
+  bool is_open = false;
   std::unique_ptr<dtNavMesh, FreeDetour> detour;
   std::vector<int> island_of_polygon;
   std::vector<Island> islands;
@@ -190,10 +191,20 @@ struct Navmesh::Impl {
   std::vector<std::vector<float>> area_up_to;  // running sums over triangles_of_island
 };
 
-Navmesh::Navmesh(const SceneMesh& mesh, const NavmeshSpec& spec)
-    : impl_(std::make_unique<Impl>(BuildDetourTile(mesh, spec))) {}
+Navmesh::Navmesh(const SceneMesh& mesh, const NavmeshSpec& spec, const std::string& name) {
+  try {
+    impl_ = std::make_unique<Impl>(BuildDetourTile(mesh, spec));
+  } catch (const Error& error) {
+    if (name.empty()) throw;
+    throw Error(name + ": " + error.what());
+  }
+}
 
 Navmesh::~Navmesh() = default;
+
+bool Navmesh::is_open() const {
+  return impl_->is_open;
+}
 
 const std::vector<Island>& Navmesh::islands() const {
   return impl_->islands;

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -78,8 +79,8 @@ struct Path {
 /// in open scenes, of which next to nothing is indoors. NavmeshSpec::indoor_only turns this off.
 class Navmesh {
  public:
-  /// Throws Error, with the remedy, if the mesh is too large for Recast.
-  Navmesh(const SceneMesh& mesh, const NavmeshSpec& spec);
+  /// Throws Error, with the remedy, if the mesh is too large for Recast; it names the scene `name`.
+  Navmesh(const SceneMesh& mesh, const NavmeshSpec& spec, const std::string& name = {});
   ~Navmesh();
   Navmesh(const Navmesh&) = delete;
   Navmesh& operator=(const Navmesh&) = delete;
@@ -88,6 +89,8 @@ class Navmesh {
 
   /// Largest first; empty if there is no floor to walk on.
   const std::vector<Island>& islands() const;
+  /// Next to nothing is indoors, so that all that is level counts as floor, roofs too.
+  bool is_open() const;
   /// Walkable m2 of all islands.
   float area() const;
   /// Triangles of the walkable surface, corner after corner, and each triangle's island; for

@@ -68,6 +68,9 @@ class RecastBuilder {
     Configure();
   }
 
+  /// After Build: see DetourTile.
+  bool is_open() const { return is_open_; }
+
   std::vector<std::uint8_t> Build() {
     Voxelise();
     Partition();
@@ -148,7 +151,7 @@ class RecastBuilder {
     std::vector<Surroundings> surroundings;
     if (spec_.is_indoor()) {
       surroundings = LookAround(*heights_, *compact_);
-      KeepIndoors(surroundings, compact_.get());
+      is_open_ = !KeepIndoors(surroundings, compact_.get());
     }
     Require(rcErodeWalkableArea(&context_, config_.walkableRadius, *compact_), "erode");
     Require(rcBuildDistanceField(&context_, *compact_), "measure distances");
@@ -214,6 +217,7 @@ class RecastBuilder {
   rcContext context_{false};
   rcConfig config_{};
   Owned<rcHeightfield> heights_;
+  bool is_open_ = false;
   std::vector<bool> is_off_floor_;  // by region; empty if all are floor
   Owned<rcCompactHeightfield> compact_;
   Owned<rcPolyMesh> polygons_;
@@ -222,9 +226,13 @@ class RecastBuilder {
 
 }  // namespace
 
-std::vector<std::uint8_t> BuildDetourTile(const SceneMesh& mesh, const NavmeshSpec& spec) {
+DetourTile BuildDetourTile(const SceneMesh& mesh, const NavmeshSpec& spec) {
   spec.Validate();
-  return RecastBuilder(mesh, spec).Build();
+  RecastBuilder builder(mesh, spec);
+  DetourTile tile;
+  tile.bytes = builder.Build();
+  tile.is_open = builder.is_open();
+  return tile;
 }
 
 }  // namespace bulletnav::sim

@@ -7,9 +7,15 @@
 
 namespace bulletnav::sim {
 
-/// Runs Recast over the mesh and packs the result as one Detour tile; empty if nothing is walkable.
+/// A packed navmesh.
+struct DetourTile {
+  std::vector<std::uint8_t> bytes;  // empty if nothing is walkable
+  bool is_open = false;             // next to nothing is indoors, so that all counts as floor
+};
+
+/// Runs Recast over the mesh and packs the result as one Detour tile.
 /// Polygons that are no floor have no flags.
 /// Throws Error if the scene has more cells than fit into memory.
-std::vector<std::uint8_t> BuildDetourTile(const SceneMesh& mesh, const NavmeshSpec& spec);
+DetourTile BuildDetourTile(const SceneMesh& mesh, const NavmeshSpec& spec);
 
 }  // namespace bulletnav::sim

@@ -12,5 +12,13 @@ TEST(SceneReport, TheUpAxisIsThatOfWhatWasRead) {
   EXPECT_NE(ToText(report).find("up axis as read   z\n"), std::string::npos);
 }
 
+TEST(SceneReport, TellsThatRoofsCountWhereNothingIsIndoors) {
+  SceneReport report;
+  EXPECT_EQ(ToText(report).find("roofs"), std::string::npos);
+  report.is_open = true;
+  EXPECT_NE(ToText(report).find("nothing is indoors, so that all that is level counts"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace bulletnav::bench

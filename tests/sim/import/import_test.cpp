@@ -603,6 +603,29 @@ TEST(Import, BareFloorsLieFlatInAnyFormat) {
   }
 }
 
+/// Walls of a room of 8 x 6 m, 2.5 m high, up the file's `up`, without floor and ceiling.
+std::string WallsText(UpAxis up) {
+  std::string text;
+  for (const char* height : {"0", "2.5"}) {
+    for (const char* xy : {"0 0", "8 0", "8 6", "0 6"}) {
+      const std::string x(1, xy[0]);
+      const std::string y(1, xy[2]);
+      text += "v " + (up == UpAxis::kZ ? x + " " + y + " " + height : x + " " + height + " " + y);
+      text += "\n";
+    }
+  }
+  return text + "f 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+}
+
+TEST(Import, BareWallsStandInAnyFile) {
+  const TemporaryFolder folder;
+  for (const UpAxis up : {UpAxis::kY, UpAxis::kZ}) {
+    const ImportedScene scene = ImportScene(folder.Write("walls.obj", WallsText(up)));
+    EXPECT_EQ(scene.report.up_axis, up);
+    EXPECT_FLOAT_EQ(scene.report.extent_m.y(), 2.5f);
+  }
+}
+
 class SharedSceneTest : public testing::TestWithParam<const char*> {};
 
 TEST_P(SharedSceneTest, RealScenesLoad) {

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Floor is what a body can stand on indoors.
+#include <string>
+
 #include <gtest/gtest.h>
 
+#include "sim/base/error.h"
 #include "sim/navmesh/navmesh.h"
 #include "tests/support/scenes.h"
 
@@ -205,6 +208,29 @@ TEST(Indoors, AnOpenSceneIsFloorAllOver) {
   AddSlab({0, 0, -20}, {20, 0, 0}, &mesh);
   AddBox({5, 0, -6}, {6, 2.5f, -5}, kGrey, &mesh);
   EXPECT_GT(Navmesh(mesh, {}).area(), 380.0f);
+}
+
+/// A slab in the open: there is nothing indoors that could count.
+TEST(Indoors, SaysWhereNothingIsIndoors) {
+  EXPECT_FALSE(Navmesh(OpenHouse(), {}).is_open());
+  SceneMesh slab;
+  AddSlab({0, 0, -6}, {6, 0, 0}, &slab);
+  EXPECT_TRUE(Navmesh(slab, {}).is_open());
+  NavmeshSpec all;
+  all.indoor_only = false;
+  EXPECT_FALSE(Navmesh(slab, all).is_open());  // not asked
+}
+
+TEST(Navmesh, NamesASceneThatIsTooLarge) {
+  SceneMesh slab;
+  AddSlab({0, 0, -9000}, {9000, 0, 0}, &slab);
+  try {
+    const Navmesh navmesh(slab, {}, "house.glb");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(std::string(error.what()).find("house.glb: the scene is 9000 x 9000 m"), 0u)
+        << error.what();
+  }
 }
 
 }  // namespace
