@@ -15,6 +15,7 @@
 #include "benchmark/cli/progress.h"
 #include "benchmark/cli/shipped_config.h"
 #include "benchmark/cli/stop_note.h"
+#include "benchmark/training/core/checkpoint.h"
 #include "benchmark/training/core/registry.h"
 #include "benchmark/training/core/training_log.h"
 #include "sim/config/override.h"
@@ -48,11 +49,22 @@ void TrainTogether(const sim::YamlNode& config, const std::shared_ptr<Peers>& pe
   fmt::print("weights and curves: {}\n", job.plan.out);
 }
 
+/// Where what a training goes on from will be; nowhere if the config does not say, which is an
+/// error that is told later.
+std::filesystem::path CheckpointOf(const sim::YamlNode& config) {
+  if (!config.yaml().IsMap()) return {};
+  const YAML::Node out = config.yaml()["out"];
+  if (!out || !out.IsScalar()) return {};
+  return std::filesystem::path(out.Scalar()) / kCheckpointFile;
+}
+
 void Train(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  const StopNote note([] {
-    return std::string("the same command goes on from what was saved last");
-  });
   const sim::YamlNode config = sim::ReadWithOverrides(file, overrides);
+  const StopNote note([checkpoint = CheckpointOf(config)] {
+    return std::filesystem::exists(checkpoint)
+               ? std::string("the same command goes on from what was saved last")
+               : std::string("nothing is saved yet; the same command begins anew");
+  });
   const auto peers = std::make_shared<Peers>(PeerPlaceOf([](const char* name) {
     return static_cast<const char*>(std::getenv(name));
   }));

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <bit>
+#include <charconv>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <sstream>
@@ -32,6 +35,15 @@ std::size_t CountNumbers(const agent::TensorFile& content, bool integers) {
   return count;
 }
 
+/// Some numbers are kept as the bits of a double.
+std::string Readable(const std::string& key, const std::string& text) {
+  std::uint64_t bits = 0;
+  const char* end = text.data() + text.size();
+  const auto [last, error] = std::from_chars(text.data(), end, bits);
+  const bool is_bits = key.starts_with("return.") && error == std::errc() && last == end;
+  return is_bits ? fmt::format("{}", std::bit_cast<double>(bits)) : text;
+}
+
 /// Its lines, set in; of one line, in the same line.
 void PrintEntry(const std::string& key, const std::string& text) {
   if (text.find('\n') == std::string::npos) {
@@ -49,7 +61,7 @@ void TellWeights(const fs::path& file) {
   PrintEntry("megabytes", fmt::format("{:.1f}", static_cast<double>(fs::file_size(file)) / 1e6));
   PrintEntry("trained numbers", std::to_string(CountNumbers(content, false)));
   PrintEntry("in integers", std::to_string(CountNumbers(content, true)));
-  for (const auto& [key, text] : content.metadata) PrintEntry(key, text);
+  for (const auto& [key, text] : content.metadata) PrintEntry(key, Readable(key, text));
 }
 
 }  // namespace

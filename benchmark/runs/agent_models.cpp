@@ -62,7 +62,9 @@ std::shared_ptr<agent::Model> LoadInto(const SlotSource& source, const agent::Ri
   std::shared_ptr<agent::Model> model = agent::LoadModel(file, rig);
   if (source.slot.accepts(*model)) return model;
   throw sim::FileError(
-      file, "", "holds no " + source.slot.interface + ", which '" + source.slot.name + "' takes");
+      file, "",
+      "holds no " + source.slot.interface + ", which '" + source.slot.name +
+          "' takes; name other weights for it in 'weights' or the agent's 'models'");
 }
 
 /// Takes an agent's oracle, or some functions of it in the place of the model's.

@@ -46,7 +46,7 @@ agent::TensorFile ReadCheckpoint(const fs::path& file) {
 
 Checkpoints::Checkpoints(const fs::path& folder, std::string essence, Peers* peers)
     : peers_(peers),
-      newest_(folder / "checkpoint.safetensors"),
+      newest_(folder / kCheckpointFile),
       previous_(folder / "checkpoint_previous.safetensors"),
       essence_(std::move(essence)) {}
 

@@ -18,6 +18,8 @@ struct TrainState {
   double best_loss = std::numeric_limits<double>::infinity();  // of the validations so far
 };
 
+inline constexpr const char* kCheckpointFile = "checkpoint.safetensors";
+
 /// The newest checkpoint of a training and the one before, in its folder.
 class Checkpoints {
  public:

@@ -83,7 +83,9 @@ class Trainer {
   void Finish(const std::optional<Curves>& curves) const {
     Save("weights.safetensors");
     training_->net().eval();
+    observer_->Validating(state_.step, "the weights");
     const Measures floats = training_->Validate();
+    observer_->Validating(state_.step, "the weights in integers");
     const std::optional<Measures> integers = training_->Quantise(folder_ / "weights.safetensors");
     if (!peers_->is_first()) return;
     sim::WriteFileAtomically(folder_ / "weights.md",
@@ -108,6 +110,7 @@ class Trainer {
     point.rate = plan_.optimiser.RateAt(state_.step - 1, plan_.steps);
     point.train_loss = train_loss;
     training_->net().eval();
+    observer_->Validating(state_.step, "the net");
     point.validation = training_->Validate();
     const double loss = point.validation.at("loss");
     RequireNumber(loss, "validation", state_.step);

@@ -43,6 +43,8 @@ class TrainObserver {
 
   virtual void Resumed(int step) = 0;
   virtual void Stepped(int step, double loss) = 0;
+  /// Before the net, or a form of it, is tried, which may take minutes.
+  virtual void Validating(int /*step*/, const std::string& /*what*/) {}
   /// `text`: the measures in words.
   virtual void Validated(int step, const Measures& measures, const std::string& text) = 0;
 };

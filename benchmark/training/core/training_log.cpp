@@ -49,7 +49,14 @@ void TrainingLog::Stepped(int step, double loss) {
   losses_ = 0;
 }
 
+void TrainingLog::Validating(int step, const std::string& what) {
+  validating_ = Clock::now();
+  if (!is_quick_) *out_ << fmt::format("trying {} of step {}\n", what, step) << std::flush;
+}
+
 void TrainingLog::Validated(int step, const Measures& /*measures*/, const std::string& text) {
+  const double took_s = std::chrono::duration<double>(Clock::now() - validating_).count();
+  is_quick_ = took_s < kPause;
   *out_ << fmt::format("validation at step {}: {}\n", step, text) << std::flush;
 }
 

@@ -16,6 +16,7 @@ class TrainingLog : public TrainObserver {
 
   void Resumed(int step) override;
   void Stepped(int step, double loss) override;
+  void Validating(int step, const std::string& what) override;
   void Validated(int step, const Measures& measures, const std::string& text) override;
 
  private:
@@ -27,6 +28,8 @@ class TrainingLog : public TrainObserver {
   int first_step_ = 0;
   Clock::time_point start_;
   Clock::time_point last_;
+  bool is_quick_ = false;         // the last validation was
+  Clock::time_point validating_;  // since when
   double loss_sum_ = 0.0;
   int losses_ = 0;
 };

@@ -7,11 +7,16 @@
 #include <numeric>
 #include <vector>
 
+#include <fmt/core.h>
+
 #include "sim/config/yaml_reader.h"
 #include "sim/math/rng.h"
 
 namespace bulletnav::bench {
 namespace {
+
+constexpr int kMostLanes = 4096;
+constexpr int kMostSteps = 65536;
 
 struct Targets {
   torch::Tensor advantages;  // [steps, lanes], of mean 0 and variance 1
@@ -128,8 +133,12 @@ std::vector<std::vector<int>> Minibatches(int groups, int count, sim::Rng* rng) 
 }  // namespace
 
 void PpoSpec::Validate() const {
-  if (lanes < 1) throw sim::KeyError("lanes", "lanes must be at least 1");
-  if (rollout < 1) throw sim::KeyError("rollout", "rollout must be at least 1");
+  if (lanes < 1 || lanes > kMostLanes) {
+    throw sim::KeyError("lanes", fmt::format("lanes must lie between 1 and {}", kMostLanes));
+  }
+  if (rollout < 1 || rollout > kMostSteps) {
+    throw sim::KeyError("rollout", fmt::format("rollout must lie between 1 and {}", kMostSteps));
+  }
   if (epochs < 1) throw sim::KeyError("epochs", "epochs must be at least 1");
   if (group < 1 || lanes % group != 0) throw sim::KeyError("group", "group must divide lanes");
   if (minibatches < 1 || lanes / group % minibatches != 0) {

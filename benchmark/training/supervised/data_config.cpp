@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/training/supervised/data_config.h"
 
+#include <set>
+
 #include "agent/mapping/map_spec.h"
 #include "benchmark/episodes/generator.h"
 #include "sim/base/files.h"
@@ -71,6 +73,11 @@ std::vector<fs::path> ScenesOf(const DataConfig& config) {
   if (config.more_houses) {
     const std::vector<fs::path> more = FilesOf(*config.more_houses);
     scenes.insert(scenes.end(), more.begin(), more.end());
+  }
+  std::set<fs::path> known;
+  for (const fs::path& scene : scenes) {
+    if (known.insert(fs::absolute(scene).lexically_normal()).second) continue;
+    throw sim::FileError(scene, "", "is named twice; name each scene once");
   }
   return scenes;
 }

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/training/rl/exploration/exploration_lanes.h"
 
+#include <fmt/core.h>
+
 #include "agent/policy/exploration_view.h"
+#include "benchmark/base/memory.h"
 #include "sim/base/check.h"
 
 namespace bulletnav::bench {
@@ -20,9 +23,21 @@ agent::GoalSteps GoalOf(int action) {
   return {action / kSide - kMiddle, action % kSide - kMiddle};
 }
 
+namespace {
+
+/// Throws if the maps of so many bodies do not fit into memory.
+std::size_t LanesThatFit(int lanes) {
+  constexpr double kLaneBytes = 6e6;  // measured, in an office of 300 m2
+  RequireMemory(lanes * kLaneBytes, fmt::format("exploring in {} lanes", lanes),
+                "take fewer lanes");
+  return static_cast<std::size_t>(lanes);
+}
+
+}  // namespace
+
 ExplorationLanes::ExplorationLanes(int lanes, const MapSimulatorSpec& spec,
                                    const ExplorationScenes* scenes, sim::WorkerPool* pool)
-    : spec_(spec), scenes_(scenes), pool_(pool), lanes_(static_cast<std::size_t>(lanes)) {
+    : spec_(spec), scenes_(scenes), pool_(pool), lanes_(LanesThatFit(lanes)) {
   for (Lane& lane : lanes_) lane.simulator = std::make_unique<MapSimulator>(spec);
 }
 

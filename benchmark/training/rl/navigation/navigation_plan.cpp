@@ -12,6 +12,7 @@
 #include "agent/policy/integer_policy.h"
 #include "agent/policy/learned_policy.h"
 #include "agent/policy/restore_policy.h"
+#include "benchmark/base/memory.h"
 #include "benchmark/base/program_version.h"
 #include "benchmark/base/shipped_file.h"
 #include "benchmark/base/warn_line.h"
@@ -77,6 +78,17 @@ NavigationSpec NavigationPlan::Lanes(const LaneShare& share, bool teaches) const
   spec.averaged_from = averaged_from;
   spec.task = task();
   return spec;
+}
+
+void NavigationPlan::RequireRollout(int lanes, int steps) const {
+  constexpr double kColor = 3.0;  // bytes a pixel of what a net that learns to see is shown
+  constexpr double kCodes = 4e3;  // bytes of what another one has made of it, at least
+  constexpr double kTwice = 2.0;  // while steps are put together
+  const double pixels = 4.0 * model.rows * model.rows;
+  const double step = model.own_encoder ? kColor * pixels : kCodes;
+  RequireMemory(kTwice * step * steps * lanes,
+                fmt::format("a rollout of {} steps in {} lanes", steps, lanes),
+                "take a shorter rollout or fewer lanes");
 }
 
 std::unique_ptr<PictureNet> NavigationPlan::MakeNet(std::uint64_t seed) const {

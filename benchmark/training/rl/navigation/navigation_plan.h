@@ -52,6 +52,9 @@ struct NavigationPlan {
 
   Task task() const;  // as runs play it
   NavigationSpec Lanes(const LaneShare& share, bool teaches) const;
+  /// Throws sim::Error if rollouts of so many lanes and steps certainly do not fit into memory;
+  /// before lanes are made, which takes long.
+  void RequireRollout(int lanes, int steps) const;
   std::unique_ptr<PictureNet> MakeNet(std::uint64_t seed) const;
 };
 

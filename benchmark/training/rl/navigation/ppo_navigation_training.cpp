@@ -75,9 +75,10 @@ class PpoNavigationTraining final : public PpoTraining {
               return config.navigation.MakeNet(config.seed);
             },
             [config, world, peers](sim::WorkerPool* pool) {
-              return std::make_unique<NavigationLanes>(
-                  config.navigation.Lanes(Share(config.ppo, peers.get()), false), world->scenes(),
-                  pool);
+              const LaneShare share = Share(config.ppo, peers.get());
+              config.navigation.RequireRollout(share.lanes, config.ppo.rollout);
+              return std::make_unique<NavigationLanes>(config.navigation.Lanes(share, false),
+                                                       world->scenes(), pool);
             },
             peers),
         config_(config),
