@@ -2,7 +2,6 @@
 // Commands of topological SLAM. They are in bulletnav-slam.so; see slam.h.
 #include <chrono>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <string>
 #include <variant>
@@ -14,6 +13,7 @@
 #include "agent/slam/pose_graph/optimize.h"
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/program.h"
+#include "benchmark/cli/scene_options.h"
 #include "benchmark/cli/slam_commands.h"
 #include "benchmark/slam/io/g2o.h"
 #include "sim/base/error.h"
@@ -73,13 +73,8 @@ void AddOptimizeCommand(CLI::App* slam) {
   command->add_option("graph", options->graph, "File with SE2 or SE3:QUAT vertices and edges")
       ->required();
   command->add_option("--out", options->out, "File for the optimised graph")->required();
-  using Names = sim::EnumNames<agent::RobustKernel>;
-  const std::map<std::string, agent::RobustKernel> kernels(Names::kNames.begin(),
-                                                           Names::kNames.end());
-  command
-      ->add_option("--robust", options->optimize.kernel,
-                   "How far loops that fit badly are trusted: none (all the same), huber, cauchy")
-      ->transform(CLI::CheckedTransformer(kernels).description("{none,huber,cauchy}"))
+  AddEnumOption(command, "--robust", &options->optimize.kernel,
+                "How far loops that fit badly are trusted, none: all the same")
       ->default_str("none");
   command
       ->add_option("--width", options->optimize.kernel_width,

@@ -68,8 +68,10 @@ Figure PrecisionRecallFigure(const SlamConfig& config, std::span<const DriveResu
   const Results pointers = PointersTo(results);
   std::vector<Chart> charts;
   for (const LoopKind kind : {LoopKind::kCovisible, LoopKind::kNode, LoopKind::kNear}) {
-    charts.push_back(KindChart(config, pointers, kind));
+    // Recordings have no walkable floor, so that nobody knows what is one node.
+    if (!RankingsOf(pointers, 0, kind).empty()) charts.push_back(KindChart(config, pointers, kind));
   }
+  if (charts.empty()) charts.push_back(KindChart(config, pointers, LoopKind::kCovisible));
   return ChartFigure(charts);
 }
 

@@ -131,6 +131,18 @@ std::optional<LoopRecord> ParseLoop(const std::string& line) {
 
 }  // namespace
 
+namespace {
+
+/// Results of a drive may have been kept without what is drawn from them.
+void ExpectThere(const fs::path& file) {
+  if (fs::exists(file)) return;
+  throw sim::FileError(file, "",
+                       "is not there any more; remove the drive's folder, and 'slam run' plays it "
+                       "again");
+}
+
+}  // namespace
+
 std::vector<sim::BodyPose> ReadTruth(const fs::path& folder) {
   std::vector<sim::BodyPose> poses;
   const fs::path file = folder / kTruth;
@@ -143,7 +155,9 @@ std::vector<sim::BodyPose> ReadTruth(const fs::path& folder) {
 
 std::vector<sim::PlanarPose> ReadPoses(const fs::path& folder, const std::string& name) {
   std::vector<sim::PlanarPose> poses;
-  for (const TimedPose& pose : ReadTumTrajectory(folder / (name + ".tum"))) {
+  const fs::path file = folder / (name + ".tum");
+  ExpectThere(file);
+  for (const TimedPose& pose : ReadTumTrajectory(file)) {
     poses.push_back(PlanarFromFile(pose.pose));
   }
   return poses;
@@ -151,6 +165,7 @@ std::vector<sim::PlanarPose> ReadPoses(const fs::path& folder, const std::string
 
 std::vector<LoopRecord> ReadLoops(const fs::path& folder, const std::string& detector) {
   const fs::path file = folder / (detector + ".csv");
+  ExpectThere(file);
   std::istringstream lines(sim::ReadTextFile(file));
   std::vector<LoopRecord> loops;
   std::string line;

@@ -140,7 +140,9 @@ struct StageTimes {
     v("p95_ms", p95_ms);
   }
 };
-/// "corners", "descriptors", "verification of a pair", and each detector by its name.
+/// "corners", "descriptors", "verification of a pair", and each detector by its name; what it does
+/// after the last frame, shared out among all, by its name and kAtTheEnd.
+inline constexpr const char* kAtTheEnd = ", at the end of the drive";
 using TimesByStage = std::map<std::string, StageTimes>;
 
 }  // namespace bulletnav::bench

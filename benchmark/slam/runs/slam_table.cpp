@@ -204,7 +204,9 @@ std::string SlamTables(const SlamConfig& config, std::span<const DriveResult> re
 
 std::string SlamTimesTable(const SlamConfig& config, std::span<const TimesByStage> times) {
   std::string lines = TimesLine("corners", times) + TimesLine("descriptors", times);
-  for (const DetectorEntry& entry : config.detectors) lines += TimesLine(entry.name, times);
+  for (const DetectorEntry& entry : config.detectors) {
+    lines += TimesLine(entry.name, times) + TimesLine(entry.name + kAtTheEnd, times);
+  }
   lines += TimesLine("verification of a pair", times);
   if (lines.empty()) return "";
   return "Milliseconds a frame on this machine: means over drives of their medians and of their "
