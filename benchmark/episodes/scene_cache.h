@@ -25,8 +25,9 @@ class SceneCache {
   /// played.
   explicit SceneCache(const sim::WorldOptions& options, std::size_t most_bytes = kMostBytes);
 
-  /// From now on, `warn` is called once for each scene of which something is drawn grey, from any
-  /// thread, one call at a time. To be called before scenes are loaded.
+  /// From now on, `warn` is called once for each scene of which something is drawn grey, and once
+  /// for each in which nothing is indoors, from any thread, one call at a time. To be called before
+  /// scenes are loaded.
   void WarnOfGrey(Warn warn) { warn_ = std::move(warn); }
 
   /// FileHash of the file, which is read once.
