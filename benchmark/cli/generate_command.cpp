@@ -127,7 +127,9 @@ void AddGenerateCommand(CLI::App* scenes) {
   command->add_option("--split", options->split, "Put all into this split; else shared out 68:4:14")
       ->check(CLI::IsMember({"train", "val", "test"}))
       ->needs(kind);
-  command->add_option("--min-area", options->part.min_area_m2, "Least floor, m2; 0: the kind's. Homes have a range of their own")
+  command
+      ->add_option("--min-area", options->part.min_area_m2,
+                   "Least floor, m2; 0: the kind's. Homes have a range of their own")
       ->needs(kind);
   command->add_option("--max-area", options->part.max_area_m2, "Most floor, m2, likewise")
       ->needs(kind);
