@@ -13,6 +13,7 @@
 #include "benchmark/cli/progress.h"
 #include "benchmark/cli/shipped_config.h"
 #include "benchmark/cli/slam_commands.h"
+#include "benchmark/slam/io/recorded_frame.h"
 #include "benchmark/slam/plots/scale_chart.h"
 #include "benchmark/slam/scale/run_scale.h"
 #include "sim/base/error.h"
@@ -24,6 +25,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kConfig = "config.yaml";
+
 struct ScaleOptions {
   fs::path config;
   fs::path out;
@@ -33,14 +36,11 @@ struct ScaleOptions {
 
 /// Results of anything else are left alone.
 void CheckFolder(const ScaleConfig& config, const fs::path& folder) {
-  for (const char* name : {"config.yaml", "rgb.txt", "times.txt"}) {
-    const fs::path file = folder / name;
-    if (!fs::exists(file)) continue;
-    if (name == std::string("config.yaml") && sim::ReadTextFile(file) == sim::ToYaml(config))
-      return;
-    throw sim::FileError(file, "",
-                         "is of something else than this measurement; choose another --out");
-  }
+  ExpectNoRecording(folder);
+  const fs::path file = folder / kConfig;
+  if (!fs::exists(file) || sim::ReadTextFile(file) == sim::ToYaml(config)) return;
+  throw sim::FileError(file, "",
+                       "is of something else than this measurement; choose another --out");
 }
 
 void MeasureScale(const ScaleOptions& options) {
@@ -50,7 +50,7 @@ void MeasureScale(const ScaleOptions& options) {
   const PlayedScale played = PlayScale(config, options.workers, StartLine);
   const std::string table = ScaleTable(played);
   sim::MakeFolder(folder);
-  sim::WriteFileAtomically(folder / "config.yaml", sim::ToYaml(config));
+  sim::WriteFileAtomically(folder / kConfig, sim::ToYaml(config));
   sim::WriteFileAtomically(folder / "result.yaml", sim::ToYaml(played.result));
   sim::WriteFileAtomically(folder / "times.yaml", sim::ToYaml(played.times));
   sim::WriteFileAtomically(folder / "table.md", table);

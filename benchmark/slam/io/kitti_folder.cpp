@@ -64,9 +64,18 @@ KittiFolder ReadKittiFolder(const fs::path& folder, const std::optional<Intrinsi
   return read;
 }
 
+void ExpectPosesOfAllOrNone(const fs::path& place, std::size_t poses, std::size_t frames) {
+  if (poses == 0 || poses == frames) return;
+  throw sim::FileError(place, "",
+                       fmt::format("KITTI's poses are a line a frame, but only {} of {} have one; "
+                                   "export as tum instead",
+                                   poses, Counted(frames, "frame")));
+}
+
 KittiWriter::KittiWriter(fs::path folder, const Intrinsics& intrinsics)
     : folder_(std::move(folder)), intrinsics_(intrinsics) {
   ExpectNoRecording(folder_);
+  ExpectNoResults(folder_);
 }
 
 void KittiWriter::Add(const RecordedFrame& frame) {
@@ -81,13 +90,8 @@ void KittiWriter::Add(const RecordedFrame& frame) {
 
 void KittiWriter::Finish() {
   const auto write = [this](const char* name, const CameraTrajectory& poses) {
+    ExpectPosesOfAllOrNone(folder_ / name, poses.size(), times_.size());
     if (poses.empty()) return;
-    if (poses.size() != times_.size()) {
-      throw sim::FileError(folder_ / name, "",
-                           fmt::format("KITTI's poses are a line a frame, but only {} of {} have "
-                                       "one; export as tum instead",
-                                       poses.size(), Counted(times_.size(), "frame")));
-    }
     sim::WriteFileAtomically(folder_ / name, ToKitti(poses));
   };
   const std::array folders = {folder_ / "image_2", folder_ / "depth"};

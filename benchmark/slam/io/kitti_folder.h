@@ -37,10 +37,15 @@ inline constexpr double kKittiDepthUnits = 256.0;
 KittiFolder ReadKittiFolder(const std::filesystem::path& folder,
                             const std::optional<Intrinsics>& intrinsics = {});
 
+/// KITTI's poses have no times: a line is a frame's. Throws sim::FileError, naming `place`, if some
+/// frames have a pose and others none.
+void ExpectPosesOfAllOrNone(const std::filesystem::path& place, std::size_t poses,
+                            std::size_t frames);
+
 /// Writes a recording as such a folder, with depth/. Frames may lack poses, but then all lack them.
 class KittiWriter final : public RecordingWriter {
  public:
-  /// Throws sim::FileError if the folder holds a recording of either kind already.
+  /// Throws sim::FileError if the folder holds a recording of either kind, or results.
   KittiWriter(std::filesystem::path folder, const Intrinsics& intrinsics);
 
   void Add(const RecordedFrame& frame) override;

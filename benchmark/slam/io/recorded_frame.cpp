@@ -12,6 +12,9 @@ void ExpectNoRecording(const std::filesystem::path& folder) {
           folder, "", std::string("holds a recording already (") + list + "); name another folder");
     }
   }
+}
+
+void ExpectNoResults(const std::filesystem::path& folder) {
   if (std::filesystem::exists(folder / "config.yaml")) {
     throw sim::FileError(folder, "", "holds results (config.yaml); name another folder");
   }

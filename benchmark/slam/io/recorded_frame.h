@@ -18,8 +18,10 @@ struct RecordedFrame {
 };
 
 /// Throws sim::FileError if a folder holds a recording of either kind, TUM's rgb.txt or KITTI's
-/// times.txt: writing another one there would mix or replace its files.
+/// times.txt: writing another one, or results, there would mix or replace its files.
 void ExpectNoRecording(const std::filesystem::path& folder);
+/// Likewise if it holds results of anything.
+void ExpectNoResults(const std::filesystem::path& folder);
 
 /// Writes frames as a folder of some format, which is a recording once it is finished.
 class RecordingWriter {

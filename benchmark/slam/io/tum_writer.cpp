@@ -16,6 +16,7 @@ namespace bulletnav::bench {
 TumWriter::TumWriter(std::filesystem::path folder, const Intrinsics& intrinsics)
     : folder_(std::move(folder)), intrinsics_(intrinsics) {
   ExpectNoRecording(folder_);
+  ExpectNoResults(folder_);
 }
 
 void TumWriter::Add(const RecordedFrame& frame) {

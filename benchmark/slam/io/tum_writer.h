@@ -11,7 +11,7 @@ namespace bulletnav::bench {
 /// groundtruth.txt and odometry.txt where frames have poses.
 class TumWriter final : public RecordingWriter {
  public:
-  /// Throws sim::FileError if the folder holds a recording of either kind already.
+  /// Throws sim::FileError if the folder holds a recording of either kind, or results.
   TumWriter(std::filesystem::path folder, const Intrinsics& intrinsics);
 
   void Add(const RecordedFrame& frame) override;

@@ -9,7 +9,6 @@
 #include <fmt/core.h>
 
 #include "agent/slam/features/stereo.h"
-#include "benchmark/base/counted.h"
 #include "benchmark/slam/io/kitti_folder.h"
 #include "benchmark/slam/io/recording_check.h"
 #include "benchmark/slam/io/tum.h"
@@ -138,7 +137,9 @@ class Importer {
   }
 
   ImportOutcome Run(const std::function<void(int)>& advance) {
-    if (spec_.format == RecordingFormat::kKitti) ExpectTruthOfAllOrNone();
+    if (spec_.format == RecordingFormat::kKitti) {
+      ExpectPosesOfAllOrNone(spec_.source, WithTruth(), truth_.size());  // before any is written
+    }
     for (std::size_t i = 0; i < source_.frames.size(); ++i) {
       Take(i);
       if (advance) advance(static_cast<int>(i) + 1);
@@ -158,17 +159,10 @@ class Importer {
   }
 
  private:
-  /// KITTI's poses have no times: a line is a frame's.
-  void ExpectTruthOfAllOrNone() const {
-    const auto known =
-        static_cast<std::size_t>(std::count_if(truth_.begin(), truth_.end(), [](const auto& pose) {
-          return pose.has_value();
-        }));
-    if (known == 0 || known == truth_.size()) return;
-    throw sim::FileError(spec_.source, "",
-                         fmt::format("KITTI's poses are a line a frame, but only {} of {} have "
-                                     "one; export as tum instead",
-                                     known, Counted(truth_.size(), "frame")));
+  std::size_t WithTruth() const {
+    return static_cast<std::size_t>(std::count_if(truth_.begin(), truth_.end(), [](const auto& p) {
+      return p.has_value();
+    }));
   }
 
   void Take(std::size_t i) {

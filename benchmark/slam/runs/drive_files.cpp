@@ -129,10 +129,6 @@ std::optional<LoopRecord> ParseLoop(const std::string& line) {
   return LoopOf(numbers);
 }
 
-}  // namespace
-
-namespace {
-
 /// Results of a drive may have been kept without what is drawn from them.
 void ExpectThere(const fs::path& file) {
   if (fs::exists(file)) return;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "benchmark/base/program_version.h"
+#include "benchmark/slam/io/recorded_frame.h"
 #include "benchmark/slam/runs/added_detectors.h"
 #include "benchmark/slam/runs/drive_files.h"
 #include "benchmark/slam/runs/slam_fingerprints.h"
@@ -37,11 +38,6 @@ void CheckConfig(const SlamConfig& config, const fs::path& folder, bool is_new) 
   throw sim::FileError(file, "",
                        "is another config than this run's, which may only add detectors; choose "
                        "another --out");
-}
-
-void ExpectNoRecording(const fs::path& folder) {
-  if (!fs::exists(folder / "rgb.txt") && !fs::exists(folder / "times.txt")) return;
-  throw sim::FileError(folder, "", "holds a recording; choose another --out");
 }
 
 void MakeAllHouses(const SlamConfig& config, const SlamRunOptions& options) {

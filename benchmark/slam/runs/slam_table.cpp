@@ -210,8 +210,7 @@ std::string SlamTimesTable(const SlamConfig& config, std::span<const TimesByStag
   lines += TimesLine("verification of a pair", times);
   if (lines.empty()) return "";
   return "Milliseconds a frame on this machine: means over drives of their medians and of their "
-         "95% "
-         "points\n\n"
+         "95% points\n\n"
          "| | median | 95% |\n"
          "|---|---:|---:|\n" +
          lines;
