@@ -2,7 +2,9 @@
 #include "sim/import/up_axis.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <map>
 
 namespace bulletnav::sim {
@@ -14,12 +16,17 @@ constexpr double kClearlyBetter = 1.3;
 constexpr double kNothing = 0.15;  // of the area that faces along another axis: tops of walls
 constexpr double kMuch = 0.2;
 
+/// As long as twice the triangle's area.
+Eigen::Vector3f NormalOf(const SceneMesh& mesh, const std::array<std::uint32_t, 3>& triangle) {
+  const Eigen::Vector3f& a = mesh.positions[triangle[0]];
+  return (mesh.positions[triangle[1]] - a).cross(mesh.positions[triangle[2]] - a);
+}
+
 /// Area that faces along each axis.
 Eigen::Vector3d FacingArea(const SceneMesh& mesh) {
   Eigen::Vector3d area = Eigen::Vector3d::Zero();
   for (const auto& t : mesh.triangles) {
-    const Eigen::Vector3f& a = mesh.positions[t[0]];
-    const Eigen::Vector3f normal = (mesh.positions[t[1]] - a).cross(mesh.positions[t[2]] - a);
+    const Eigen::Vector3f normal = NormalOf(mesh, t);
     const float double_area = normal.norm();
     for (int axis = 0; axis < 3; ++axis) {
       if (std::abs(normal[axis]) >= kFlatCosine * double_area) area[axis] += 0.5 * double_area;
@@ -31,11 +38,9 @@ Eigen::Vector3d FacingArea(const SceneMesh& mesh) {
 /// Walls without floor and ceiling: hardly anything faces along `up`, along which the mesh is
 /// lowest, and much along both of the others. Turned on its side such a building would have walls
 /// in one direction alone.
-bool IsWallsAlone(const SceneMesh& mesh, int up) {
-  const Eigen::Vector3d area = FacingArea(mesh);
+bool IsWallsAlone(const Eigen::Vector3d& area, const Eigen::Vector3f& size, int up) {
   const double one = area[up == 1 ? 0 : 1];
   const double other = area[up == 2 ? 0 : 2];
-  const Eigen::Vector3f size = mesh.Bounds().sizes();
   if (!(size[up] <= size.minCoeff())) return false;
   return area[up] < kNothing * std::max(one, other) &&
          std::min(one, other) > kMuch * std::max(one, other);
@@ -46,11 +51,10 @@ bool IsWallsAlone(const SceneMesh& mesh, int up) {
 double LayeredArea(const SceneMesh& mesh, int axis) {
   std::map<int, double> area_of_layer;
   for (const auto& t : mesh.triangles) {
-    const Eigen::Vector3f& a = mesh.positions[t[0]];
-    const Eigen::Vector3f normal = (mesh.positions[t[1]] - a).cross(mesh.positions[t[2]] - a);
+    const Eigen::Vector3f normal = NormalOf(mesh, t);
     const float double_area = normal.norm();
     if (!(std::abs(normal[axis]) >= kFlatCosine * double_area) || double_area == 0.0f) continue;
-    const float layer = std::floor(a[axis] / kLayer);
+    const float layer = std::floor(mesh.positions[t[0]][axis] / kLayer);
     if (!(std::abs(layer) < 1e8f)) continue;
     area_of_layer[static_cast<int>(layer)] += 0.5 * double_area;
   }
@@ -68,8 +72,10 @@ double Score(const SceneMesh& mesh, int axis) {
 }  // namespace
 
 UpAxis DetectUpAxis(const SceneMesh& mesh, UpAxis usual) {
-  if (IsWallsAlone(mesh, 1)) return UpAxis::kY;
-  if (IsWallsAlone(mesh, 2)) return UpAxis::kZ;
+  const Eigen::Vector3d area = FacingArea(mesh);
+  const Eigen::Vector3f size = mesh.Bounds().sizes();
+  if (IsWallsAlone(area, size, 1)) return UpAxis::kY;
+  if (IsWallsAlone(area, size, 2)) return UpAxis::kZ;
   const double y = Score(mesh, 1);
   const double z = Score(mesh, 2);
   if (usual == UpAxis::kY) return z > kClearlyBetter * y ? UpAxis::kZ : UpAxis::kY;

@@ -68,15 +68,14 @@ class RecastBuilder {
     Configure();
   }
 
-  /// After Build: see DetourTile.
-  bool is_open() const { return is_open_; }
-
-  std::vector<std::uint8_t> Build() {
+  DetourTile Build() {
     Voxelise();
     Partition();
     Trace();
-    if (polygons_->npolys == 0) return {};
-    return Pack();
+    DetourTile tile;
+    if (polygons_->npolys > 0) tile.bytes = Pack();
+    tile.is_open = is_open_;
+    return tile;
   }
 
  private:
@@ -228,11 +227,7 @@ class RecastBuilder {
 
 DetourTile BuildDetourTile(const SceneMesh& mesh, const NavmeshSpec& spec) {
   spec.Validate();
-  RecastBuilder builder(mesh, spec);
-  DetourTile tile;
-  tile.bytes = builder.Build();
-  tile.is_open = builder.is_open();
-  return tile;
+  return RecastBuilder(mesh, spec).Build();
 }
 
 }  // namespace bulletnav::sim
