@@ -10,11 +10,11 @@
 namespace bulletnav::agent {
 namespace {
 
-constexpr double kStep = 0.01;                      // metres
-constexpr double kTurn = sim::kPi * 0.3 / 180.0;    // radians a step
-constexpr double kShared = sim::kPi * 0.1 / 180.0;  // radians a step, the same in all
-constexpr double kSoft = 1.0;                       // square metres
-constexpr double kMost = 2.0;                       // more than any two scores differ by
+constexpr double kStep = 0.01;                  // metres
+constexpr double kTurn = sim::DegToRad(0.3);    // radians a step
+constexpr double kShared = sim::DegToRad(0.1);  // radians a step, the same in all
+constexpr double kSoft = 1.0;                   // square metres
+constexpr double kMost = 2.0;                   // more than any two scores differ by
 
 }  // namespace
 
