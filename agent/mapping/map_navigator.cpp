@@ -38,19 +38,17 @@ void NavigatorSpec::Validate() const {
 
 MapNavigator::MapNavigator(const Rig& rig, const NavigatorSpec& spec,
                            std::shared_ptr<FreeSpaceModel> mapper)
-    : MapNavigator(spec,
-                   rig.has_depth && spec.match_scans ? std::optional<ScanMatch>(rig) : std::nullopt,
-                   MetricMap(rig, spec.map, std::move(mapper)), rig.has_depth) {}
+    : MapNavigator(spec, MetricMap(rig, spec.map, std::move(mapper)), rig.has_depth) {
+  if (rig.has_depth && spec.match_scans) match_.emplace(rig);
+  if (!rig.has_depth && spec.match_views && VisualCompass::Serves(rig)) compass_.emplace(rig);
+}
 
 MapNavigator::MapNavigator(const NavigatorSpec& spec, std::unique_ptr<ViewWindow> view,
                            bool can_doubt)
-    : MapNavigator(spec, std::nullopt, MetricMap(spec.map, std::move(view), sim::PlanarPose{}),
-                   can_doubt) {}
+    : MapNavigator(spec, MetricMap(spec.map, std::move(view), sim::PlanarPose{}), can_doubt) {}
 
-MapNavigator::MapNavigator(const NavigatorSpec& spec, std::optional<ScanMatch> match, MetricMap map,
-                           bool can_doubt)
+MapNavigator::MapNavigator(const NavigatorSpec& spec, MetricMap map, bool can_doubt)
     : spec_(spec),
-      match_(std::move(match)),
       map_(std::move(map)),
       planner_(spec.map, spec.ahead),
       frontiers_(spec.map.cells(), spec.least_frontier),
@@ -61,6 +59,7 @@ void MapNavigator::Reset() {
   pose_ = {};
   map_.Clear(pose_);
   if (match_) match_->Reset();
+  if (compass_) compass_->Reset();
   last_action_ = sim::Action::kStop;
   last_turn_ = sim::Action::kTurnLeft;
   wall_width_ = 1;
@@ -83,12 +82,18 @@ void MapNavigator::Observe(const Observation& observation) {
     throw sim::Error("the odometry reads what no step can have done");
   }
   const sim::PlanarPose before = pose_;
-  pose_ = sim::Compose(pose_, match_ ? match_->Match(observation.panorama, motion) : motion);
+  pose_ = sim::Compose(pose_, Mended(observation));
   map_.MarkTrack(before, pose_);
   FeelWalls(before);
   map_.Update(observation.panorama, pose_);
   DoubtMap(observation.panorama);
   most_seen_ = std::max(most_seen_, map_.seen_cells());
+}
+
+sim::PlanarPose MapNavigator::Mended(const Observation& observation) {
+  if (match_) return match_->Match(observation.panorama, observation.odometry);
+  if (compass_) return compass_->Match(observation.panorama, observation.odometry);
+  return observation.odometry;
 }
 
 void MapNavigator::DoubtMap(const Panorama& panorama) {

@@ -10,6 +10,7 @@
 #include "agent/mapping/path_planner.h"
 #include "agent/mapping/progress_watch.h"
 #include "agent/mapping/scan_match.h"
+#include "agent/mapping/visual_compass.h"
 #include "agent/observation.h"
 #include "sim/base/action.h"
 
@@ -25,6 +26,7 @@ struct NavigatorSpec {
   int widest_wall = 9;               // cells
   int least_frontier = 4;            // cells; ours
   bool match_scans = true;           // mend the odometry by depth, if there is any; ours
+  bool match_views = false;          // mend its turns by colour, if there is no depth; ours
 
   template <class V>
   void Visit(V& v) {
@@ -36,6 +38,7 @@ struct NavigatorSpec {
     v("widest_wall", widest_wall);
     v("least_frontier", least_frontier);
     v("match_scans", match_scans);
+    v("match_views", match_views);
   }
   void Validate() const;
 };
@@ -54,8 +57,8 @@ class MapNavigator {
   MapNavigator(const NavigatorSpec& spec, std::unique_ptr<ViewWindow> view, bool can_doubt);
 
   void Reset();
-  /// Moves the pose by the odometry, mended by depth, marks felt walls, adds what is seen to the
-  /// map. A map that what is seen contradicts for some steps has been turned by drift: it is
+  /// Moves the pose by the odometry, mended by what is seen, marks felt walls, adds what is seen to
+  /// the map. A map that what is seen contradicts for some steps has been turned by drift: it is
   /// forgotten but for the view. Throws Error if the odometry is broken.
   void Observe(const Observation& observation);
   /// The action chosen; the next observation shows what came of it.
@@ -96,8 +99,9 @@ class MapNavigator {
   bool MayLeadOn(const Point& point, double radius) const;
 
  private:
-  MapNavigator(const NavigatorSpec& spec, std::optional<ScanMatch> match, MetricMap map,
-               bool can_doubt);
+  MapNavigator(const NavigatorSpec& spec, MetricMap map, bool can_doubt);
+  /// The motion of the last step, mended.
+  sim::PlanarPose Mended(const Observation& observation);
   void FeelWalls(const sim::PlanarPose& before);
   void DoubtMap(const Panorama& panorama);
   void GiveUpFrontier();
@@ -105,6 +109,7 @@ class MapNavigator {
 
   NavigatorSpec spec_;
   std::optional<ScanMatch> match_;
+  std::optional<VisualCompass> compass_;
   MetricMap map_;
   PathPlanner planner_;
   FrontierFinder frontiers_;

@@ -2,6 +2,7 @@
 #include "agent/nts/graph_update.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "agent/perception/relative_pose.h"
@@ -15,17 +16,20 @@ bool Localisation::Sees(int node) const {
 }
 
 GraphUpdate::GraphUpdate(const GraphSpec& spec, std::shared_ptr<SemanticModel> model)
-    : spec_(spec), model_(std::move(model)) {}
+    : spec_(spec), model_(std::move(model)), closer_(spec.loops) {}
 
 void GraphUpdate::Reset() {
   graph_.Clear();
   here_ = {};
   misses_ = 0;
+  closer_.Reset();
 }
 
 const Localisation& GraphUpdate::Observe(const PanoramaCode& code, const sim::PlanarPose& pose) {
   here_.is_new = false;
+  closer_.Move(pose);
   Look(code, pose);
+  CloseLoops(code);
   const int node = ChooseCurrent();
   misses_ = node >= 0 ? 0 : misses_ + 1;
   if (node >= 0) MoveTo(node);
@@ -35,6 +39,7 @@ const Localisation& GraphUpdate::Observe(const PanoramaCode& code, const sim::Pl
 
 void GraphUpdate::MakeNode(const PanoramaCode& code, const sim::PlanarPose& pose) {
   const int node = graph_.AddNode({code, pose});
+  closer_.AddNode();
   here_.visible.push_back({node, 0.0});
   MoveTo(node);
   here_.is_new = true;
@@ -54,15 +59,30 @@ std::vector<int> GraphUpdate::NodesNear(const Point& point) const {
 
 void GraphUpdate::Look(const PanoramaCode& code, const sim::PlanarPose& pose) {
   here_.visible.clear();
+  known_again_.clear();
   const std::vector<int> near = NodesNear({pose.x, pose.y});
   std::vector<const PanoramaCode*> sources;
+  sources.reserve(near.size());
   for (const int i : near) sources.push_back(&graph_.nodes()[static_cast<std::size_t>(i)].code);
   const std::vector<PairPrediction> predictions = model_->Compare(sources, code);
   for (std::size_t i = 0; i < near.size(); ++i) {
     const double distance = predictions[i].distance;
     if (predictions[i].same_node < spec_.same_node || distance > spec_.node_reach) continue;
     here_.visible.push_back({near[i], distance});
+    const bool is_certain = predictions[i].same_node >= spec_.loops.certainty;
+    if (!is_certain || !closer_.IsDue() || !closer_.IsOld(near[i])) continue;
+    known_again_.push_back({near[i], predictions[i], {}});
   }
+}
+
+void GraphUpdate::CloseLoops(const PanoramaCode& code) {
+  const std::array<const PanoramaCode*, 1> here = {&code};
+  for (LoopCloser::Sight& sight : known_again_) {
+    const RegularNode& node = graph_.nodes()[static_cast<std::size_t>(sight.node)];
+    sight.of_node = model_->Compare(here, node.code).front();
+  }
+  const auto poses = closer_.Close(known_again_);
+  if (poses) graph_.MoveNodes(*poses);
 }
 
 int GraphUpdate::ChooseCurrent() const {

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "agent/nts/loop_closer.h"
 #include "agent/nts/nts_spec.h"
 #include "agent/nts/topological_graph.h"
 
@@ -25,7 +26,8 @@ struct Localisation {
 /// Builds the graph from observations: Graph Update of Neural Topological SLAM, section 4.1.
 /// An observation is localised with F_L in the node that is nearest by F_R; the present node is
 /// kept unless another is clearly nearer. Where no node knows it for some steps, it becomes a node,
-/// with a ghost node for each direction of F_G that no regular node takes.
+/// with a ghost node for each direction of F_G that no regular node takes. With GraphSpec::loops
+/// nodes that were drifted away from are put where they belong when they are known again.
 class GraphUpdate {
  public:
   GraphUpdate(const GraphSpec& spec, std::shared_ptr<SemanticModel> model);
@@ -45,6 +47,7 @@ class GraphUpdate {
  private:
   std::vector<int> NodesNear(const Point& point) const;
   void Look(const PanoramaCode& code, const sim::PlanarPose& pose);
+  void CloseLoops(const PanoramaCode& code);
   /// The visible node that takes over; -1 if none is visible.
   int ChooseCurrent() const;
   void MoveTo(int node);
@@ -59,6 +62,8 @@ class GraphUpdate {
   TopologicalGraph graph_;
   Localisation here_;
   int misses_ = 0;
+  LoopCloser closer_;
+  std::vector<LoopCloser::Sight> known_again_;  // in this step
 };
 
 }  // namespace bulletnav::agent

@@ -2,6 +2,7 @@
 #pragma once
 #include "agent/mapping/map_navigator.h"
 #include "agent/models/semantic_model.h"
+#include "agent/nts/loop_closer.h"
 
 namespace bulletnav::agent {
 
@@ -16,6 +17,7 @@ struct GraphSpec {
   double explorable = 0.5;       // probability from which a direction gets a ghost node
   double ghost_clearance = 1.0;  // ghosts this near to a place visited are no news
   double search_radius = 6.0;    // nodes farther off by odometry are not asked
+  LoopSpec loops;
 
   template <class V>
   void Visit(V& v) {
@@ -26,6 +28,7 @@ struct GraphSpec {
     v("explorable", explorable);
     v("ghost_clearance", ghost_clearance);
     v("search_radius", search_radius);
+    v("loops", loops);
   }
   void Validate() const;
 };

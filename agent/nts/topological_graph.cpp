@@ -31,6 +31,16 @@ int TopologicalGraph::AddNode(RegularNode node) {
   return static_cast<int>(nodes_.size()) - 1;
 }
 
+void TopologicalGraph::MoveNodes(std::span<const sim::PlanarPose> poses) {
+  BULLETNAV_CHECK(poses.size() == nodes_.size());
+  for (std::size_t i = 0; i < poses.size(); ++i) nodes_[i].pose = poses[i];
+  for (GraphEdge& edge : edges_) {
+    const sim::PlanarPose& from = nodes_[static_cast<std::size_t>(edge.a)].pose;
+    const sim::PlanarPose& to = nodes_[static_cast<std::size_t>(edge.b)].pose;
+    edge.b_from_a = sim::Compose(sim::Inverse(from), to);
+  }
+}
+
 void TopologicalGraph::AddEdge(int a, int b) {
   BULLETNAV_CHECK(a != b);
   if (HasEdge(a, b)) return;

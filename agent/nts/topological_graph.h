@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <optional>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -51,6 +50,8 @@ class TopologicalGraph {
   void Clear();
 
   int AddNode(RegularNode node);
+  /// Puts all nodes elsewhere; their ghosts go with them, edges are measured anew.
+  void MoveNodes(std::span<const sim::PlanarPose> poses);
   /// Joins two nodes, once; the relative pose is that of their estimates now.
   void AddEdge(int a, int b);
   void RemoveEdge(int a, int b);

@@ -119,6 +119,38 @@ TEST_F(GraphUpdateTest, NodesFarOffByOdometryAreNotAsked) {
   EXPECT_LE(model_->compared, 3);
 }
 
+/// A body whose odometry turns it too far at each corner goes around a square again and again.
+TEST(GraphUpdate, ClosesLoopsIfAsked) {
+  const auto off_after_rounds = [](bool close) {
+    auto model = std::make_shared<ScriptedModel>();
+    GraphSpec spec;
+    spec.loops.close = close;
+    spec.loops.certainty = 0.9;  // of which the scripted model is sure
+    GraphUpdate update(spec, model);
+    sim::PlanarPose truth;
+    sim::PlanarPose odometry;
+    const auto see = [&] {
+      return update.Observe(CodeAt(truth.x, truth.y, truth.yaw), odometry);
+    };
+    see();
+    for (int side = 0; side < 24; ++side) {
+      for (int i = 0; i < 24; ++i) {
+        truth = Compose(truth, {0.25, 0.0, 0.0});
+        odometry = Compose(odometry, {0.25, 0.0, 0.0});
+        see();
+      }
+      truth = Compose(truth, {0.0, 0.0, sim::kPi / 2});
+      odometry = Compose(odometry, {0.0, 0.0, sim::kPi / 2 + 0.02});
+      see();
+    }
+    // The first node, where the body should be now, as seen from it.
+    const sim::PlanarPose first = Compose(Inverse(odometry), update.graph().nodes()[0].pose);
+    return std::hypot(first.x, first.y);
+  };
+  EXPECT_GT(off_after_rounds(false), 1.0);
+  EXPECT_LT(off_after_rounds(true), 0.5);
+}
+
 TEST_F(GraphUpdateTest, ResetForgets) {
   See(0, 0);
   update_.Reset();

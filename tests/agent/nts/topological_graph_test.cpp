@@ -87,6 +87,22 @@ TEST(TopologicalGraph, EdgesHoldTheRelativePose) {
   EXPECT_FALSE(graph.HasEdge(0, 1));
 }
 
+TEST(TopologicalGraph, NodesMoveWithTheirGhostsAndEdges) {
+  TopologicalGraph graph;
+  graph.AddNode({{}, {0.0, 0.0, 0.0}});
+  graph.AddNode({{}, {2.0, 0.0, 0.0}});
+  graph.AddEdge(0, 1);
+  const int ghost = graph.AddGhost(1, 0);
+  graph.MoveNodes(std::vector<sim::PlanarPose>{{1.0, 0.0, 0.0}, {1.0, 3.0, sim::kPi / 2}});
+  EXPECT_NEAR(graph.NodePoint(1).y, 3.0, 1e-12);
+  EXPECT_NEAR(graph.edges()[0].b_from_a.y, 3.0, 1e-12);
+  EXPECT_NEAR(graph.edges()[0].b_from_a.yaw, sim::kPi / 2, 1e-12);
+  EXPECT_NEAR(graph.Routes(std::vector<std::pair<int, double>>{{0, 0.0}}).cost[1], 3.0, 1e-12);
+  const Point point = graph.GhostPoint(*graph.FindGhost(ghost));
+  EXPECT_NEAR(point.x, 1.0, 1e-6);
+  EXPECT_NEAR(point.y, 3.0 + kNodeRadius, 1e-6);
+}
+
 TEST(TopologicalGraph, GhostsLieCounterClockwiseFromStraightAheadOfTheirOwner) {
   TopologicalGraph graph;
   graph.AddNode({{}, {1.0, 2.0, sim::kPi / 2}});
