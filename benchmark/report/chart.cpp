@@ -131,8 +131,9 @@ class Panel {
   std::vector<Chart::Tick> Ticks() const {
     if (!chart_.ticks.empty()) return chart_.ticks;
     std::vector<Chart::Tick> ticks;
-    const int step = high_ - low_ > 12.0 ? 2 : 1;
-    for (int x = static_cast<int>(std::ceil(low_)); x <= high_; x += step) {
+    const int step = TickStep(high_ - low_);
+    const int first = static_cast<int>(std::ceil(low_));
+    for (int x = step < 5 ? first : (first + step - 1) / step * step; x <= high_; x += step) {
       ticks.push_back({static_cast<double>(x), std::to_string(x)});
     }
     return ticks;
@@ -163,6 +164,13 @@ void DrawLegend(const Chart& chart, double top, Canvas* canvas) {
 }
 
 }  // namespace
+
+int TickStep(double width) {
+  if (width <= 24.0) return width > 12.0 ? 2 : 1;
+  int step = 5;
+  for (int i = 0; width / step > 12.0; ++i) step = i % 3 == 2 ? step / 2 * 5 : 2 * step;
+  return step;
+}
 
 double RoundTop(double value) {
   if (value <= 1.0) return 1.0;

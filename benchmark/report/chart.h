@@ -35,6 +35,10 @@ struct Chart {
   bool has_marks = true;         // on each value
 };
 
+/// How far apart whole numbers are whose names have room along an axis of so many: 1, 2, 5, 10, 20,
+/// 50, ...
+int TickStep(double width);
+
 /// The least round number that is not below a value nor below 1 and whose fifth is round, too.
 double RoundTop(double value);
 

@@ -96,6 +96,18 @@ TEST(Chart, SvgIsSoundAndTheSameEachTime) {
   EXPECT_EQ(ToSvg(ChartFigure(TwoCharts())), svg);
 }
 
+TEST(Chart, NamesOfManyNumbersHaveRoom) {
+  EXPECT_EQ(TickStep(4.0), 1);
+  EXPECT_EQ(TickStep(13.0), 2);
+  EXPECT_EQ(TickStep(24.0), 2);
+  EXPECT_EQ(TickStep(50.0), 5);
+  EXPECT_EQ(TickStep(100.0), 10);
+  EXPECT_EQ(TickStep(200.0), 20);
+  EXPECT_EQ(TickStep(600.0), 50);
+  EXPECT_EQ(TickStep(1000.0), 100);
+  for (double width = 1.0; width < 1e6; width *= 1.1) EXPECT_LE(width / TickStep(width), 12.0);
+}
+
 TEST(Chart, NothingToShowIsSaidNotDrawn) {
   EXPECT_EQ(tests::SvgProblem(ToSvg(ChartFigure({}))), "");
   EXPECT_TRUE(DistanceCharts({}, {}).empty());
