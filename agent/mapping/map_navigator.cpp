@@ -40,7 +40,13 @@ MapNavigator::MapNavigator(const Rig& rig, const NavigatorSpec& spec,
                            std::shared_ptr<FreeSpaceModel> mapper)
     : MapNavigator(spec, MetricMap(rig, spec.map, std::move(mapper)), rig.has_depth) {
   if (rig.has_depth && spec.match_scans) match_.emplace(rig);
-  if (!rig.has_depth && spec.match_views && VisualCompass::Serves(rig)) compass_.emplace(rig);
+  if (rig.has_depth || !spec.match_views) return;
+  if (!VisualCompass::Serves(rig)) {
+    throw sim::Error(
+        "match_views needs a panorama in colour with columns of equal angles, which "
+        "cube_strip has not; leave it out");
+  }
+  compass_.emplace(rig);
 }
 
 MapNavigator::MapNavigator(const NavigatorSpec& spec, std::unique_ptr<ViewWindow> view,

@@ -49,7 +49,7 @@ struct NavigatorSpec {
 ///   each step: navigator.Observe(observation); ... navigator.Took(action);
 class MapNavigator {
  public:
-  /// See MetricMap.
+  /// See MetricMap. Throws Error for match_views without depth where VisualCompass does not serve.
   MapNavigator(const Rig& rig, const NavigatorSpec& spec,
                std::shared_ptr<FreeSpaceModel> mapper = nullptr);
   /// Maps by another view, such as a simulated one, and takes the odometry as it is. `can_doubt`:

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include <Eigen/Cholesky>
 
@@ -16,10 +17,11 @@ constexpr int kBands = 8;
 constexpr double kTwoPi = 2.0 * sim::kPi;
 constexpr double kLowest = -0.6;  // tangents of the elevations between which it looks
 constexpr double kHighest = 0.6;
-constexpr int kRounds = 4;                      // of each kind
-constexpr double kSettled = 0.01;               // columns: less is no change
-constexpr double kOnTheSpot = 0.1;              // metres; a step of more is no turn
-constexpr double kTurned = sim::DegToRad(1.0);  // how far the odometry of a turn may be off
+constexpr int kRounds = 4;                         // of each kind
+constexpr double kSettled = 0.01;                  // columns: less is no change
+constexpr double kOnTheSpot = 0.1;                 // metres; a step of more is no turn
+constexpr double kLeastTurn = sim::DegToRad(2.0);  // less is a push against something
+constexpr double kTurned = sim::DegToRad(1.0);     // how far the odometry of a turn may be off
 constexpr double kMostOff = sim::DegToRad(4.0);
 constexpr double kSeen = sim::DegToRad(0.25);  // how well it sees a turn
 constexpr double kFirstTurns = 2.0;  // what odometry is believed before the first turn, in turns
@@ -29,6 +31,15 @@ constexpr double kSlip = 0.02;       // metres
 constexpr double kAlike = 0.1;       // of neighbouring columns' noise, how much is their own
 constexpr double kNearThings = 1.0;  // how soon what does not fit counts less, at first,
 constexpr double kStrictly = 25.0;   // and in the end: what is left fits then
+
+/// Whether not all columns are alike. [lines, cols]
+bool HasDetail(const std::vector<double>& strip, std::size_t cols) {
+  for (auto line = strip.begin(); line != strip.end(); line += static_cast<std::ptrdiff_t>(cols)) {
+    const auto end = line + static_cast<std::ptrdiff_t>(cols);
+    if (std::adjacent_find(line, end, std::not_equal_to<>()) != end) return true;
+  }
+  return false;
+}
 
 }  // namespace
 
@@ -142,6 +153,7 @@ bool VisualCompass::Improve(const std::vector<double>& now, const Search& search
 
 std::optional<double> VisualCompass::TurnedMore(const std::vector<double>& now,
                                                 double turned) const {
+  if (!HasDetail(now, cols_) || !HasDetail(last_, cols_)) return std::nullopt;
   const double per_radian = static_cast<double>(cols_) / kTwoPi;
   const double expected = turned * per_radian;
   Eigen::Vector3d moved(expected, 0.0, 0.0);
@@ -177,7 +189,8 @@ sim::PlanarPose VisualCompass::Match(const Panorama& panorama, const sim::Planar
     return odometry;
   }
   std::vector<double> now = StripOf(panorama);
-  const bool is_turn = odometry.yaw != 0.0 && std::hypot(odometry.x, odometry.y) <= kOnTheSpot;
+  const bool is_turn =
+      std::fabs(odometry.yaw) >= kLeastTurn && std::hypot(odometry.x, odometry.y) <= kOnTheSpot;
   double yaw = odometry.yaw;
   if (!last_.empty() && is_turn) {
     const std::optional<double> more = TurnedMore(now, odometry.yaw);

@@ -13,14 +13,15 @@ namespace bulletnav::agent {
 /// Mends the turns that odometry reads by what colour sees all around: a body that turns on the
 /// spot sees the same panorama moved sideways. An error of some tenths of a degree in each turn,
 /// always to the same side, otherwise turns the map upside down within a thousand turns.
-/// Two panoramas are brought over each other by least squares, with the way that near things move
-/// when the body slips aside as two more unknowns, and odometry as a prior; what does not fit
-/// counts less and less. Of one turn it sees .2 degrees, less exactly than wheels count it, so that
-/// what all turns to one side have in common is learned and taken off. Steps forward keep the yaw
-/// of the odometry: near things then move too far. Source: Labrosse, "The visual compass:
-/// performance and limitations of an appearance-based method", Journal of Field Robotics 2006; the
-/// search is that of Lucas and Kanade, IJCAI 1981, the weights those of Geman and McClure. Cost:
-/// some 0.7 ms for 512 columns.
+/// Two panoramas are brought over each other by least squares, with odometry as a prior; how near
+/// things move when the body slips aside are two more unknowns, and what does not fit counts less
+/// and less. A single turn is seen to within .25 degrees. Odometry is more exact than that, but for
+/// what it always adds to a turn: this is learned, for each side, and taken off. Steps forward keep
+/// the yaw of the odometry: near things then move too far.
+/// Source: Labrosse, "The visual compass: performance and limitations of an appearance-based
+/// method", Journal of Field Robotics 2006; the search is that of Lucas and Kanade, IJCAI 1981, the
+/// weights those of Geman and McClure.
+/// Cost: some 0.7 ms for 512 columns.
 class VisualCompass {
  public:
   /// Whether a rig has what it needs: colour, and columns of equal angles.
@@ -29,6 +30,7 @@ class VisualCompass {
   /// Expects: a rig that it serves (checked).
   explicit VisualCompass(const Rig& rig);
 
+  /// Forgets what it has learned.
   void Reset();
 
   /// The motion since the last panorama, in the frame before it. `odometry`: what it is believed to
@@ -46,7 +48,7 @@ class VisualCompass {
   struct Habit {
     double count = 0.0;   // turns seen
     double mean = 0.0;    // radians that odometry lacks
-    double square = 0.0;  // sum over the turns of what was seen off the mean
+    double square = 0.0;  // sum of the squares of what was seen off the mean
 
     /// Learns from a turn that was seen to be larger by `more`. Returns what odometry lacks.
     double Correct(double more);

@@ -23,6 +23,7 @@ void GraphUpdate::Reset() {
   here_ = {};
   misses_ = 0;
   closer_.Reset();
+  before_.clear();
 }
 
 const Localisation& GraphUpdate::Observe(const PanoramaCode& code, const sim::PlanarPose& pose) {
@@ -81,8 +82,21 @@ void GraphUpdate::CloseLoops(const PanoramaCode& code) {
     const RegularNode& node = graph_.nodes()[static_cast<std::size_t>(sight.node)];
     sight.of_node = model_->Compare(here, node.code).front();
   }
+  before_.clear();
   const auto poses = closer_.Close(known_again_);
-  if (poses) graph_.MoveNodes(*poses);
+  if (!poses) return;
+  before_.reserve(graph_.nodes().size());
+  for (const RegularNode& node : graph_.nodes()) before_.push_back(node.pose);
+  graph_.MoveNodes(*poses);
+}
+
+Point GraphUpdate::MovedWith(int node, const Point& point) const {
+  const auto i = static_cast<std::size_t>(node);
+  if (i >= before_.size()) return point;
+  const sim::PlanarPose seen =
+      sim::Compose(sim::Inverse(before_[i]), sim::PlanarPose{point.x, point.y, 0.0});
+  const sim::PlanarPose moved = sim::Compose(graph_.nodes()[i].pose, seen);
+  return {moved.x, moved.y};
 }
 
 int GraphUpdate::ChooseCurrent() const {

@@ -43,6 +43,8 @@ class GraphUpdate {
   TopologicalGraph& graph() { return graph_; }
   const TopologicalGraph& graph() const { return graph_; }
   const Localisation& localisation() const { return here_; }
+  /// Where a point went that hangs on a node, in this step.
+  Point MovedWith(int node, const Point& point) const;
 
  private:
   std::vector<int> NodesNear(const Point& point) const;
@@ -64,6 +66,7 @@ class GraphUpdate {
   int misses_ = 0;
   LoopCloser closer_;
   std::vector<LoopCloser::Sight> known_again_;  // in this step
+  std::vector<sim::PlanarPose> before_;         // this step's move of the nodes; empty: none moved
 };
 
 }  // namespace bulletnav::agent

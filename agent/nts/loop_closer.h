@@ -37,7 +37,7 @@ class LoopCloser {
   explicit LoopCloser(const LoopSpec& spec) : spec_(spec) {}
 
   void Reset();
-  /// Each step; `pose` by odometry.
+  /// Each step; `pose` as the body believes it, by odometry or mended by what it sees.
   void Move(const sim::PlanarPose& pose);
   /// A node was made where the body is. Nodes count from 0.
   void AddNode();

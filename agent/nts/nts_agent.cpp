@@ -57,6 +57,9 @@ sim::Action NtsAgent::Act(const Observation& observation) {
   navigator_.Observe(observation);
   const PanoramaCode code = model_->Encode({&observation.panorama, 1}).front();
   update_.Observe(code, navigator_.pose());
+  for (GivenUp& given_up : given_up_) {
+    given_up.point = update_.MovedWith(given_up.owner, given_up.point);
+  }
   if (update_.localisation().is_new) AddOpenings();
   policy_.Read(&update_.graph());
   LookForGoal(code);
@@ -192,8 +195,8 @@ bool NtsAgent::IsVisited(const Point& point, double radius) const {
 }
 
 bool NtsAgent::IsGivenUp(const Point& point) const {
-  return std::any_of(given_up_.begin(), given_up_.end(), [&](const Point& other) {
-    return Distance(point, other) < spec_.graph.ghost_clearance;
+  return std::any_of(given_up_.begin(), given_up_.end(), [&](const GivenUp& other) {
+    return Distance(point, other.point) < spec_.graph.ghost_clearance;
   });
 }
 
@@ -232,7 +235,8 @@ void NtsAgent::GiveUp(const Subgoal& subgoal) {
   if (!subgoal.is_last()) {
     update_.graph().RemoveEdge(subgoal.path[0], subgoal.path[1]);
   } else if (subgoal.ghost) {
-    given_up_.push_back(subgoal.point);
+    const GhostNode* ghost = update_.graph().FindGhost(*subgoal.ghost);
+    given_up_.push_back({subgoal.point, ghost != nullptr ? ghost->owner : -1});
     update_.graph().RemoveGhost(*subgoal.ghost);
   } else {
     policy_.Refute(subgoal.path[0]);

@@ -75,7 +75,11 @@ class NtsAgent : public Agent {
   GhostChoice choice_;
   PairPrediction view_;  // of the goal, in this step
   GoalApproach approach_;
-  std::vector<Point> given_up_;     // where ghosts were that could not be walked to
+  struct GivenUp {
+    Point point;
+    int owner = 0;
+  };
+  std::vector<GivenUp> given_up_;   // where ghosts were that could not be walked to
   std::optional<Point> target_;     // in this step
   std::optional<Subgoal> subgoal_;  // walked to in this step; absent off the graph
 };

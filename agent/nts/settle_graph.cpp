@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include <Eigen/SparseCholesky>
@@ -96,6 +97,10 @@ void SettleGraph(const SettleOptions& options, PlanarPoseGraph* graph) {
     if (!vertices[i].is_fixed) number[i] = free++;
   }
   BULLETNAV_CHECK(static_cast<std::size_t>(free) + 1 == vertices.size());
+  for (const PoseEdge<sim::PlanarPose>& edge : graph->edges) {
+    const auto size = static_cast<std::int64_t>(vertices.size());
+    BULLETNAV_CHECK(edge.from >= 0 && edge.from < size && edge.to >= 0 && edge.to < size);
+  }
   const double width = options.kernel_width * options.kernel_width;
   for (int round = 0; free > 0 && round < options.rounds; ++round) {
     Equations equations(static_cast<std::size_t>(free));

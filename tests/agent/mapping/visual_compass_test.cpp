@@ -36,6 +36,12 @@ class Room {
   std::unique_ptr<const sim::RenderScene> scene_;
 };
 
+/// Knows nothing of what surrounds the body.
+class NothingSeen final : public FreeSpaceModel {
+ public:
+  FreeSpace Predict(const Panorama& /*panorama*/) override { return {}; }
+};
+
 TEST(VisualCompass, LearnsWhatAllTurnsToOneSideLack) {
   const Room room;
   sim::Rng rng(3, "compass");
@@ -128,6 +134,25 @@ TEST(VisualCompass, ElsewhereTheOdometryStays) {
   EXPECT_TRUE(stays(room.Color({}), {0.0, 0.0, 0.2})) << "after Reset";
 }
 
+TEST(VisualCompass, PushesAndDarknessTeachNothing) {
+  const Room room;
+  VisualCompass compass(Rig{});
+  sim::PlanarPose at;
+  compass.Match({room.Color(at), {}}, {});
+  for (int i = 0; i < 60; ++i) {  // each left turn is read as larger than it is
+    at = sim::Compose(at, {0.0, 0.0, DegToRad(10.0)});
+    compass.Match({room.Color(at), {}}, {0.0, 0.0, DegToRad(10.6)});
+  }
+  const double pushed = compass.Match({room.Color(at), {}}, {0.01, 0.0, DegToRad(0.3)}).yaw;
+  EXPECT_EQ(pushed, DegToRad(0.3));
+  const std::vector<std::uint8_t> dark(3 * sim::PanoramaSpec{}.pixels(), 0);
+  std::vector<std::uint8_t> orange = dark;
+  for (std::size_t i = 0; i < orange.size(); i += 3) orange[i] = 250;
+  for (const auto& blank : {dark, dark, orange, orange}) {
+    EXPECT_EQ(compass.Match({blank, {}}, {0.0, 0.0, DegToRad(10.6)}).yaw, DegToRad(10.6));
+  }
+}
+
 TEST(VisualCompass, OfTwoPicturesThatAreNotAlikeItTakesLittle) {
   const Room room;
   sim::Rng rng(5, "compass");
@@ -147,13 +172,12 @@ TEST(VisualCompass, ServesColoursInColumnsOfEqualAngles) {
   Rig strip;
   strip.panorama.projection = sim::Projection::kCubeStrip;
   EXPECT_FALSE(VisualCompass::Serves(strip));
+  strip.has_depth = false;
+  NavigatorSpec spec;
+  EXPECT_NO_THROW(MapNavigator(strip, spec, std::make_shared<NothingSeen>()));
+  spec.match_views = true;
+  EXPECT_THROW(MapNavigator(strip, spec, std::make_shared<NothingSeen>()), sim::Error);
 }
-
-/// Knows nothing of what surrounds the body.
-class NothingSeen final : public FreeSpaceModel {
- public:
-  FreeSpace Predict(const Panorama& /*panorama*/) override { return {}; }
-};
 
 TEST(VisualCompass, ANavigatorWithoutDepthTurnsByIt) {
   const Room room;

@@ -129,8 +129,10 @@ TEST(GraphUpdate, ClosesLoopsIfAsked) {
     GraphUpdate update(spec, model);
     sim::PlanarPose truth;
     sim::PlanarPose odometry;
+    Point beside{1.0, 0.5};  // hangs on the first node
     const auto see = [&] {
-      return update.Observe(CodeAt(truth.x, truth.y, truth.yaw), odometry);
+      update.Observe(CodeAt(truth.x, truth.y, truth.yaw), odometry);
+      beside = update.MovedWith(0, beside);
     };
     see();
     for (int side = 0; side < 24; ++side) {
@@ -143,6 +145,10 @@ TEST(GraphUpdate, ClosesLoopsIfAsked) {
       odometry = Compose(odometry, {0.0, 0.0, sim::kPi / 2 + 0.02});
       see();
     }
+    const sim::PlanarPose from_node =
+        Compose(Inverse(update.graph().nodes()[0].pose), {beside.x, beside.y, 0.0});
+    EXPECT_NEAR(from_node.x, 1.0, 1e-9) << "what hangs on a node goes with it";
+    EXPECT_NEAR(from_node.y, 0.5, 1e-9);
     // The first node, where the body should be now, as seen from it.
     const sim::PlanarPose first = Compose(Inverse(odometry), update.graph().nodes()[0].pose);
     return std::hypot(first.x, first.y);
