@@ -29,8 +29,7 @@ void GraphUpdate::Reset() {
 const Localisation& GraphUpdate::Observe(const PanoramaCode& code, const sim::PlanarPose& pose) {
   here_.is_new = false;
   closer_.Move(pose);
-  Look(code, pose);
-  CloseLoops(code);
+  CloseLoops(code, Look(code, pose));
   const int node = ChooseCurrent();
   misses_ = node >= 0 ? 0 : misses_ + 1;
   if (node >= 0) MoveTo(node);
@@ -58,32 +57,35 @@ std::vector<int> GraphUpdate::NodesNear(const Point& point) const {
   return near;
 }
 
-void GraphUpdate::Look(const PanoramaCode& code, const sim::PlanarPose& pose) {
+std::vector<LoopCloser::Sight> GraphUpdate::Look(const PanoramaCode& code,
+                                                 const sim::PlanarPose& pose) {
   here_.visible.clear();
-  known_again_.clear();
   const std::vector<int> near = NodesNear({pose.x, pose.y});
   std::vector<const PanoramaCode*> sources;
   sources.reserve(near.size());
   for (const int i : near) sources.push_back(&graph_.nodes()[static_cast<std::size_t>(i)].code);
   const std::vector<PairPrediction> predictions = model_->Compare(sources, code);
+  const bool is_due = closer_.IsDue();
+  std::vector<LoopCloser::Sight> known_again;
   for (std::size_t i = 0; i < near.size(); ++i) {
     const double distance = predictions[i].distance;
     if (predictions[i].same_node < spec_.same_node || distance > spec_.node_reach) continue;
     here_.visible.push_back({near[i], distance});
     const bool is_certain = predictions[i].same_node >= spec_.loops.certainty;
-    if (!is_certain || !closer_.IsDue() || !closer_.IsOld(near[i])) continue;
-    known_again_.push_back({near[i], predictions[i], {}});
+    if (!is_due || !is_certain || !closer_.IsOld(near[i])) continue;
+    known_again.push_back({near[i], predictions[i], {}});
   }
+  return known_again;
 }
 
-void GraphUpdate::CloseLoops(const PanoramaCode& code) {
+void GraphUpdate::CloseLoops(const PanoramaCode& code, std::vector<LoopCloser::Sight> known_again) {
   const std::array<const PanoramaCode*, 1> here = {&code};
-  for (LoopCloser::Sight& sight : known_again_) {
+  for (LoopCloser::Sight& sight : known_again) {
     const RegularNode& node = graph_.nodes()[static_cast<std::size_t>(sight.node)];
     sight.of_node = model_->Compare(here, node.code).front();
   }
   before_.clear();
-  const auto poses = closer_.Close(known_again_);
+  const auto poses = closer_.Close(known_again);
   if (!poses) return;
   before_.reserve(graph_.nodes().size());
   for (const RegularNode& node : graph_.nodes()) before_.push_back(node.pose);

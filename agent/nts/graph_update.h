@@ -48,8 +48,10 @@ class GraphUpdate {
 
  private:
   std::vector<int> NodesNear(const Point& point) const;
-  void Look(const PanoramaCode& code, const sim::PlanarPose& pose);
-  void CloseLoops(const PanoramaCode& code);
+  /// Returns the nodes that know the body again after a long way, as far as they tell.
+  std::vector<LoopCloser::Sight> Look(const PanoramaCode& code, const sim::PlanarPose& pose);
+  /// Asks the other way round, too.
+  void CloseLoops(const PanoramaCode& code, std::vector<LoopCloser::Sight> known_again);
   /// The visible node that takes over; -1 if none is visible.
   int ChooseCurrent() const;
   void MoveTo(int node);
@@ -65,8 +67,7 @@ class GraphUpdate {
   Localisation here_;
   int misses_ = 0;
   LoopCloser closer_;
-  std::vector<LoopCloser::Sight> known_again_;  // in this step
-  std::vector<sim::PlanarPose> before_;         // this step's move of the nodes; empty: none moved
+  std::vector<sim::PlanarPose> before_;  // this step's move of the nodes; empty: none moved
 };
 
 }  // namespace bulletnav::agent

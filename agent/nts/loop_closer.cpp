@@ -26,6 +26,11 @@ double Squared(double x) {
   return x * x;
 }
 
+/// Of variances: of either coordinate, in square metres, and of the yaw.
+Eigen::Matrix3d InformationOf(double place, double yaw) {
+  return Eigen::Vector3d(1.0 / place, 1.0 / place, 1.0 / yaw).asDiagonal();
+}
+
 }  // namespace
 
 void LoopSpec::Validate() const {
@@ -58,7 +63,7 @@ int LoopCloser::AddPlace() {
     const double way = way_ - way_there_;
     const double yaw = Squared(kStill) + Squared(kTurnOff) * turned_ / kTurn;
     const double place = Squared(kStill) + Squared(kWayOff) * way + 0.25 * Squared(way) * yaw;
-    edge.information = Eigen::Vector3d(1.0 / place, 1.0 / place, 1.0 / yaw).asDiagonal();
+    edge.information = InformationOf(place, yaw);
     graph_.edges.push_back(edge);
   }
   last_ = vertex;
@@ -91,10 +96,9 @@ std::optional<PoseEdge<sim::PlanarPose>> LoopCloser::EdgeOf(const Sight& sight) 
   PoseEdge<sim::PlanarPose> edge;
   edge.measured = {distance * sim::Cos(body.bearing), distance * sim::Sin(body.bearing),
                    sim::WrapAngle(body.bearing + sim::kPi - node.bearing)};
-  const double place = Squared(kPlaceOff);
   const double yaw =
       2.0 * (Squared(kBearingOff) + Squared(kNearOff / std::max(distance, 0.5 * kNearOff)));
-  edge.information = Eigen::Vector3d(1.0 / place, 1.0 / place, 1.0 / yaw).asDiagonal();
+  edge.information = InformationOf(Squared(kPlaceOff), yaw);
   edge.is_loop = true;
   return edge;
 }

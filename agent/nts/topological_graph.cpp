@@ -34,19 +34,18 @@ int TopologicalGraph::AddNode(RegularNode node) {
 void TopologicalGraph::MoveNodes(std::span<const sim::PlanarPose> poses) {
   BULLETNAV_CHECK(poses.size() == nodes_.size());
   for (std::size_t i = 0; i < poses.size(); ++i) nodes_[i].pose = poses[i];
-  for (GraphEdge& edge : edges_) {
-    const sim::PlanarPose& from = nodes_[static_cast<std::size_t>(edge.a)].pose;
-    const sim::PlanarPose& to = nodes_[static_cast<std::size_t>(edge.b)].pose;
-    edge.b_from_a = sim::Compose(sim::Inverse(from), to);
-  }
+  for (GraphEdge& edge : edges_) edge.b_from_a = Seen(edge.a, edge.b);
 }
 
 void TopologicalGraph::AddEdge(int a, int b) {
   BULLETNAV_CHECK(a != b);
   if (HasEdge(a, b)) return;
-  const sim::PlanarPose& from = nodes_.at(static_cast<std::size_t>(a)).pose;
-  const sim::PlanarPose& to = nodes_.at(static_cast<std::size_t>(b)).pose;
-  edges_.push_back({a, b, sim::Compose(sim::Inverse(from), to)});
+  edges_.push_back({a, b, Seen(a, b)});
+}
+
+sim::PlanarPose TopologicalGraph::Seen(int from, int to) const {
+  return sim::Compose(sim::Inverse(nodes_.at(static_cast<std::size_t>(from)).pose),
+                      nodes_.at(static_cast<std::size_t>(to)).pose);
 }
 
 void TopologicalGraph::RemoveEdge(int a, int b) {

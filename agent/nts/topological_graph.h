@@ -81,6 +81,9 @@ class TopologicalGraph {
   GraphPicture Picture() const;
 
  private:
+  /// Pose of a node seen from another, by their estimates now.
+  sim::PlanarPose Seen(int from, int to) const;
+
   std::vector<RegularNode> nodes_;
   std::vector<GhostNode> ghosts_;
   std::vector<GraphEdge> edges_;

@@ -167,9 +167,11 @@ void DrawLegend(const Chart& chart, double top, Canvas* canvas) {
 
 int TickStep(double width) {
   if (width <= 24.0) return width > 12.0 ? 2 : 1;
-  int step = 5;
-  for (int i = 0; width / step > 12.0; ++i) step = i % 3 == 2 ? step / 2 * 5 : 2 * step;
-  return step;
+  for (int unit = 5;; unit *= 10) {
+    for (const int times : {1, 2, 4}) {
+      if (width / (times * unit) <= 12.0) return times * unit;
+    }
+  }
 }
 
 double RoundTop(double value) {
