@@ -440,6 +440,7 @@ TEST_F(NavigationTest, ShippedConfigsOfTrialsLoad) {
   const std::filesystem::path folder = BULLETNAV_CONFIGS;
   EXPECT_NO_THROW(sim::LoadYaml<PolicyEvaluationConfig>(folder / "evaluate_policy.yaml"));
   EXPECT_NO_THROW(sim::LoadYaml<StitchConfig>(folder / "stitch.yaml"));
+  EXPECT_NO_THROW(sim::LoadYaml<StitchConfig>(folder / "stitch_wide.yaml"));
 }
 
 TEST_F(NavigationTest, ImitationResumesBitForBit) {
