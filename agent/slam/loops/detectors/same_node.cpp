@@ -7,6 +7,7 @@
 
 #include "agent/slam/loops/descriptor_frames.h"
 #include "agent/slam/loops/loop_registry.h"
+#include "agent/slam/loops/odometry_prior.h"
 #include "sim/base/error.h"
 
 namespace bulletnav::agent {
@@ -24,13 +25,16 @@ class SameNode final : public LoopDetector {
     /// Ours: a score is the mean over so many frames up to the later one, and as many around the
     /// earlier one. 1: of the pair alone.
     int window = 3;
+    OdometryPriorSpec odometry = {.odometry_reach_m = 3.0};  // ours: how far a node reaches
 
     template <class V>
     void Visit(V& v) {
       v("least", least);
       v("window", window);
+      odometry.Visit(v);
     }
     void Validate() const {
+      odometry.Validate();
       if (!(least >= 0.0 && least <= 1.0)) throw sim::Error("least must be in [0, 1]");
       if (window < 1 || window % 2 == 0) throw sim::Error("window must be odd and positive");
     }
@@ -48,10 +52,12 @@ class SameNode final : public LoopDetector {
     rows_.push_back(Ask(*frame.code, frame.comparable));
     if (static_cast<int>(rows_.size()) > config_.window) rows_.pop_front();
     codes_.push_back(*frame.code);
+    track_.Add(frame.odometry);
     std::vector<LoopCandidate> candidates;
     candidates.reserve(static_cast<std::size_t>(frame.comparable));
     for (int earlier = 0; earlier < frame.comparable; ++earlier) {
-      candidates.push_back({frame.number, earlier, Mean(earlier), false});
+      const double against = track_.Against(frame.number, earlier, config_.odometry);
+      candidates.push_back({frame.number, earlier, Mean(earlier) - against, false});
     }
     ProposeBest(0, config_.least, &candidates);
     return candidates;
@@ -90,7 +96,8 @@ class SameNode final : public LoopDetector {
 
   Config config_;
   std::shared_ptr<SemanticModel> places_;
-  std::vector<PanoramaCode> codes_;       // by frame
+  std::vector<PanoramaCode> codes_;  // by frame
+  OdometryTrack track_;
   std::deque<std::vector<double>> rows_;  // of Ask, of the last frames
 };
 

@@ -276,6 +276,23 @@ TEST(SameNode, ScoresAreMeansOverFramesAround) {
   }
 }
 
+TEST(SameNode, OdometrySpeaksAgainstPairsThatItHasFarApart) {
+  const auto alone = Drive("same_node", true, "{window: 1}");
+  const auto told = Drive("same_node", true, "{window: 1, odometry_weight: 0.1}");
+  ASSERT_EQ(told.size(), alone.size());
+  int lower = 0;
+  for (std::size_t i = 0; i < told.size(); ++i) {
+    // Places in turn are 5 m apart, and nothing is against the same one.
+    if ((told[i].later - told[i].earlier) % kPlaces == 0) {
+      EXPECT_EQ(told[i].score, alone[i].score);
+    } else {
+      EXPECT_LE(told[i].score, alone[i].score);
+      lower += told[i].score < alone[i].score ? 1 : 0;
+    }
+  }
+  EXPECT_GT(lower, static_cast<int>(told.size() / 2));
+}
+
 TEST(LoopFrame, WhatNeedsAFlatCameraSaysSoOfPanoramas) {
   const auto detector = Make("orbslam_like", "{native_gates: true}");
   const Seen seen = See(1, 1);
