@@ -25,7 +25,7 @@ class SameNode final : public LoopDetector {
     /// Ours: a score is the mean over so many frames up to the later one, and as many around the
     /// earlier one. 1: of the pair alone.
     int window = 3;
-    OdometryPriorSpec odometry = {.odometry_reach_m = 2.5};  // ours; about how far a node reaches
+    OdometryPriorSpec odometry = {.odometry_reach_m = 3.0};  // ours; how far a node reaches
 
     template <class V>
     void Visit(V& v) {
