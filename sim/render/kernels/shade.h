@@ -2,7 +2,8 @@
 #pragma once
 // Kernels::shade. A vector of pixels at a time; neighbours mostly see the same triangle, so its
 // record is read once for all lanes that do, and only the texels are gathered lane by lane. Where
-// they see many, each lane reads a record of its own.
+// they see many, each lane reads a record of its own. Records and texels are all over memory: they
+// are fetched while the vectors before are worked on.
 #include "sim/render/kernels/kernels.h"
 #include "sim/render/kernels/simd.h"
 #include "sim/render/kernels/tilt.h"
@@ -71,13 +72,15 @@ inline HalfW Weighted(UW texel, int shift, UW weight) {
   return reinterpret_cast<HalfW>(pair) * reinterpret_cast<HalfW>(weight | weight << 16);
 }
 
-/// Bilinear samples of the nearest pyramid level; `red_blue` holds R and B, `green` G.
-struct Samples {
-  UW red_blue;
-  UW green;
+/// Where four texels of a vector of pixels are, and how much of the later ones counts, of 256.
+struct TexelPlaces {
+  IW at[4];  // of t00, t10, t01, t11 in KernelScene::texels
+  UW wx;
+  UW wy;
 };
 
-inline Samples SampleTextures(const KernelScene& scene, const Fragment& f) {
+/// Of the nearest pyramid level.
+inline TexelPlaces FindTexels(const Fragment& f) {
   const IW exponent = (reinterpret_cast<IW>(f.texels * 2.0f) >> 23) - 127;
   const IW level = Min(Max(exponent >> 1, IW{}), f.log2_side);
   const IW log2_side = f.log2_side - level;
@@ -89,17 +92,34 @@ inline Samples SampleTextures(const KernelScene& scene, const Fragment& f) {
   const FW y = f.v * side_f - 0.5f;
   const IW x_floor = Floor(x);
   const IW y_floor = Floor(y);
-  const UW wx = reinterpret_cast<UW>(ToInt((x - ToFloat(x_floor)) * 256.0f));
-  const UW wy = reinterpret_cast<UW>(ToInt((y - ToFloat(y_floor)) * 256.0f));
   const IW wrap = side - 1;
   const IW x0 = x_floor & wrap;
   const IW x1 = (x_floor + 1) & wrap;
   const IW row0 = start + ((y_floor & wrap) << log2_side);
   const IW row1 = start + (((y_floor + 1) & wrap) << log2_side);
-  const UW t00 = Gather(scene.texels, row0 + x0);
-  const UW t10 = Gather(scene.texels, row0 + x1);
-  const UW t01 = Gather(scene.texels, row1 + x0);
-  const UW t11 = Gather(scene.texels, row1 + x1);
+  return {{row0 + x0, row0 + x1, row1 + x0, row1 + x1},
+          reinterpret_cast<UW>(ToInt((x - ToFloat(x_floor)) * 256.0f)),
+          reinterpret_cast<UW>(ToInt((y - ToFloat(y_floor)) * 256.0f))};
+}
+
+/// Has texels fetched from memory. Four pixels side by side mostly share a line of the cache.
+inline void PrefetchTexels(const KernelScene& scene, const TexelPlaces& places) {
+  for (int k = 0; k < 4; k += 2) {
+    for (int i = 0; i < kWidth; i += 4) __builtin_prefetch(scene.texels + places.at[k][i]);
+  }
+}
+
+/// Bilinear samples; `red_blue` holds R and B, `green` G.
+struct Samples {
+  UW red_blue;
+  UW green;
+};
+
+inline Samples Sample(const KernelScene& scene, const TexelPlaces& places) {
+  UW texels[4];
+  for (int k = 0; k < 4; ++k) texels[k] = Gather(scene.texels, places.at[k]);
+  const UW wx = places.wx;
+  const UW wy = places.wy;
   const UW w11 = (wx * wy) >> 8;
   const UW w10 = wx - w11;
   const UW w01 = wy - w11;
@@ -107,8 +127,8 @@ inline Samples SampleTextures(const KernelScene& scene, const Fragment& f) {
   HalfW sums[2];
   for (int i = 0; i < 2; ++i) {
     const int shift = 8 * i;
-    sums[i] = Weighted(t00, shift, w00) + Weighted(t10, shift, w10) + Weighted(t01, shift, w01) +
-              Weighted(t11, shift, w11);
+    sums[i] = Weighted(texels[0], shift, w00) + Weighted(texels[1], shift, w10) +
+              Weighted(texels[2], shift, w01) + Weighted(texels[3], shift, w11);
   }
   return {reinterpret_cast<UW>(sums[0] >> 8), reinterpret_cast<UW>(sums[1] >> 8) & 0xffu};
 }
@@ -121,31 +141,69 @@ class Shader {
 
   void Run(std::uint8_t* color, float* depth) const {
     for (int r = 0; r < grid_.rows; ++r) {
-      for (int c = 0; c < grid_.cols; c += kWidth) {
-        const int lanes = grid_.cols - c < kWidth ? grid_.cols - c : kWidth;
-        const FW inverse_t = Load<FW>(hits_.inverse_t + r * grid_.stride + c);
-        const FW t = 1.0f / Max(inverse_t, Splat<FW>(kUnseen));
-        const std::int64_t pixel = static_cast<std::int64_t>(r) * grid_.cols + c;
-        if (depth != nullptr) WriteDepth(r, c, t, inverse_t, lanes, depth + pixel);
-        if (color != nullptr) WriteColor(r, c, t, lanes, color + 3 * pixel);
-      }
+      const std::int64_t first = static_cast<std::int64_t>(r) * grid_.cols;
+      if (depth != nullptr) WriteDepthRow(r, depth + first);
+      if (color != nullptr) WriteColorRow(r, color + 3 * first);
     }
   }
 
  private:
-  void WriteDepth(int row, int column, FW t, FW inverse_t, int lanes, float* out) const {
-    const FW length = Sqrt(Load<FW>(frame_.xz_squared + column) + grid_.y_squared[row]);
-    const FW range = Min(t * length, Splat<FW>(grid_.max_depth));
-    const FW seen = inverse_t > kUnseen ? range : FW{};
-    if (lanes == kWidth) {
-      Store(out, seen);
-    } else {
-      for (int i = 0; i < lanes; ++i) out[i] = seen[i];
+  /// What a vector of pixels sees, before its texels are read.
+  struct Seen {
+    FW color[3];
+    TexelPlaces texels;
+  };
+
+  int Lanes(int column) const {
+    return grid_.cols - column < kWidth ? grid_.cols - column : kWidth;
+  }
+
+  FW InverseT(int row, int column) const {
+    return Load<FW>(hits_.inverse_t + row * grid_.stride + column);
+  }
+  static FW T(FW inverse_t) { return 1.0f / Max(inverse_t, Splat<FW>(kUnseen)); }
+
+  void WriteDepthRow(int row, float* out) const {
+    for (int c = 0; c < grid_.cols; c += kWidth) {
+      const FW inverse_t = InverseT(row, c);
+      const FW length = Sqrt(Load<FW>(frame_.xz_squared + c) + grid_.y_squared[row]);
+      const FW range = Min(T(inverse_t) * length, Splat<FW>(grid_.max_depth));
+      const FW seen = inverse_t > kUnseen ? range : FW{};
+      const int lanes = Lanes(c);
+      if (lanes == kWidth) {
+        Store(out + c, seen);
+      } else {
+        for (int i = 0; i < lanes; ++i) out[c + i] = seen[i];
+      }
     }
   }
 
-  void WriteColor(int row, int column, FW t, int lanes, std::uint8_t* out) const {
+  /// Texels of a vector come from memory while those of the one before are blended.
+  void WriteColorRow(int row, std::uint8_t* out) const {
+    Seen seen = Look(row, 0);
+    for (int c = 0; c < grid_.cols; c += kWidth) {
+      const Seen now = seen;
+      if (c + 2 * kWidth < grid_.cols) PrefetchRecords(row, c + 2 * kWidth);
+      if (c + kWidth < grid_.cols) seen = Look(row, c + kWidth);
+      WriteColor(now, Lanes(c), out + 3 * c);
+    }
+  }
+
+  /// Has the records of what a vector of pixels sees fetched from memory.
+  void PrefetchRecords(int row, int column) const {
+    const std::int32_t* ids = hits_.id + row * grid_.stride + column;
+    const IW seen = Load<IW>(ids);
+    std::uint32_t left = (Bits(seen != Rotated(seen)) | 1u) & Bits(seen >= 0);
+    for (; left != 0; left &= left - 1) {
+      const char* at = reinterpret_cast<const char*>(scene_.shading + ids[__builtin_ctz(left)]);
+      __builtin_prefetch(at);
+      __builtin_prefetch(at + 64);
+    }
+  }
+
+  Seen Look(int row, int column) const {
     const IW ids = Load<IW>(hits_.id + row * grid_.stride + column);
+    const FW t = T(InverseT(row, column));
     FW ray[3] = {Load<FW>(frame_.x + column), Splat<FW>(grid_.y[row]), Load<FW>(frame_.z + column)};
     MakeWorld(frame_, ray);
     const FW point[3] = {frame_.origin[0] + t * ray[0], frame_.origin[1] + t * ray[1],
@@ -157,10 +215,16 @@ class Shader {
     } else {
       InterpolateRuns(ids, Bits(ids >= 0), point, footprint, &fragment);
     }
-    const Samples samples = SampleTextures(scene_, fragment);
-    const UW red = Product(samples.red_blue & 0xffffu, fragment.color[0]);
-    const UW green = Product(samples.green, fragment.color[1]);
-    const UW blue = Product(samples.red_blue >> 16, fragment.color[2]);
+    const TexelPlaces texels = FindTexels(fragment);
+    PrefetchTexels(scene_, texels);
+    return {{fragment.color[0], fragment.color[1], fragment.color[2]}, texels};
+  }
+
+  void WriteColor(const Seen& seen, int lanes, std::uint8_t* out) const {
+    const Samples samples = Sample(scene_, seen.texels);
+    const UW red = Product(samples.red_blue & 0xffffu, seen.color[0]);
+    const UW green = Product(samples.green, seen.color[1]);
+    const UW blue = Product(samples.red_blue >> 16, seen.color[2]);
     WriteRgb(red | green << 8 | blue << 16, lanes, out);
   }
 
