@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
+#include <filesystem>
 #include <span>
+#include <string_view>
 
 #include "sim/image/image.h"
 
@@ -16,7 +18,13 @@ inline constexpr std::uint64_t kMostKeptPixels = std::uint64_t{1} << 26;
 /// BMP and TGA are held whole for a moment.
 Image DecodeImage(std::span<const std::uint8_t> bytes, std::uint64_t most_pixels);
 
-/// Whether these are a KTX file's, of textures for GPUs as Basis Universal packs them: not read.
-bool IsKtx(std::span<const std::uint8_t> bytes);
+/// What a format of textures that DecodeImage does not read is called, by the file's first bytes:
+/// those for GPUs, and AVIF. Empty for all others.
+std::string_view UnreadFormat(std::span<const std::uint8_t> bytes);
+/// The same by the file's name.
+std::string_view UnreadFormat(const std::filesystem::path& file);
+
+/// UnreadFormat of KTX files, which are mostly packed as Basis Universal.
+inline constexpr std::string_view kKtx = "Basis Universal (KTX2)";
 
 }  // namespace bulletnav::sim

@@ -2,7 +2,9 @@
 #include "sim/image/image.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <string>
 #include <string_view>
 
 #include "sim/base/error.h"
@@ -79,6 +81,10 @@ void NarrowRow(const Image& image, int y, std::span<const Taps> columns, float* 
   }
 }
 
+constexpr std::string_view kBasis = "Basis Universal (.basis)";
+constexpr std::string_view kDds = "DDS";
+constexpr std::string_view kAvif = "AVIF";
+
 bool HasText(std::span<const std::uint8_t> bytes, std::size_t at, std::string_view text) {
   return bytes.size() >= at + text.size() &&
          std::equal(text.begin(), text.end(), bytes.begin() + static_cast<std::ptrdiff_t>(at),
@@ -89,8 +95,22 @@ bool HasText(std::span<const std::uint8_t> bytes, std::size_t at, std::string_vi
 
 }  // namespace
 
-bool IsKtx(std::span<const std::uint8_t> bytes) {
-  return HasText(bytes, 0, "\xabKTX ");
+std::string_view UnreadFormat(std::span<const std::uint8_t> bytes) {
+  if (HasText(bytes, 0, "\xabKTX ")) return kKtx;
+  if (HasText(bytes, 0, "sB")) return kBasis;
+  if (HasText(bytes, 0, "DDS ")) return kDds;
+  if (HasText(bytes, 4, "ftypavi")) return kAvif;
+  return {};
+}
+
+std::string_view UnreadFormat(const std::filesystem::path& file) {
+  std::string ending = file.extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (ending == ".ktx" || ending == ".ktx2") return kKtx;
+  if (ending == ".basis") return kBasis;
+  if (ending == ".dds") return kDds;
+  if (ending == ".avif") return kAvif;
+  return {};
 }
 
 Image DecodeImage(std::span<const std::uint8_t> bytes) {
@@ -103,8 +123,10 @@ Image DecodeImage(std::span<const std::uint8_t> bytes, std::uint64_t most_pixels
   if (HasText(bytes, 0, "RIFF") && HasText(bytes, 8, "WEBP")) {
     return DecodeWebp(bytes, most_pixels);
   }
-  if (IsKtx(bytes)) {
-    throw ImageError("KTX textures (Basis Universal) are not read; convert it to PNG or JPEG");
+  const std::string_view unread = UnreadFormat(bytes);
+  if (!unread.empty()) {
+    throw ImageError("is in " + std::string(unread) +
+                     ", which is not read; convert it to PNG or JPEG");
   }
   return DecodeWithStb(bytes, most_pixels);
 }

@@ -188,10 +188,17 @@ std::string BasisRemedy(const std::filesystem::path& mesh) {
   return "take " + plain + ", which HM3D's archives called hm3d-...-glb hold";
 }
 
+/// Throws ImageError for a format that is not read, with the remedy for the mesh.
+void RequireRead(std::string_view unread, const std::filesystem::path& mesh) {
+  if (unread.empty()) return;
+  const bool is_ktx = unread == kKtx;
+  throw ImageError(
+      "is in " + std::string(unread) + ", which is not read; " +
+      (is_ktx ? BasisRemedy(mesh) : "export the mesh again with textures in PNG or JPEG"));
+}
+
 Image DecodeTexture(std::span<const std::uint8_t> bytes, const std::filesystem::path& mesh) {
-  if (IsKtx(bytes)) {
-    throw ImageError("is in Basis Universal (KTX2), which is not read; " + BasisRemedy(mesh));
-  }
+  RequireRead(UnreadFormat(bytes), mesh);
   return DecodeImage(bytes);
 }
 
@@ -256,7 +263,10 @@ Image AssimpScene::LoadTexture(const std::string& name) const {
     return DecodeEmbedded(*embedded, file_);
   }
   const auto path = FindTextureFile(file_, name);
-  if (!path) throw ImageError("file not found");
+  if (!path) {
+    RequireRead(UnreadFormat(std::filesystem::path(name)), file_);
+    throw ImageError("file not found");
+  }
   AllowCpuSeconds(SecondsToRead(*path));
   return DecodeTexture(ReadFile(*path), file_);
 }

@@ -23,6 +23,12 @@ using Bytes = GltfDocument::Bytes;
 constexpr int kFloat = 5126;
 constexpr const char* kTransform = "KHR_texture_transform";
 
+/// Extensions by which textures name a picture in another format. WebP is read; of the others each
+/// picture is named when it is to be read.
+constexpr std::array<const char*, 5> kPictureFormats = {"EXT_texture_webp", "KHR_texture_basisu",
+                                                        "GOOGLE_texture_basis", "EXT_texture_avif",
+                                                        "MSFT_texture_dds"};
+
 /// (u, v) -> linear (u, v) + offset.
 struct UvTransform {
   std::array<float, 4> linear = {1.0f, 0.0f, 0.0f, 1.0f};  // row by row
@@ -151,7 +157,7 @@ class Decoder {
   void ChoosePicture(std::size_t i) {
     const Json& texture = gltf_.Item("textures", i);
     const std::string place = GltfDocument::Place("textures", i);
-    for (const char* name : {"EXT_texture_webp", "KHR_texture_basisu"}) {
+    for (const char* name : kPictureFormats) {
       const Json* extension = ExtensionOf(texture, name);
       if (extension == nullptr || texture.contains("source")) continue;
       const auto source = gltf_.Reference(*extension, "source", "images", place);
@@ -292,11 +298,12 @@ DecodedGltf DecodeGltf(const GltfDocument& gltf, std::span<const Bytes> views,
 }
 
 bool IsReadExtension(std::string_view name) {
-  constexpr std::array<std::string_view, 6> kRead = {
-      kMeshopt,           kTransform,           "KHR_mesh_quantization",
-      "EXT_texture_webp", "KHR_texture_basisu", "KHR_lights_punctual"};
-  return name.starts_with("KHR_materials_") ||
-         std::find(kRead.begin(), kRead.end(), name) != kRead.end();
+  constexpr std::array<std::string_view, 4> kRead = {kMeshopt, kTransform, "KHR_mesh_quantization",
+                                                     "KHR_lights_punctual"};
+  const auto is_in = [name](const auto& names) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  return name.starts_with("KHR_materials_") || is_in(kRead) || is_in(kPictureFormats);
 }
 
 }  // namespace bulletnav::sim

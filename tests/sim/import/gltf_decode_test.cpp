@@ -17,6 +17,7 @@ namespace bulletnav::sim {
 namespace {
 
 using Json = nlohmann::json;
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -281,6 +282,40 @@ TEST_F(GltfDecodeTest, BasisTexturesAreGreyAndNamedWithTheRemedy) {
   folder_.Write("room.glb", PlainFloor().Glb());
   EXPECT_THAT(Import(floor, "room.basis.glb").report.textures_missing,
               ElementsAre(HasSubstr("take room.glb, which lies beside it")));
+}
+
+TEST_F(GltfDecodeTest, OtherFormatsOfTexturesAreNamedToo) {
+  const std::string avif = std::string("\0\0\0\x1c", 4) + "ftypavif and so on";
+  struct Case {
+    const char* extension;
+    std::string bytes;
+    const char* name;
+  };
+  for (const auto& [extension, bytes, name] :
+       {Case{"GOOGLE_texture_basis", "sB and so on", "Basis Universal (.basis)"},
+        Case{"MSFT_texture_dds", "DDS and so on", "DDS"}, Case{"EXT_texture_avif", avif, "AVIF"}}) {
+    Document floor = PlainFloor();
+    floor.AddPicture(bytes, "image/unknown", extension);
+    for (const bool is_required : {true, false}) {
+      if (!is_required) floor.json.erase("extensionsRequired");
+      const ImportedScene scene = Import(floor);
+      EXPECT_THAT(scene.report.textures_missing,
+                  ElementsAre(HasSubstr("is in " + std::string(name) +
+                                        ", which is not read; export the mesh again with")));
+      EXPECT_THAT(scene.report.skipped, IsEmpty());
+    }
+  }
+}
+
+TEST_F(GltfDecodeTest, OfAFileThatIsNotThereItsFormatIsToldAsWell) {
+  Document floor = PlainFloor();
+  floor.AddPicture("", "image/ktx2", "KHR_texture_basisu");
+  floor.json["images"] = {{{"uri", "wood.ktx2"}}};
+  EXPECT_THAT(Import(floor).report.textures_missing,
+              ElementsAre(AllOf(HasSubstr("wood.ktx2"), HasSubstr("ktxdecompress"))));
+  floor.json["images"] = {{{"uri", "wood.webp"}}};
+  EXPECT_THAT(Import(floor).report.textures_missing,
+              ElementsAre(AllOf(HasSubstr("wood.webp"), HasSubstr("not found"))));
 }
 
 TEST_F(GltfDecodeTest, WhatAFileRequiresAndIsNotReadIsNamed) {
