@@ -171,6 +171,11 @@ bool DrawRunEpisodes(const RunConfig& config, const RunTools& tools) {
 
 RunEpisodes ReadRunEpisodes(const RunConfig& config) {
   RunEpisodes all;
+  if (!config.episodes.draw && !fs::exists(config.episodes.file)) {
+    throw sim::FileError(config.episodes.file, "",
+                         "is not there, and the config draws none ('draw'); episodes that others "
+                         "publish come from where the first lines of their config say");
+  }
   EpisodeSet set = ReadEpisodes(config.episodes.file);
   if (config.episodes.draw) RequireDrawnFrom(set, config.generator(), config.episodes.file);
   all.episodes = std::move(set.episodes);

@@ -79,6 +79,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::ThrowsMessage;
 
 /// Runs in two bare houses.
 class RunnerTest : public testing::Test {
@@ -422,6 +423,17 @@ TEST_F(RunnerTest, EpisodesThatCannotBePlayedAreRefusedBeforeTheRun) {
               }),
               AllOf(HasSubstr("bad.json: episode '" + good.episodes[3].id + "'"),
                     HasSubstr("start: there is no floor")));
+}
+
+TEST_F(RunnerTest, EpisodesOfOthersThatAreNotThereAreAskedFor) {
+  RunConfig config = Config("{agent: random}");
+  config.episodes.draw.reset();
+  config.episodes.file = folder("none.json.gz").string();
+  const auto run = [&] {
+    RunBenchmark(config, folder("out"), {});
+  };
+  EXPECT_THAT(run, ThrowsMessage<sim::FileError>(
+                       AllOf(HasSubstr("none.json.gz: is not there"), HasSubstr("first lines"))));
 }
 
 /// What happened in every episode of a small run, as text. To write it again after a change that is
