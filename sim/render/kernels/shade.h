@@ -139,11 +139,22 @@ class Shader {
          const KernelHits& hits)
       : scene_(scene), grid_(grid), frame_(frame), hits_(hits) {}
 
+  /// Texels of a vector come from memory while those of the one before are blended.
   void Run(std::uint8_t* color, float* depth) const {
     for (int r = 0; r < grid_.rows; ++r) {
-      const std::int64_t first = static_cast<std::int64_t>(r) * grid_.cols;
-      if (depth != nullptr) WriteDepthRow(r, depth + first);
-      if (color != nullptr) WriteColorRow(r, color + 3 * first);
+      Seen before = {};
+      for (int c = 0; c < grid_.cols; c += kWidth) {
+        const FW inverse_t = Load<FW>(hits_.inverse_t + r * grid_.stride + c);
+        const FW t = 1.0f / Max(inverse_t, Splat<FW>(kUnseen));
+        const std::int64_t pixel = static_cast<std::int64_t>(r) * grid_.cols + c;
+        if (depth != nullptr) WriteDepth(r, c, t, inverse_t, Lanes(c), depth + pixel);
+        if (color == nullptr) continue;
+        if (c + kWidth < grid_.cols) PrefetchRecords(r, c + kWidth);
+        const Seen seen = Look(r, c, t);
+        if (c > 0) WriteColor(before, kWidth, color + 3 * (pixel - kWidth));
+        before = seen;
+        if (c + kWidth >= grid_.cols) WriteColor(seen, Lanes(c), color + 3 * pixel);
+      }
     }
   }
 
@@ -158,34 +169,14 @@ class Shader {
     return grid_.cols - column < kWidth ? grid_.cols - column : kWidth;
   }
 
-  FW InverseT(int row, int column) const {
-    return Load<FW>(hits_.inverse_t + row * grid_.stride + column);
-  }
-  static FW T(FW inverse_t) { return 1.0f / Max(inverse_t, Splat<FW>(kUnseen)); }
-
-  void WriteDepthRow(int row, float* out) const {
-    for (int c = 0; c < grid_.cols; c += kWidth) {
-      const FW inverse_t = InverseT(row, c);
-      const FW length = Sqrt(Load<FW>(frame_.xz_squared + c) + grid_.y_squared[row]);
-      const FW range = Min(T(inverse_t) * length, Splat<FW>(grid_.max_depth));
-      const FW seen = inverse_t > kUnseen ? range : FW{};
-      const int lanes = Lanes(c);
-      if (lanes == kWidth) {
-        Store(out + c, seen);
-      } else {
-        for (int i = 0; i < lanes; ++i) out[c + i] = seen[i];
-      }
-    }
-  }
-
-  /// Texels of a vector come from memory while those of the one before are blended.
-  void WriteColorRow(int row, std::uint8_t* out) const {
-    Seen seen = Look(row, 0);
-    for (int c = 0; c < grid_.cols; c += kWidth) {
-      const Seen now = seen;
-      if (c + 2 * kWidth < grid_.cols) PrefetchRecords(row, c + 2 * kWidth);
-      if (c + kWidth < grid_.cols) seen = Look(row, c + kWidth);
-      WriteColor(now, Lanes(c), out + 3 * c);
+  void WriteDepth(int row, int column, FW t, FW inverse_t, int lanes, float* out) const {
+    const FW length = Sqrt(Load<FW>(frame_.xz_squared + column) + grid_.y_squared[row]);
+    const FW range = Min(t * length, Splat<FW>(grid_.max_depth));
+    const FW seen = inverse_t > kUnseen ? range : FW{};
+    if (lanes == kWidth) {
+      Store(out, seen);
+    } else {
+      for (int i = 0; i < lanes; ++i) out[i] = seen[i];
     }
   }
 
@@ -201,9 +192,8 @@ class Shader {
     }
   }
 
-  Seen Look(int row, int column) const {
+  Seen Look(int row, int column, FW t) const {
     const IW ids = Load<IW>(hits_.id + row * grid_.stride + column);
-    const FW t = T(InverseT(row, column));
     FW ray[3] = {Load<FW>(frame_.x + column), Splat<FW>(grid_.y[row]), Load<FW>(frame_.z + column)};
     MakeWorld(frame_, ray);
     const FW point[3] = {frame_.origin[0] + t * ray[0], frame_.origin[1] + t * ray[1],
