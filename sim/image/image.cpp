@@ -2,6 +2,7 @@
 #include "sim/image/image.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <string>
@@ -81,9 +82,17 @@ void NarrowRow(const Image& image, int y, std::span<const Taps> columns, float* 
   }
 }
 
-constexpr std::string_view kBasis = "Basis Universal (.basis)";
-constexpr std::string_view kDds = "DDS";
-constexpr std::string_view kAvif = "AVIF";
+struct Unread {
+  std::string_view name;
+  std::size_t at;  // where the text is in its files
+  std::string_view text;
+  std::string_view ending;  // of their names
+};
+constexpr std::array<Unread, 5> kUnread = {{{kKtx, 0, "\xabKTX ", ".ktx2"},
+                                            {kKtx, 0, "\xabKTX ", ".ktx"},
+                                            {"Basis Universal (.basis)", 0, "sB", ".basis"},
+                                            {"DDS", 0, "DDS ", ".dds"},
+                                            {"AVIF", 4, "ftypavi", ".avif"}}};
 
 bool HasText(std::span<const std::uint8_t> bytes, std::size_t at, std::string_view text) {
   return bytes.size() >= at + text.size() &&
@@ -96,20 +105,18 @@ bool HasText(std::span<const std::uint8_t> bytes, std::size_t at, std::string_vi
 }  // namespace
 
 std::string_view UnreadFormat(std::span<const std::uint8_t> bytes) {
-  if (HasText(bytes, 0, "\xabKTX ")) return kKtx;
-  if (HasText(bytes, 0, "sB")) return kBasis;
-  if (HasText(bytes, 0, "DDS ")) return kDds;
-  if (HasText(bytes, 4, "ftypavi")) return kAvif;
+  for (const Unread& format : kUnread) {
+    if (HasText(bytes, format.at, format.text)) return format.name;
+  }
   return {};
 }
 
 std::string_view UnreadFormat(const std::filesystem::path& file) {
   std::string ending = file.extension().string();
   for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  if (ending == ".ktx" || ending == ".ktx2") return kKtx;
-  if (ending == ".basis") return kBasis;
-  if (ending == ".dds") return kDds;
-  if (ending == ".avif") return kAvif;
+  for (const Unread& format : kUnread) {
+    if (ending == format.ending) return format.name;
+  }
   return {};
 }
 
