@@ -206,7 +206,8 @@ TEST_F(SharedTraining, TellsWhoDoesNotCome) {
   const auto meet = [](const PeerPlace& place) {
     Peers peers(place);
   };
-  std::vector<PeerPlace> places = Processes::Places(3, 1);
+  // Long enough for two processes to find each other on a machine full of other work.
+  std::vector<PeerPlace> places = Processes::Places(3, 10);
   const Endings without_last = Processes::Run({places[0], places[1]}, meet);
   for (const std::string& end : without_last) {
     EXPECT_THAT(end, AllOf(HasSubstr("1 did not come"), HasSubstr("RANK 2")));
