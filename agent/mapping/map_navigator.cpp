@@ -20,6 +20,7 @@ constexpr double kNearer = 0.25;   // metres
 constexpr int kFrontiers = 8;      // looked at in one step
 constexpr double kTurned = 0.25;   // of the map's obstacles in sight looked through
 constexpr int kFewObstacles = 60;  // cells
+constexpr double kAtEdge = 1.0;    // metres; there the edge stands for the walls that were felt
 constexpr int kDoubts = 3;         // steps in a row
 
 }  // namespace
@@ -73,6 +74,7 @@ void MapNavigator::Reset() {
   frontier_watch_.Reset();
   doubts_ = 0;
   heading_.reset();
+  edges_.Reset();
   most_seen_ = 0;
 }
 
@@ -116,7 +118,27 @@ void MapNavigator::FeelWalls(const sim::PlanarPose& before) {
   if (last_action_ != sim::Action::kMoveForward) return;
   const double moved = std::hypot(pose_.x - before.x, pose_.y - before.y);
   wall_width_ = moved < spec_.stuck_below ? std::min(wall_width_ + 2, spec_.widest_wall) : 1;
-  if (moved < spec_.blocked_below) map_.MarkWall(before, wall_width_);
+  if (moved >= spec_.blocked_below) return;
+  if (edges_.Feel(pose_)) {
+    map_.ForgetFeltWalls(here(), kAtEdge);
+    MarkEdges();
+  }
+  map_.MarkWall(before, wall_width_);
+}
+
+void MapNavigator::MarkEdges() {
+  for (const FeltEdges::Segment& edge : edges_.segments()) map_.MarkEdge(edge.from, edge.to);
+}
+
+void MapNavigator::ForgetFeltWalls() {
+  map_.ForgetFeltWalls();
+  MarkEdges();
+}
+
+void MapNavigator::ForgetMap() {
+  map_.Clear(pose_);
+  MarkEdges();
+  was_forgotten_ = true;
 }
 
 Point MapNavigator::PointAt(double distance, double bearing) const {
@@ -125,7 +147,14 @@ Point MapNavigator::PointAt(double distance, double bearing) const {
 }
 
 std::optional<Waypoint> MapNavigator::Plan(const Point& goal, bool through_unknown) {
-  return planner_.Plan(map_, {here(), goal, through_unknown, heading_});
+  const PathPlanner::Query query{here(), goal, through_unknown, heading_};
+  const std::optional<Waypoint> plan = planner_.Plan(map_, query);
+  const bool was_forgotten = std::exchange(was_forgotten_, false);
+  if (plan || !was_forgotten || !through_unknown || edges_.segments().empty()) return plan;
+  // They were taken to go on too far, and shut something in.
+  edges_.Reset();
+  map_.ForgetFeltWalls();
+  return planner_.Plan(map_, query);
 }
 
 std::optional<Point> MapNavigator::PlaceNear(const Point& point, std::span<const Point> others,

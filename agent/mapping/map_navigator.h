@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "agent/mapping/felt_edges.h"
 #include "agent/mapping/frontier.h"
 #include "agent/mapping/metric_map.h"
 #include "agent/mapping/path_planner.h"
@@ -71,8 +72,9 @@ class MapNavigator {
   /// when more is known than ever before.
   double seen_area() const;
   /// For a map that leaves no way out: forgets felt walls, or everything.
-  void ForgetFeltWalls() { map_.ForgetFeltWalls(); }
-  void ForgetMap() { map_.Clear(pose_); }
+  /// Edges that were felt often are forgotten after a few times only.
+  void ForgetFeltWalls();
+  void ForgetMap();
 
   /// The point in the agent's plane of a place seen from the body.
   Point PointAt(double distance, double bearing) const;
@@ -103,6 +105,7 @@ class MapNavigator {
   /// The motion of the last step, mended.
   sim::PlanarPose Mended(const Observation& observation);
   void FeelWalls(const sim::PlanarPose& before);
+  void MarkEdges();
   void DoubtMap(const Panorama& panorama);
   void GiveUpFrontier();
   bool HasFrontierNear(const Point& point, double radius) const;
@@ -113,6 +116,8 @@ class MapNavigator {
   MetricMap map_;
   PathPlanner planner_;
   FrontierFinder frontiers_;
+  FeltEdges edges_;
+  bool was_forgotten_ = false;  // the map, since the last plan
   sim::PlanarPose pose_;
   sim::Action last_action_ = sim::Action::kStop;
   sim::Action last_turn_ = sim::Action::kTurnLeft;

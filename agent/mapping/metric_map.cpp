@@ -180,6 +180,34 @@ void MetricMap::MarkWall(const sim::PlanarPose& pose, int width_cells) {
   Refresh(CellAt({pose.x, pose.y}), ahead + width_cells + 2);
 }
 
+void MetricMap::MarkEdge(const Point& from, const Point& to) {
+  const double length = Distance(from, to);
+  const int steps = 1 + static_cast<int>(2.0 * length / spec_.cell);
+  for (int i = 0; i <= steps; ++i) {
+    const double t = static_cast<double>(i) / steps;
+    const sim::Cell at = CellAt({from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)});
+    for (int k = 0; k < kWallThickness * kWallThickness; ++k) {
+      const sim::Cell cell{at.x + k % kWallThickness, at.y + k / kWallThickness};
+      if (felt_.Contains(cell) && track_[cell] == 0) felt_[cell] = 1;
+    }
+  }
+  const Point middle{0.5 * (from.x + to.x), 0.5 * (from.y + to.y)};
+  Refresh(CellAt(middle), 3 + static_cast<int>(0.5 * length / spec_.cell));
+}
+
+void MetricMap::ForgetFeltWalls(const Point& p, double radius) {
+  const sim::Cell middle = CellAt(p);
+  const int reach = static_cast<int>(radius / spec_.cell);
+  for (int dy = -reach; dy <= reach; ++dy) {
+    for (int dx = -reach; dx <= reach; ++dx) {
+      const sim::Cell cell{middle.x + dx, middle.y + dy};
+      if (!felt_.Contains(cell) || std::hypot(dx, dy) > reach) continue;
+      if (explored_[cell] != 0) felt_[cell] = 0;
+    }
+  }
+  Refresh(middle, reach);
+}
+
 void MetricMap::ForgetFeltWalls() {
   felt_.Fill(0);
   Refresh({states_.size() / 2, states_.size() / 2}, states_.size());

@@ -51,7 +51,11 @@ class MetricMap {
   void MarkWall(const sim::PlanarPose& pose, int width_cells);
   /// The same where cells near a point are unknown that no view reaches, or no way.
   void MarkNoWay(const Point& p, double radius);
+  /// Marks an edge that runs between two points, two cells thick, but for where the body has been.
+  void MarkEdge(const Point& from, const Point& to);
   void ForgetFeltWalls();
+  /// Those on explored cells within `radius` metres of a point.
+  void ForgetFeltWalls(const Point& p, double radius);
 
   sim::Cell CellAt(const Point& p) const;
   Point Centre(const sim::Cell& cell) const;

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "agent/mapping/map_navigator.h"
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -191,6 +195,114 @@ TEST(MapNavigator, AFrontierThatTheBodyCannotGetNearerToIsGivenUp) {
   }
   EXPECT_GT(steps, 20);
   EXPECT_LT(steps, 200) << "there is but one end of the corridor";
+}
+
+/// All floor, as far as the vision reaches: whatever stands there is not seen.
+class FloorEverywhere final : public ViewWindow {
+ public:
+  explicit FloorEverywhere(const MapSpec& spec)
+      : ViewWindow(static_cast<int>(spec.vision / spec.cell)) {
+    floor_points_.Fill(9);
+    seen_.Fill(1);
+  }
+  void Project(const Panorama& /*panorama*/, double /*x*/, double /*y*/, double /*yaw*/) override {}
+};
+
+/// Something lower than is seen, or a pit, which a body of 0.18 m radius cannot enter.
+struct Unseen {
+  double low_x, high_x, low_y, high_y;
+
+  bool Holds(const sim::PlanarPose& body) const {
+    const double x = body.x - std::clamp(body.x, low_x, high_x);
+    const double y = body.y - std::clamp(body.y, low_y, high_y);
+    return std::hypot(x, y) < 0.18;
+  }
+};
+
+struct Walk {
+  bool arrived = false;
+  int steps = 0;
+  int bumps = 0;
+};
+
+/// A body in a plane among things that it does not see.
+class BlindWalker {
+ public:
+  explicit BlindWalker(std::vector<Unseen> things) : things_(std::move(things)) {
+    navigator_.Reset();
+    navigator_.Observe({});
+  }
+
+  /// From the origin to a goal, until it is there or 500 steps are over.
+  Walk WalkTo(const Point& goal) {
+    Walk walk;
+    for (; walk.steps < 500; ++walk.steps) {
+      walk.arrived = Distance(navigator_.here(), goal) < 0.3;
+      if (walk.arrived) break;
+      auto plan = navigator_.Plan(goal, true);
+      if (!plan) {
+        navigator_.ForgetMap();
+        plan = navigator_.Plan(goal, true);
+      }
+      if (!plan) break;
+      walk.bumps += Bumps(navigator_.Steer(plan->point)) ? 1 : 0;
+    }
+    return walk;
+  }
+
+ private:
+  bool Bumps(Action action) {
+    const sim::PlanarPose before = body_;
+    bool bumps = false;
+    if (action == Action::kMoveForward) {
+      for (int i = 0; i < 25 && !bumps; ++i) {
+        const sim::PlanarPose next = sim::Compose(body_, {0.01, 0.0, 0.0});
+        bumps = std::any_of(things_.begin(), things_.end(), [&](const Unseen& thing) {
+          return thing.Holds(next);
+        });
+        if (!bumps) body_ = next;
+      }
+    } else {
+      body_.yaw += sim::DegToRad(action == Action::kTurnLeft ? 10.0 : -10.0);
+    }
+    navigator_.Took(action);
+    navigator_.Observe({{}, sim::Compose(sim::Inverse(before), body_), false, 0});
+    return bumps;
+  }
+
+  MapNavigator navigator_{{}, std::make_unique<FloorEverywhere>(MapSpec{}), false};
+  std::vector<Unseen> things_;
+  sim::PlanarPose body_;
+};
+
+TEST(MapNavigator, FeelsItsWayRoundWhatItDoesNotSee) {
+  for (const double half_width : {0.3, 0.6, 1.0, 1.5, 2.0, 2.5}) {
+    for (const double aside : {0.0, 0.2, -0.35}) {
+      BlindWalker walker({{1.5, 2.5, aside - half_width, aside + half_width}});
+      const Walk walk = walker.WalkTo({4.0, 0.0});
+      EXPECT_TRUE(walk.arrived) << half_width << " m to both sides of " << aside;
+      EXPECT_LE(walk.bumps, 30) << half_width << " m to both sides of " << aside;
+    }
+  }
+}
+
+TEST(MapNavigator, FeelsItsWayOutOfAPocket) {
+  for (const double depth : {0.5, 1.0, 1.5}) {
+    for (const double half_width : {0.6, 1.0, 1.4}) {
+      const double low = 2.0 - depth;
+      BlindWalker walker({{2.0, 2.3, -half_width, half_width},
+                          {low, 2.3, half_width, half_width + 0.2},
+                          {low, 2.3, -half_width - 0.2, -half_width}});
+      EXPECT_TRUE(walker.WalkTo({4.0, 0.1}).arrived) << depth << " m deep, " << half_width;
+    }
+  }
+}
+
+TEST(MapNavigator, AFewPushesCloseNoDoor) {
+  for (const double aside : {0.0, 0.3, -0.3}) {
+    BlindWalker walker({{1.5, 1.6, aside + 0.45, 9.0}, {1.5, 1.6, -9.0, aside - 0.45}});
+    EXPECT_TRUE(walker.WalkTo({3.2, 0.0}).arrived) << aside;
+  }
 }
 
 TEST(NavigatorSpec, RefusesNonsense) {
