@@ -156,6 +156,11 @@ void KeepIntegersAlone(const std::filesystem::path& file, const std::filesystem:
   std::erase_if(content.tensors, [](const auto& entry) {
     return !entry.first.starts_with(kIntegerPrefix) && entry.second.shape.size() > 1;
   });
+  for (auto& [name, tensor] : content.tensors) {
+    // The trained weights may be short; scales are not.
+    if (name.starts_with(kIntegerPrefix) && !tensor.stored_as)
+      tensor.stored_as = StoredType::kFloat32;
+  }
   content.metadata[kIntegersAlone] = "true";
   WriteTensorFile(out, content, type);
 }

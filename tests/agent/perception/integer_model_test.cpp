@@ -230,6 +230,16 @@ TEST_F(IntegerModelTest, IntegersAloneActTheSameAndAreNotTrainedOn) {
   EXPECT_THROW(KeepIntegersAlone(file, alone), sim::FileError);
 }
 
+TEST_F(IntegerModelTest, IntegersAloneActTheSameWhereTheTrainedWeightsAreShort) {
+  SemanticNet net(Small(), 3);
+  const QuantisedNet quantised = Quantised(net, pictures_);
+  const auto file = folder_.path() / "short.safetensors";
+  SaveNet(net, {}, StoredType::kBfloat16, file);
+  AddQuantised(quantised, file, file);
+  KeepIntegersAlone(file, file);
+  EXPECT_EQ(ReadQuantised(ReadTensorFile(file), file), quantised);
+}
+
 TEST_F(IntegerModelTest, FilesKeepIntegersAsTheyAre) {
   SemanticNet net(Small(), 3);
   const QuantisedNet quantised = Quantised(net, pictures_);
