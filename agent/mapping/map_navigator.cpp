@@ -21,6 +21,7 @@ constexpr int kFrontiers = 8;      // looked at in one step
 constexpr double kTurned = 0.25;   // of the map's obstacles in sight looked through
 constexpr int kFewObstacles = 60;  // cells
 constexpr double kAtEdge = 1.0;    // metres; there the edge stands for the walls that were felt
+constexpr int kPushes = 5;         // in a row, without turning
 constexpr int kDoubts = 3;         // steps in a row
 
 }  // namespace
@@ -70,6 +71,7 @@ void MapNavigator::Reset() {
   last_action_ = sim::Action::kStop;
   last_turn_ = sim::Action::kTurnLeft;
   wall_width_ = 1;
+  pushes_ = 0;
   frontier_.reset();
   frontier_watch_.Reset();
   doubts_ = 0;
@@ -115,11 +117,20 @@ void MapNavigator::DoubtMap(const Panorama& panorama) {
 }
 
 void MapNavigator::FeelWalls(const sim::PlanarPose& before) {
-  if (last_action_ != sim::Action::kMoveForward) return;
+  if (last_action_ != sim::Action::kMoveForward) {
+    pushes_ = 0;
+    return;
+  }
   const double moved = std::hypot(pose_.x - before.x, pose_.y - before.y);
   wall_width_ = moved < spec_.stuck_below ? std::min(wall_width_ + 2, spec_.widest_wall) : 1;
+  pushes_ = moved < spec_.stuck_below ? pushes_ + 1 : 0;
   if (moved >= spec_.blocked_below) return;
-  if (edges_.Feel(pose_)) {
+  if (pushes_ > kPushes && !edges_.segments().empty()) {
+    // What is marked makes it push at one place.
+    edges_.Reset();
+    map_.ForgetFeltWalls(here(), kAtEdge);
+    pushes_ = 0;
+  } else if (edges_.Feel(pose_)) {
     map_.ForgetFeltWalls(here(), kAtEdge);
     MarkEdges();
   }

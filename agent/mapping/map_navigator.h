@@ -123,6 +123,7 @@ class MapNavigator {
   sim::Action last_turn_ = sim::Action::kTurnLeft;
   std::optional<double> heading_;  // to where it last steered
   int wall_width_ = 1;
+  int pushes_ = 0;  // in a row that moved nothing
   std::optional<Point> frontier_;
   int frontier_number_ = 0;
   ProgressWatch frontier_watch_;
