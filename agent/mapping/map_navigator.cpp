@@ -142,8 +142,8 @@ void MapNavigator::MarkEdges() {
 }
 
 void MapNavigator::ForgetFeltWalls() {
+  edges_.Reset();
   map_.ForgetFeltWalls();
-  MarkEdges();
 }
 
 void MapNavigator::ForgetMap() {
@@ -163,8 +163,7 @@ std::optional<Waypoint> MapNavigator::Plan(const Point& goal, bool through_unkno
   const bool was_forgotten = std::exchange(was_forgotten_, false);
   if (plan || !was_forgotten || !through_unknown || edges_.segments().empty()) return plan;
   // They were taken to go on too far, and shut something in.
-  edges_.Reset();
-  map_.ForgetFeltWalls();
+  ForgetFeltWalls();
   return planner_.Plan(map_, query);
 }
 

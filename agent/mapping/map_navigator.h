@@ -71,8 +71,8 @@ class MapNavigator {
   /// Square metres of floor and walls seen since Reset. After the map was forgotten it grows only
   /// when more is known than ever before.
   double seen_area() const;
-  /// For a map that leaves no way out: forgets felt walls, or everything.
-  /// Edges that were felt often are forgotten after a few times only.
+  /// For a map that leaves no way out: forgets felt walls, or everything but the edges that were
+  /// felt often (see FeltEdges), which go if the next plan finds no way either.
   void ForgetFeltWalls();
   void ForgetMap();
 

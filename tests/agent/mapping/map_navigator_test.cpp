@@ -197,6 +197,8 @@ TEST(MapNavigator, AFrontierThatTheBodyCannotGetNearerToIsGivenUp) {
   EXPECT_LT(steps, 200) << "there is but one end of the corridor";
 }
 
+constexpr MapSpec kSmallMap{.size = 13.0};
+
 /// All floor, as far as the vision reaches: whatever stands there is not seen.
 class FloorEverywhere final : public ViewWindow {
  public:
@@ -270,14 +272,14 @@ class BlindWalker {
     return bumps;
   }
 
-  MapNavigator navigator_{{}, std::make_unique<FloorEverywhere>(MapSpec{}), false};
+  MapNavigator navigator_{{.map = kSmallMap}, std::make_unique<FloorEverywhere>(kSmallMap), false};
   std::vector<Unseen> things_;
   sim::PlanarPose body_;
 };
 
 TEST(MapNavigator, FeelsItsWayRoundWhatItDoesNotSee) {
-  for (const double half_width : {0.3, 0.6, 1.0, 1.5, 2.0, 2.5}) {
-    for (const double aside : {0.0, 0.2, -0.35}) {
+  for (const double half_width : {0.3, 1.0, 2.5}) {
+    for (const double aside : {0.0, 0.2}) {
       BlindWalker walker({{1.5, 2.5, aside - half_width, aside + half_width}});
       const Walk walk = walker.WalkTo({4.0, 0.0});
       EXPECT_TRUE(walk.arrived) << half_width << " m to both sides of " << aside;
@@ -287,8 +289,8 @@ TEST(MapNavigator, FeelsItsWayRoundWhatItDoesNotSee) {
 }
 
 TEST(MapNavigator, FeelsItsWayOutOfAPocket) {
-  for (const double depth : {0.5, 1.0, 1.5}) {
-    for (const double half_width : {0.6, 1.0, 1.4}) {
+  for (const double depth : {0.5, 1.5}) {
+    for (const double half_width : {0.6, 1.2}) {
       const double low = 2.0 - depth;
       BlindWalker walker({{2.0, 2.3, -half_width, half_width},
                           {low, 2.3, half_width, half_width + 0.2},
