@@ -77,6 +77,7 @@ void MapNavigator::Reset() {
   doubts_ = 0;
   heading_.reset();
   edges_.Reset();
+  was_forgotten_ = false;
   most_seen_ = 0;
 }
 
@@ -126,11 +127,11 @@ void MapNavigator::FeelWalls(const sim::PlanarPose& before) {
   pushes_ = moved < spec_.stuck_below ? pushes_ + 1 : 0;
   if (moved >= spec_.blocked_below) return;
   if (pushes_ > kPushes && !edges_.segments().empty()) {
-    // What is marked makes it push at one place.
+    // What is marked may be what makes it push at one place.
     edges_.Reset();
     map_.ForgetFeltWalls(here(), kAtEdge);
     pushes_ = 0;
-  } else if (edges_.Feel(pose_)) {
+  } else if (spec_.feel_edges && edges_.Feel(pose_)) {
     map_.ForgetFeltWalls(here(), kAtEdge);
     MarkEdges();
   }

@@ -28,6 +28,7 @@ struct NavigatorSpec {
   int least_frontier = 4;            // cells; ours
   bool match_scans = true;           // mend the odometry by depth, if there is any; ours
   bool match_views = false;          // mend its turns by colour, if there is no depth; ours
+  bool feel_edges = false;           // where it was stopped often, see FeltEdges; ours
 
   template <class V>
   void Visit(V& v) {
@@ -40,6 +41,7 @@ struct NavigatorSpec {
     v("least_frontier", least_frontier);
     v("match_scans", match_scans);
     v("match_views", match_views);
+    v("feel_edges", feel_edges);
   }
   void Validate() const;
 };
@@ -71,8 +73,8 @@ class MapNavigator {
   /// Square metres of floor and walls seen since Reset. After the map was forgotten it grows only
   /// when more is known than ever before.
   double seen_area() const;
-  /// For a map that leaves no way out: forgets felt walls, or everything but the edges that were
-  /// felt often (see FeltEdges), which go if the next plan finds no way either.
+  /// For a map that leaves no way out: forgets felt walls, or everything but edges that were felt
+  /// (see FeltEdges), which go if the next plan finds no way either.
   void ForgetFeltWalls();
   void ForgetMap();
 

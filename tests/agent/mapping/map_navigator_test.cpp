@@ -272,7 +272,8 @@ class BlindWalker {
     return bumps;
   }
 
-  MapNavigator navigator_{{.map = kSmallMap}, std::make_unique<FloorEverywhere>(kSmallMap), false};
+  MapNavigator navigator_{
+      {.map = kSmallMap, .feel_edges = true}, std::make_unique<FloorEverywhere>(kSmallMap), false};
   std::vector<Unseen> things_;
   sim::PlanarPose body_;
 };
