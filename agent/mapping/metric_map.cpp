@@ -31,6 +31,16 @@ sim::Grid<T> Moved(const sim::Grid<T>& grid, const sim::Cell& by, const T& fill)
   return moved;
 }
 
+/// Calls `visit` with points of a line, both ends among them, half a cell apart at most.
+template <class Visit>
+void AlongLine(const Point& from, const Point& to, double cell, const Visit& visit) {
+  const int steps = 1 + static_cast<int>(2.0 * Distance(from, to) / cell);
+  for (int i = 0; i <= steps; ++i) {
+    const double t = static_cast<double>(i) / steps;
+    visit(Point{from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)});
+  }
+}
+
 std::unique_ptr<ViewWindow> MakeView(const Rig& rig, const MapSpec& spec,
                                      std::shared_ptr<FreeSpaceModel> mapper) {
   if (!rig.has_depth) {
@@ -149,19 +159,18 @@ void MetricMap::MoveTo(const sim::Cell& middle) {
 }
 
 void MetricMap::MarkTrack(const sim::PlanarPose& from, const sim::PlanarPose& to) {
-  const double length = std::hypot(to.x - from.x, to.y - from.y);
-  const int steps = 1 + static_cast<int>(2.0 * length / spec_.cell);
-  for (int i = 0; i <= steps; ++i) {
-    const double t = static_cast<double>(i) / steps;
-    const sim::Cell at = CellAt({from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)});
+  const Point start{from.x, from.y};
+  const Point end{to.x, to.y};
+  AlongLine(start, end, spec_.cell, [this](const Point& p) {
+    const sim::Cell at = CellAt(p);
     for (int k = 0; k < 9; ++k) {
       const sim::Cell cell{at.x + k % 3 - 1, at.y + k / 3 - 1};
       if (!track_.Contains(cell)) continue;
       track_[cell] = 1;
       explored_[cell] = 1;
     }
-  }
-  Refresh(CellAt({to.x, to.y}), 2 + static_cast<int>(length / spec_.cell));
+  });
+  Refresh(CellAt(end), 2 + static_cast<int>(Distance(start, end) / spec_.cell));
 }
 
 void MetricMap::MarkWall(const sim::PlanarPose& pose, int width_cells) {
@@ -181,31 +190,19 @@ void MetricMap::MarkWall(const sim::PlanarPose& pose, int width_cells) {
 }
 
 void MetricMap::MarkEdge(const Point& from, const Point& to) {
-  const double length = Distance(from, to);
-  const int steps = 1 + static_cast<int>(2.0 * length / spec_.cell);
-  for (int i = 0; i <= steps; ++i) {
-    const double t = static_cast<double>(i) / steps;
-    const sim::Cell at = CellAt({from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)});
+  AlongLine(from, to, spec_.cell, [this](const Point& p) {
+    const sim::Cell at = CellAt(p);
     for (int k = 0; k < kWallThickness * kWallThickness; ++k) {
       const sim::Cell cell{at.x + k % kWallThickness, at.y + k / kWallThickness};
       if (felt_.Contains(cell) && track_[cell] == 0) felt_[cell] = 1;
     }
-  }
+  });
   const Point middle{0.5 * (from.x + to.x), 0.5 * (from.y + to.y)};
-  Refresh(CellAt(middle), 3 + static_cast<int>(0.5 * length / spec_.cell));
+  Refresh(CellAt(middle), 3 + static_cast<int>(0.5 * Distance(from, to) / spec_.cell));
 }
 
 void MetricMap::ForgetFeltWalls(const Point& p, double radius) {
-  const sim::Cell middle = CellAt(p);
-  const int reach = static_cast<int>(radius / spec_.cell);
-  for (int dy = -reach; dy <= reach; ++dy) {
-    for (int dx = -reach; dx <= reach; ++dx) {
-      const sim::Cell cell{middle.x + dx, middle.y + dy};
-      if (!felt_.Contains(cell) || std::hypot(dx, dy) > reach) continue;
-      if (explored_[cell] != 0) felt_[cell] = 0;
-    }
-  }
-  Refresh(middle, reach);
+  SetFelt(p, radius, true, false);
 }
 
 void MetricMap::ForgetFeltWalls() {
@@ -225,13 +222,18 @@ MapPicture MetricMap::Picture() const {
 }
 
 void MetricMap::MarkNoWay(const Point& p, double radius) {
+  SetFelt(p, radius, false, true);
+}
+
+/// Of the cells within `radius` metres, those that are explored or those that are not.
+void MetricMap::SetFelt(const Point& p, double radius, bool is_explored, bool is_felt) {
   const sim::Cell middle = CellAt(p);
   const int reach = static_cast<int>(radius / spec_.cell);
   for (int dy = -reach; dy <= reach; ++dy) {
     for (int dx = -reach; dx <= reach; ++dx) {
       const sim::Cell cell{middle.x + dx, middle.y + dy};
       if (!felt_.Contains(cell) || std::hypot(dx, dy) > reach) continue;
-      if (explored_[cell] == 0) felt_[cell] = 1;
+      if (IsExplored(cell) == is_explored) felt_[cell] = is_felt ? 1 : 0;
     }
   }
   Refresh(middle, reach);

@@ -84,6 +84,7 @@ class MetricMap {
   void Contradict(const sim::Cell& seen, const sim::Cell& cell);
   void MergeCell(const sim::Cell& seen, const sim::Cell& cell);
   void MoveTo(const sim::Cell& middle);
+  void SetFelt(const Point& p, double radius, bool is_explored, bool is_felt);
   /// Derives states_ again around a cell.
   void Refresh(const sim::Cell& middle, int reach);
   sim::CellState OpenState(const sim::Cell& cell) const;
