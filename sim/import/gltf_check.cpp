@@ -42,6 +42,7 @@ class GltfChecker {
     TellIgnored(&checked->ignored);
     checked->objects = ReadGltfObjects(gltf_, view_data_);
     DecodedGltf decoded = DecodeGltf(gltf_, view_data_, decompressed_);
+    TellPictureless(decoded.json, &checked->ignored);
     if (!decoded.is_changed && !gltf_.counts_in_floats()) return;
     checked->content = gltf_.With(std::move(decoded.json));
     checked->decoded = std::move(decoded.buffer);
@@ -210,12 +211,29 @@ class GltfChecker {
   /// Only what is drawn of a material: its colour.
   void CheckMaterials() const {
     for (std::size_t i = 0; i < gltf_.Array("materials").size(); ++i) {
-      const Json* texture = MemberOf(gltf_.Item("materials", i), "pbrMetallicRoughness");
-      if (texture != nullptr) texture = MemberOf(*texture, "baseColorTexture");
+      const Json* texture = ColorTexture(gltf_.Item("materials", i));
       if (texture == nullptr) continue;
       const std::string place = Place("materials", i) + ".baseColorTexture";
       gltf_.Reference(*texture, "index", "textures", place);
       gltf_.Count(*texture, "texCoord", place, 0);
+    }
+  }
+
+  static const Json* ColorTexture(const Json& material) {
+    const Json* texture = MemberOf(material, "pbrMetallicRoughness");
+    return texture == nullptr ? nullptr : MemberOf(*texture, "baseColorTexture");
+  }
+
+  /// Textures that are drawn and name no picture, neither their own nor, `decoded`, in a format of
+  /// an extension.
+  void TellPictureless(const Json& decoded, std::vector<std::string>* ignored) const {
+    for (std::size_t i = 0; i < gltf_.Array("materials").size(); ++i) {
+      const Json* texture = ColorTexture(gltf_.Item("materials", i));
+      if (texture == nullptr) continue;
+      const auto index = gltf_.Reference(*texture, "index", "textures", Place("materials", i));
+      if (!index || decoded["textures"][*index].contains("source")) continue;
+      ignored->push_back("texture " + std::to_string(*index) + " of " + Place("materials", i) +
+                         ", which names no picture");
     }
   }
 

@@ -318,6 +318,15 @@ TEST_F(GltfDecodeTest, OfAFileThatIsNotThereItsFormatIsToldAsWell) {
               ElementsAre(AllOf(HasSubstr("wood.webp"), HasSubstr("not found"))));
 }
 
+TEST_F(GltfDecodeTest, ATextureThatNamesNoPictureIsTold) {
+  Document floor = PlainFloor();
+  floor.AddPicture("", "image/png", nullptr);
+  floor.json["textures"][0].erase("source");
+  floor.json["images"].clear();
+  EXPECT_THAT(Import(floor).report.skipped,
+              ElementsAre("texture 0 of materials[0], which names no picture"));
+}
+
 TEST_F(GltfDecodeTest, WhatAFileRequiresAndIsNotReadIsNamed) {
   Document floor = PlainFloor();
   floor.json["extensionsRequired"] = {"EXT_mesh_gpu_instancing", "KHR_materials_unlit"};
