@@ -12,6 +12,7 @@
 #include "benchmark/cli/number_range.h"
 #include "benchmark/cli/progress.h"
 #include "benchmark/cli/stop_note.h"
+#include "benchmark/episodes/made_houses.h"
 #include "sim/config/yaml_reader.h"
 #include "sim/house/building/kind.h"
 #include "sim/house/house_set.h"
@@ -27,25 +28,10 @@ struct GenerateOptions {
   std::filesystem::path file;  // of a set
 };
 
-/// A set of buildings as a file.
-struct SetFile {
-  std::uint64_t first_seed = 0;
-  std::vector<sim::SetPart> parts;
-
-  template <class V>
-  void Visit(V& v) {
-    v("first_seed", first_seed);
-    v.Required("parts", parts);
-  }
-  void Validate() const {
-    if (parts.empty()) throw sim::KeyError("parts", "'parts' has no entry");
-  }
-};
-
 sim::HouseSetSpec SetOf(const GenerateOptions& options) {
   sim::HouseSetSpec set = options.set;
   if (!options.file.empty()) {
-    const auto file = sim::LoadYaml<SetFile>(options.file);
+    const auto file = sim::LoadYaml<HouseSetFile>(options.file);
     set.first_seed = file.first_seed;
     set.parts = file.parts;
   } else if (!options.part.kind.empty()) {

@@ -10,7 +10,17 @@ namespace {
 
 using sim::KeyError;
 
+void RequireParts(const std::vector<sim::SetPart>& parts) {
+  if (parts.empty()) throw KeyError("parts", "'parts' has no entry");
+}
+
 sim::HouseSetSpec SetOf(const HousesSpec& houses) {
+  if (houses.set) {
+    const auto file = sim::LoadYaml<HouseSetFile>(*houses.set);
+    return {.first_seed = file.first_seed,
+            .parts = file.parts,
+            .refurnished = houses.refurnished.value_or(sim::Refurnish())};
+  }
   return {.count = houses.count,
           .first_seed = houses.first_seed,
           .parts = houses.parts.value_or(std::vector<sim::SetPart>()),
@@ -19,12 +29,17 @@ sim::HouseSetSpec SetOf(const HousesSpec& houses) {
 
 }  // namespace
 
+void HouseSetFile::Validate() const {
+  RequireParts(parts);
+}
+
 void HousesSpec::Validate() const {
   if (folder.empty()) throw KeyError("folder", "'folder' is empty; name a folder for the houses");
   if (count < 1 || count > 9999) throw KeyError("count", "count must lie between 1 and 9999");
-  if (!parts) return;
-  if (parts->empty()) throw KeyError("parts", "'parts' has no entry");
-  for (const sim::SetPart& part : *parts) part.Validate();
+  if (set && (parts || first_seed != 0)) {
+    throw KeyError("set", "the set's file gives first_seed and parts; leave them out here");
+  }
+  if (parts) RequireParts(*parts);
 }
 
 void MakeHouses(const HousesSpec& houses, const std::string& made_by, int workers,

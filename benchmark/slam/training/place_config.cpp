@@ -1,22 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/slam/training/place_config.h"
 
-#include "benchmark/base/program_version.h"
 #include "sim/base/error.h"
 #include "sim/base/files.h"
 #include "sim/config/yaml_writer.h"
 
 namespace bulletnav::bench {
 namespace {
-
-/// What names scenes, in the form of other trainings.
-DataConfig Named(const PlaceDataConfig& config) {
-  DataConfig named;
-  named.scenes = config.scenes;
-  named.houses = config.houses;
-  named.more_houses = config.more_houses;
-  return named;
-}
 
 void RequireWithin(int low, int value, int high, const std::string& key) {
   if (value >= low && value <= high) return;
@@ -27,9 +17,7 @@ void RequireWithin(int low, int value, int high, const std::string& key) {
 }  // namespace
 
 void PlaceDataConfig::Validate() const {
-  if (scenes.empty() && !houses && !more_houses) {
-    throw sim::Error("names no scenes; give 'scenes', 'houses' or 'more_houses'");
-  }
+  TrainingScenes::Validate();
   RequireWithin(2, places, 1000, "places");
   RequireWithin(2, views, 16, "views");
   body.Validate();
@@ -39,19 +27,9 @@ void PlaceDataConfig::Validate() const {
   if (cache.empty()) throw sim::KeyError("cache", "'cache' is empty; name a folder for the views");
 }
 
-std::vector<std::filesystem::path> ScenesOf(const PlaceDataConfig& config) {
-  return ScenesOf(Named(config));
-}
-
-void MakeHousesOf(const PlaceDataConfig& config, const StartProgress& start) {
-  MakeHousesOf(Named(config), CommittedVersion(), 0, start);
-}
-
 std::uint64_t ViewsKey(const PlaceDataConfig& config) {
   PlaceDataConfig relevant = config;
-  relevant.scenes.clear();
-  relevant.houses.reset();
-  relevant.more_houses.reset();
+  static_cast<TrainingScenes&>(relevant) = {};
   relevant.cache.clear();
   return sim::Hash64(sim::ToYaml(relevant));
 }

@@ -9,18 +9,18 @@
 #include "agent/slam/descriptors/descriptor_config.h"
 #include "benchmark/episodes/import_spec.h"
 #include "benchmark/training/core/train_plan.h"
+#include "benchmark/training/core/training_scenes.h"
 #include "benchmark/training/supervised/color_jitter.h"
-#include "benchmark/training/supervised/data_config.h"
 #include "benchmark/training/supervised/looks.h"
+#include "sim/navmesh/navmesh.h"
+#include "sim/physics/body_spec.h"
+#include "sim/render/projection.h"
 
 namespace bulletnav::bench {
 
 /// Pictures of places of which a descriptor is learned: the block `data` of a training of places.
-struct PlaceDataConfig {
-  std::vector<std::string> scenes;        // mesh files
-  std::optional<DataHouses> houses;       // in addition
-  std::optional<HousesSpec> more_houses;  // in addition, all of them; made if they are not there
-  ImportSpec import;                      // of all scenes
+struct PlaceDataConfig : TrainingScenes {
+  ImportSpec import;               // of all scenes
   std::optional<LooksSpec> looks;  // of every second view of a place; absent: as their files say
   int places = 40;                 // a scene
   int views = 4;                   // a place
@@ -32,9 +32,7 @@ struct PlaceDataConfig {
 
   template <class V>
   void Visit(V& v) {
-    v("scenes", scenes);
-    v("houses", houses);
-    v("more_houses", more_houses);
+    TrainingScenes::Visit(v);
     v("import", import);
     v("looks", looks);
     v("places", places);
@@ -47,11 +45,6 @@ struct PlaceDataConfig {
   }
   void Validate() const;
 };
-
-/// The mesh files that it names, and the houses made that are not there yet; see the functions of
-/// DataConfig.
-std::vector<std::filesystem::path> ScenesOf(const PlaceDataConfig& config);
-void MakeHousesOf(const PlaceDataConfig& config, const StartProgress& start);
 
 /// A hash of all that the views of a scene depend on besides the scene.
 std::uint64_t ViewsKey(const PlaceDataConfig& config);

@@ -14,6 +14,7 @@
 #include "agent/perception/one_thread.h"
 #include "agent/slam/descriptors/descriptor_net.h"
 #include "agent/slam/descriptors/picture_describer.h"
+#include "benchmark/base/program_version.h"
 #include "benchmark/base/shipped_file.h"
 #include "benchmark/slam/training/place_loss.h"
 #include "benchmark/slam/training/place_measures.h"
@@ -31,7 +32,7 @@ constexpr int kCalibrationPictures = 400;
 constexpr int kAtATime = 64;  // pictures
 
 std::vector<PlaceViews> LoadViews(const PlaceDataConfig& data, const TrainContext& context) {
-  MakeHousesOf(data, context.start);
+  MakeHousesOf(data, CommittedVersion(), 0, context.start);
   const auto scenes = static_cast<int>(ScenesOf(data).size());
   return AllPlaceViews(data, context.start("drawing places", scenes));
 }

@@ -11,6 +11,7 @@
 #include "agent/perception/one_thread.h"
 #include "agent/slam/descriptors/descriptor_config.h"
 #include "benchmark/base/file_hash.h"
+#include "benchmark/base/program_version.h"
 #include "benchmark/base/ranking.h"
 #include "benchmark/base/shipped_file.h"
 #include "sim/base/error.h"
@@ -33,7 +34,7 @@ PlaceDataConfig ValidationOf(const SequencePlan& plan) {
 
 std::vector<SequenceWalk> WalksThrough(const PlaceDataConfig& data, int scenes, int walks,
                                        const SequencePlan& plan, const TrainContext& context) {
-  MakeHousesOf(data, context.start);
+  MakeHousesOf(data, CommittedVersion(), 0, context.start);
   const auto all = static_cast<int>(ScenesOf(data).size());
   const int count = scenes == 0 ? all : std::min(scenes, all);
   const auto weights = ShippedOr(plan.descriptor);

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "benchmark/episodes/import_spec.h"
-#include "benchmark/episodes/made_houses.h"
+#include "benchmark/training/core/training_scenes.h"
 #include "benchmark/training/supervised/looks.h"
 #include "sim/navmesh/navmesh.h"
 #include "sim/physics/body_spec.h"
@@ -33,30 +33,12 @@ struct bulletnav::sim::EnumNames<bulletnav::bench::HiddenFloor> {
 
 namespace bulletnav::bench {
 
-/// The houses of one split of an index that the house generator wrote.
-struct DataHouses {
-  std::string index;
-  std::string split = "train";
-  int count = 0;  // so many are generated, from seed 0 on, if there is no index; 0: none
-
-  template <class V>
-  void Visit(V& v) {
-    v.Required("index", index);
-    v("split", split);
-    v("count", count);
-  }
-  void Validate() const;
-};
-
 /// What supervised data are made from: the block `data` of a training's config.
 /// Default: 300 points per scene. Source: Neural Topological SLAM, section 5.
-struct DataConfig {
-  std::vector<std::string> scenes;        // mesh files
-  std::optional<DataHouses> houses;       // in addition
-  std::optional<HousesSpec> more_houses;  // in addition, all of them; made if they are not there
-  ImportSpec import;                      // of all scenes
-  std::optional<LooksSpec> looks;         // of all scenes; absent: as their files say
-  int points = 300;                       // a scene; all ordered pairs of them are labelled
+struct DataConfig : TrainingScenes {
+  ImportSpec import;               // of all scenes
+  std::optional<LooksSpec> looks;  // of all scenes; absent: as their files say
+  int points = 300;                // a scene; all ordered pairs of them are labelled
   std::uint64_t seed = 0;
   HiddenFloor hidden = HiddenFloor::kFree;
   /// Metres that the nearest free floor may lie beside the point 3 m away in a direction, for those
@@ -69,9 +51,7 @@ struct DataConfig {
 
   template <class V>
   void Visit(V& v) {
-    v("scenes", scenes);
-    v("houses", houses);
-    v("more_houses", more_houses);
+    TrainingScenes::Visit(v);
     v("import", import);
     v("looks", looks);
     v("points", points);
@@ -89,15 +69,6 @@ struct DataConfig {
 /// Reads the block `data` of a file and nothing else of it, so that a training's config will do.
 /// Throws sim::FileError at file:line:column.
 DataConfig LoadDataConfig(const std::filesystem::path& file);
-
-/// Generates the houses of a config that it says how to make and that are not there yet; see
-/// MakeHouses.
-void MakeHousesOf(const DataConfig& config, const std::string& made_by, int workers,
-                  const StartProgress& start);
-
-/// The mesh files that a config names: scenes, houses, more houses. Throws sim::Error for an index
-/// that is missing, damaged or has no house in the split.
-std::vector<std::filesystem::path> ScenesOf(const DataConfig& config);
 
 /// A hash of all that the labels of a scene depend on besides the scene; not of which scenes there
 /// are or where the labels lie.

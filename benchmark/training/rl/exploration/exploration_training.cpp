@@ -72,9 +72,8 @@ struct ExplorationPlan : PpoPlan {
 
 ExplorationScenes LoadScenes(const NavigationData& data, const TrainContext& context,
                              const char* what) {
-  const DataConfig config = data.as_data();
-  MakeHousesOf(config, CommittedVersion(), 0, context.start);
-  const std::vector<std::filesystem::path> files = ScenesOf(config);
+  MakeHousesOf(data, CommittedVersion(), 0, context.start);
+  const std::vector<std::filesystem::path> files = ScenesOf(data);
   if (files.empty()) throw sim::KeyError("data", "data names no scenes; see configs/train");
   std::function<void()> loaded;
   if (context.start) loaded = context.start(what, static_cast<int>(files.size()));

@@ -32,10 +32,10 @@ std::vector<std::pair<std::string, std::string>> SettingsOf(LaneSetting setting)
 
 NavigationScenes LoadNavigationScenes(const NavigationData& data, const TrainContext& context,
                                       const char* what, int threads) {
-  MakeHousesOf(data.as_data(), CommittedVersion(), threads, context.start);
+  MakeHousesOf(data, CommittedVersion(), threads, context.start);
   std::function<void()> loaded;
   if (context.start) {
-    loaded = context.start(what, static_cast<int>(ScenesOf(data.as_data()).size()));
+    loaded = context.start(what, static_cast<int>(ScenesOf(data).size()));
   }
   return NavigationScenes(data, sim::BodySpec{}, threads, loaded, WarnLine);
 }

@@ -35,16 +35,8 @@ bool CanDraw(EpisodeDrawer* drawer, Difficulty kind) {
 }  // namespace
 
 void NavigationData::Validate() const {
+  TrainingScenes::Validate();
   if (episodes < 0) throw sim::KeyError("episodes", "episodes must not be negative");
-}
-
-DataConfig NavigationData::as_data() const {
-  DataConfig data;
-  data.scenes = scenes;
-  data.houses = houses;
-  data.more_houses = more_houses;
-  data.import = import;
-  return data;
 }
 
 NavigationData ValidationOf(const std::optional<NavigationData>& validation,
@@ -65,7 +57,7 @@ NavigationScenes::NavigationScenes(const NavigationData& data, const sim::BodySp
                                    int threads, const std::function<void()>& loaded,
                                    const Warn& warn)
     : seed_(data.seed), episodes_(data.episodes) {
-  const std::vector<std::filesystem::path> files = ScenesOf(data.as_data());
+  const std::vector<std::filesystem::path> files = ScenesOf(data);
   if (files.empty()) throw sim::KeyError("data", "data names no scenes; see configs/train");
   scenes_.resize(files.size());
   std::mutex warning;

@@ -9,19 +9,17 @@
 
 #include "benchmark/episodes/drawn_grey.h"
 #include "benchmark/episodes/episode_drawer.h"
-#include "benchmark/episodes/made_houses.h"
+#include "benchmark/episodes/import_spec.h"
 #include "benchmark/play/task_episode.h"
-#include "benchmark/training/supervised/data_config.h"
+#include "benchmark/training/core/training_scenes.h"
+#include "benchmark/training/supervised/looks.h"
 #include "sim/world.h"
 
 namespace bulletnav::bench {
 
 /// The scenes that a policy is trained in, or tried in: the block `data` of a training's config.
-struct NavigationData {
-  std::vector<std::string> scenes;        // mesh files
-  std::optional<DataHouses> houses;       // in addition
-  std::optional<HousesSpec> more_houses;  // in addition, all of them; made if they are not there
-  ImportSpec import;                      // of all scenes
+struct NavigationData : TrainingScenes {
+  ImportSpec import;  // of all scenes
   /// How scenes are drawn, each in one look for the whole training; bodies walk in them as they
   /// are. Absent: as their files say.
   std::optional<LooksSpec> looks;
@@ -30,9 +28,7 @@ struct NavigationData {
 
   template <class V>
   void Visit(V& v) {
-    v("scenes", scenes);
-    v("houses", houses);
-    v("more_houses", more_houses);
+    TrainingScenes::Visit(v);
     v("import", import);
     v("looks", looks);
     v("seed", seed);
@@ -40,9 +36,6 @@ struct NavigationData {
   }
   /// Throws Error.
   void Validate() const;
-
-  /// The same scenes as data of a supervised training.
-  DataConfig as_data() const;
 };
 
 /// `validation` if it is given, else the houses' split "val" of the training's `data`. Throws
