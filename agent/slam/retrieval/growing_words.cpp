@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
-#include <utility>
 
 #include "sim/base/error.h"
 #include "sim/math/rng.h"
@@ -21,7 +20,9 @@ struct NearestWord {
   int bits = kDescriptorBits;
   int second_bits = kDescriptorBits;
 
+  /// A word may come again.
   void Take(int other, int other_bits) {
+    if (other == word) return;
     if (other_bits < bits) {
       second_bits = bits;
       word = other;
@@ -76,21 +77,11 @@ std::span<const int> GrowingWords::Candidates(std::span<const int> keys) {
   for (const std::vector<int>* bucket : near_) {
     candidates_.insert(candidates_.end(), bucket->begin(), bucket->end());
   }
-  for (const int word : candidates_) {
-    __builtin_prefetch(looked_at_.data() + word);
-    __builtin_prefetch(words_.data() + word);
-  }
-  const auto is_known = [this](int word) {
-    std::int64_t& last = looked_at_[static_cast<std::size_t>(word)];
-    return std::exchange(last, searches_) == searches_;
-  };
-  candidates_.erase(std::remove_if(candidates_.begin(), candidates_.end(), is_known),
-                    candidates_.end());
+  for (const int word : candidates_) __builtin_prefetch(words_.data() + word);
   return candidates_;
 }
 
 int GrowingWords::FindOrAdd(const BinaryDescriptor& descriptor) {
-  ++searches_;
   NearestWord nearest;
   std::vector<int> keys(bits_.size());
   for (std::size_t table = 0; table < keys.size(); ++table) keys[table] = KeyOf(descriptor, table);
@@ -104,7 +95,6 @@ int GrowingWords::FindOrAdd(const BinaryDescriptor& descriptor) {
   if (nearest.word >= 0 && nearest.bits <= spec_.most_bits && is_clear) return nearest.word;
   const int added = size();
   words_.push_back(descriptor);
-  looked_at_.push_back(0);
   for (std::size_t table = 0; table < keys.size(); ++table) {
     buckets_[table * kKeys + static_cast<std::size_t>(keys[table])].push_back(added);
   }

@@ -41,12 +41,10 @@ class GrowingWords {
 
   GrowingWordsSpec spec_;
   std::vector<BinaryDescriptor> words_;
-  std::vector<std::vector<int>> bits_;     // by table, that it looks at
-  std::vector<std::vector<int>> buckets_;  // by table and key: words
-  std::vector<std::int64_t> looked_at_;    // by word: the last search that saw it
-  std::int64_t searches_ = 0;
+  std::vector<std::vector<int>> bits_;         // by table, that it looks at
+  std::vector<std::vector<int>> buckets_;      // by table and key: words
   std::vector<const std::vector<int>*> near_;  // of the last search
-  std::vector<int> candidates_;                // each once
+  std::vector<int> candidates_;                // some more than once
   std::vector<int> candidate_bits_;
 };
 
