@@ -11,6 +11,7 @@
 #include "agent/models/semantic_model.h"
 #include "agent/perception/model_file.h"
 #include "agent/perception/weights.h"
+#include "agent/policy/gru.h"
 #include "agent/policy/integer_policy.h"
 #include "agent/policy/policy_file.h"
 #include "agent/policy/policy_input.h"
@@ -200,22 +201,11 @@ torch::Tensor PolicyNet::Joined(const Seen& seen) {
 }
 
 PolicyNet::Output PolicyNet::Run(const Seen& seen, const torch::Tensor& starts,
-                                 torch::Tensor memory) {
-  const torch::Tensor inputs = gru_in_->forward(Joined(seen));
-  std::vector<torch::Tensor> states;
-  states.reserve(static_cast<std::size_t>(inputs.size(0)));
-  for (std::int64_t t = 0; t < inputs.size(0); ++t) {
-    memory = memory * (1.0 - starts[t]).unsqueeze(1);
-    const std::vector<torch::Tensor> in = inputs[t].chunk(3, 1);
-    const std::vector<torch::Tensor> kept = gru_memory_->forward(memory).chunk(3, 1);
-    const torch::Tensor reset = (in[0] + kept[0]).sigmoid();
-    const torch::Tensor update = (in[1] + kept[1]).sigmoid();
-    const torch::Tensor fresh = (in[2] + reset * kept[2]).tanh();
-    memory = fresh + update * (memory - fresh);
-    states.push_back(memory);
-  }
-  const torch::Tensor all = at::stack(states);
-  return {policy_->forward(all), value_->forward(all).squeeze(-1), memory};
+                                 const torch::Tensor& memory) {
+  const auto of_memory = gru_memory_->named_parameters();
+  const torch::Tensor states = RunGru(gru_in_->forward(Joined(seen)), starts, memory,
+                                      of_memory["weight"], of_memory["bias"]);
+  return {policy_->forward(states), value_->forward(states).squeeze(-1), states[-1]};
 }
 
 void PolicyNet::Fold() {

@@ -44,7 +44,7 @@ class PolicyNet : public torch::nn::Module {
   torch::Tensor Encode(const torch::Tensor& pictures);
   /// `starts` [steps, lanes], 1 where an episode begins: the memory [lanes, memory] that comes in
   /// is then zero.
-  Output Run(const Seen& seen, const torch::Tensor& starts, torch::Tensor memory);
+  Output Run(const Seen& seen, const torch::Tensor& starts, const torch::Tensor& memory);
 
   /// Products of codes [n, kCodes] with those of goals, each twelfth with each at all turns: [n, 4
   /// * 12 (i) * 12 (turn)]. Expects: kCorrelation.
