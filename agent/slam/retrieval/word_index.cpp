@@ -20,17 +20,23 @@ int WordIndex::Add(const WordVector& picture) {
 }
 
 std::vector<Likeness> WordIndex::MostLike(const WordVector& query, int count, int before) const {
-  std::vector<double> common(static_cast<std::size_t>(std::max(0, std::min(before, size_))), 0.0);
+  struct Common {
+    double weight = 0.0;
+    int words = 0;
+  };
+  std::vector<Common> common(static_cast<std::size_t>(std::max(0, std::min(before, size_))));
   for (const auto& [word, weight] : query) {
     for (const auto& [picture, other] : pictures_[static_cast<std::size_t>(word)]) {
       if (picture >= static_cast<int>(common.size())) break;  // they were added in order
-      common[static_cast<std::size_t>(picture)] +=
-          std::abs(weight) + std::abs(other) - std::abs(weight - other);
+      Common& shared = common[static_cast<std::size_t>(picture)];
+      shared.weight += std::abs(weight) + std::abs(other) - std::abs(weight - other);
+      ++shared.words;
     }
   }
   std::vector<Likeness> found;
   for (std::size_t i = 0; i < common.size(); ++i) {
-    if (common[i] > 0.0) found.push_back({static_cast<int>(i), common[i] / 2.0});
+    if (common[i].weight <= 0.0) continue;
+    found.push_back({static_cast<int>(i), common[i].weight / 2.0, common[i].words});
   }
   const auto kept = std::min(found.size(), static_cast<std::size_t>(std::max(0, count)));
   const auto is_better = [](const Likeness& a, const Likeness& b) {

@@ -11,6 +11,7 @@ namespace bulletnav::agent {
 struct Likeness {
   int picture = 0;
   double similarity = 0.0;
+  int common_words = 0;
 };
 
 /// Pictures by their words, so that a query looks at those alone that share words with it.

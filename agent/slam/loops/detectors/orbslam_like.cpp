@@ -84,13 +84,16 @@ class OrbslamLike final : public LoopDetector {
   std::vector<LoopCandidate> Add(const LoopFrame& frame) override {
     Keyframe& now = Keep(frame);
     const double least = JoinNeighbours(frame.number);
+    const std::vector<Likeness> alike =
+        index_->MostLike(now.words, frame.comparable, frame.comparable);
     std::vector<LoopCandidate> candidates;
-    for (const Likeness& one : index_->MostLike(now.words, frame.comparable, frame.comparable)) {
+    candidates.reserve(alike.size());
+    for (const Likeness& one : alike) {
       candidates.push_back({frame.number, one.picture, one.similarity, false});
     }
     index_->Add(now.words);
     std::vector<int> chosen;
-    if (least > 0.0) chosen = BestOfGroups(candidates, least);
+    if (least > 0.0) chosen = BestOfGroups(alike, least);
     const std::set<int> agreed = Agreeing(chosen);
     const Pinhole* gate =
         config_.native_gates ? &frame.flat_camera("'native_gates' of 'orbslam_like'") : nullptr;
@@ -167,26 +170,20 @@ class OrbslamLike final : public LoopDetector {
     return group;
   }
 
-  /// The candidates that share many words with the last frame and are like it enough.
-  std::map<int, double> Eligible(const std::vector<LoopCandidate>& candidates, double least) const {
-    std::vector<int> common;
-    common.reserve(candidates.size());
+  /// Those that share many words with the last frame and are like it enough.
+  std::map<int, double> Eligible(const std::vector<Likeness>& alike, double least) const {
     int most = 0;
-    for (const LoopCandidate& candidate : candidates) {
-      common.push_back(CommonWords(frames_.back().words,
-                                   frames_[static_cast<std::size_t>(candidate.earlier)].words));
-      most = std::max(most, common.back());
-    }
+    for (const Likeness& one : alike) most = std::max(most, one.common_words);
     std::map<int, double> eligible;
-    for (std::size_t i = 0; i < candidates.size(); ++i) {
-      if (common[i] < config_.word_share * most || candidates[i].score < least) continue;
-      eligible.emplace(candidates[i].earlier, candidates[i].score);
+    for (const Likeness& one : alike) {
+      if (one.common_words < config_.word_share * most || one.similarity < least) continue;
+      eligible.emplace(one.picture, one.similarity);
     }
     return eligible;
   }
 
-  std::vector<int> BestOfGroups(const std::vector<LoopCandidate>& candidates, double least) const {
-    const std::map<int, double> eligible = Eligible(candidates, least);
+  std::vector<int> BestOfGroups(const std::vector<Likeness>& all, double least) const {
+    const std::map<int, double> eligible = Eligible(all, least);
     std::map<int, double> sums;  // by the best frame of a group
     for (const auto& [frame, alike] : eligible) {
       double sum = 0.0;

@@ -144,6 +144,13 @@ TEST(WordIndex, AgreesWithComparingAll) {
     for (std::size_t i = 0; i < found.size(); ++i) {
       EXPECT_NEAR(found[i].similarity, all[i].similarity, 1e-12);
       EXPECT_LT(found[i].picture, before);
+      const WordVector& other = vectors[static_cast<std::size_t>(found[i].picture)];
+      const auto shared = std::count_if(other.begin(), other.end(), [&](const auto& entry) {
+        return std::any_of(vector.begin(), vector.end(), [&](const auto& own) {
+          return own.first == entry.first;
+        });
+      });
+      EXPECT_EQ(found[i].common_words, shared);
     }
   }
   const std::vector<Likeness> self = index.MostLike(vectors[9], 1, 60);
