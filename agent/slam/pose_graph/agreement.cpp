@@ -78,7 +78,8 @@ Agreement Renumbered(const Agreement& agreement, const std::vector<int>& order) 
 /// Works on numbers by falling degree, so that the first of a set is the one that promises most.
 class Search {
  public:
-  Search(const Agreement& agreement, std::int64_t steps) : agreement_(agreement), steps_(steps) {}
+  Search(const Agreement& agreement, const SearchLimits& limits)
+      : agreement_(agreement), left_(limits) {}
 
   std::vector<int> Run() {
     for (int i = 0; i < agreement_.size(); ++i) Grow(i);
@@ -88,7 +89,7 @@ class Search {
     Expand(std::move(all));
     return best_;
   }
-  bool is_over() const { return steps_ >= 0; }
+  bool is_over() const { return left_.steps >= 0 && left_.words >= 0; }
 
  private:
   void Grow(int seed) {
@@ -119,9 +120,11 @@ class Search {
   }
 
   void Expand(Bits open) {
-    if (--steps_ < 0) return;
+    --left_.steps;
+    if (!is_over()) return;
     const std::vector<std::pair<int, int>> colours = Colours(open);
-    for (auto it = colours.rbegin(); it != colours.rend() && steps_ >= 0; ++it) {
+    left_.words -= static_cast<std::int64_t>(colours.size() * open.size());
+    for (auto it = colours.rbegin(); it != colours.rend() && is_over(); ++it) {
       const auto [i, colour] = *it;
       if (current_.size() + static_cast<std::size_t>(colour) <= best_.size()) return;
       current_.push_back(i);
@@ -135,7 +138,7 @@ class Search {
   }
 
   const Agreement& agreement_;
-  std::int64_t steps_;
+  SearchLimits left_;
   std::vector<int> current_;
   std::vector<int> best_;
 };
@@ -161,10 +164,10 @@ std::span<const std::uint64_t> Agreement::Row(int a) const {
   return std::span(bits_).subspan(static_cast<std::size_t>(a) * words_, words_);
 }
 
-ConsistentSet LargestAgreeing(const Agreement& agreement, std::int64_t search_steps) {
+ConsistentSet LargestAgreeing(const Agreement& agreement, const SearchLimits& limits) {
   const std::vector<int> order = ByDegree(agreement);
   const Agreement renumbered = Renumbered(agreement, order);
-  Search search(renumbered, search_steps);
+  Search search(renumbered, limits);
   ConsistentSet set;
   for (const int i : search.Run()) set.members.push_back(order[static_cast<std::size_t>(i)]);
   std::sort(set.members.begin(), set.members.end());

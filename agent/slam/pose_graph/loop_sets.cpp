@@ -195,7 +195,7 @@ ConsistentSet ConsistentLoops(const OdometryChain<Pose>& odometry,
       if (CircleError(odometry, first, second) <= limit) agreement.Set(i, j);
     }
   }
-  return LargestAgreeing(agreement, options.search_steps);
+  return LargestAgreeing(agreement, options.search);
 }
 
 double ChiSquaredQuantile(double p, int degrees) {

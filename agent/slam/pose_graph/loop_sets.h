@@ -67,11 +67,16 @@ double AgreesByChance(const OdometryChain<sim::PlanarPose>& odometry,
 /// never too many, and 2 if any two are that far apart. Cost: pairs of loops times the result.
 int SeparateLoops(std::span<const std::pair<int, int>> ends, int gap);
 
+/// How long a larger set is looked for; whichever ends first, the best so far is kept.
+struct SearchLimits {
+  std::int64_t steps = 1'000'000;
+  std::int64_t words = 20'000'000'000;  // of rows of an Agreement that are gone through: seconds
+};
+
 struct LoopSetOptions {
   /// Circles of right loops that are taken for right.
   double confidence = 0.99;
-  /// Steps of the search for a larger set, after which the best so far is kept.
-  std::int64_t search_steps = 1'000'000;
+  SearchLimits search = {};
 };
 
 /// A largest set of things that agree pairwise.
@@ -96,11 +101,11 @@ class Agreement {
   std::vector<std::uint64_t> bits_;
 };
 
-/// By greedy growth from every thing, then branch and bound with colours until the steps are used
-/// up. Cost: greedy n^2 words of n / 64; the search may take all its steps.
+/// By greedy growth from every thing, then branch and bound with colours until the limits are
+/// reached. Cost: greedy n^2 words of n / 64; the search may go to its limits.
 /// Source: Tomita and Kameda, "An efficient branch-and-bound algorithm for finding a maximum
 /// clique", 2007.
-ConsistentSet LargestAgreeing(const Agreement& agreement, std::int64_t search_steps);
+ConsistentSet LargestAgreeing(const Agreement& agreement, const SearchLimits& limits);
 
 /// The largest set of loops each two of which agree given odometry: wrong loops seldom agree with
 /// right ones, or with each other. The members are positions in `loops`.

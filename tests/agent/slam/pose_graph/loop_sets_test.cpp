@@ -69,7 +69,7 @@ TEST(LargestAgreeing, IsThatOfTryingAll) {
   sim::Rng rng(1, "agreement");
   for (int trial = 0; trial < 40; ++trial) {
     const Agreement agreement = RandomAgreement(1 + trial % 14, rng.Uniform(), &rng);
-    const ConsistentSet set = LargestAgreeing(agreement, 1'000'000);
+    const ConsistentSet set = LargestAgreeing(agreement, {.steps = 1'000'000});
     EXPECT_TRUE(set.is_largest);
     EXPECT_TRUE(AllAgree(agreement, set.members));
     EXPECT_EQ(static_cast<int>(set.members.size()), LargestByTrial(agreement));
@@ -86,7 +86,7 @@ TEST(LargestAgreeing, FindsAPlantedSetOfManyWords) {
       if (a != b) agreement.Set(a, b);
     }
   }
-  const ConsistentSet set = LargestAgreeing(agreement, 1'000'000);
+  const ConsistentSet set = LargestAgreeing(agreement, {.steps = 1'000'000});
   EXPECT_TRUE(set.is_largest);
   EXPECT_EQ(set.members, planted);
 }
@@ -94,16 +94,26 @@ TEST(LargestAgreeing, FindsAPlantedSetOfManyWords) {
 TEST(LargestAgreeing, WithoutStepsIsGreedyAndSaysSo) {
   sim::Rng rng(3, "agreement");
   const Agreement agreement = RandomAgreement(120, 0.6, &rng);
-  const ConsistentSet greedy = LargestAgreeing(agreement, 0);
+  const ConsistentSet greedy = LargestAgreeing(agreement, {.steps = 0});
   EXPECT_FALSE(greedy.is_largest);
   EXPECT_GE(greedy.members.size(), 8u);
   EXPECT_TRUE(AllAgree(agreement, greedy.members));
-  EXPECT_LE(greedy.members.size(), LargestAgreeing(agreement, 100'000).members.size());
+  EXPECT_LE(greedy.members.size(), LargestAgreeing(agreement, {.steps = 100'000}).members.size());
+}
+
+/// A step costs the more, the more things there are.
+TEST(LargestAgreeing, EndsWhenItsWordsAreUsedUp) {
+  sim::Rng rng(4, "agreement");
+  const Agreement agreement = RandomAgreement(400, 0.7, &rng);
+  const ConsistentSet set = LargestAgreeing(agreement, {.words = 1'000'000});
+  EXPECT_FALSE(set.is_largest);
+  EXPECT_TRUE(AllAgree(agreement, set.members));
+  EXPECT_GE(set.members.size(), LargestAgreeing(agreement, {.steps = 0}).members.size());
 }
 
 TEST(LargestAgreeing, OfNothingIsNothing) {
-  EXPECT_TRUE(LargestAgreeing(Agreement(0), 10).members.empty());
-  EXPECT_THAT(LargestAgreeing(Agreement(1), 10).members, ElementsAre(0));
+  EXPECT_TRUE(LargestAgreeing(Agreement(0), {}).members.empty());
+  EXPECT_THAT(LargestAgreeing(Agreement(1), {}).members, ElementsAre(0));
 }
 
 template <class Pose>
