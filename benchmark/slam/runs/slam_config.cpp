@@ -77,6 +77,9 @@ std::vector<fs::path> ScenesOf(const SlamConfig& config) {
     for (const sim::HouseEntry& house : sim::ReadHouseIndex(folder / "index.json")) {
       if (!config.split || house.split == *config.split) scenes.push_back(folder / house.file);
     }
+    if (config.first_houses) {
+      scenes.resize(std::min(scenes.size(), static_cast<std::size_t>(*config.first_houses)));
+    }
   }
   GeneratorSpec named;
   named.scenes = config.scenes;
@@ -121,6 +124,9 @@ void BackEndSpec::Validate() const {
 void SlamConfig::Validate() const {
   sim::RequireSensorNoise(sensor_noise.value_or("none"));
   if (detectors.empty()) throw sim::KeyError("detectors", "'detectors' has no entry");
+  if (first_houses.value_or(1) < 1) {
+    throw sim::KeyError("first_houses", "'first_houses' must be at least 1");
+  }
   if (actions.empty()) throw sim::KeyError("actions", "'actions' has no number");
   for (const int count : actions) {
     if (count < 1) throw sim::KeyError("actions", "'actions' must be at least 1");

@@ -134,6 +134,7 @@ struct SlamConfig {
   std::string name;  // of the folder of results; the config file's if empty
   std::optional<HousesSpec> houses;
   std::optional<sim::Split> split;      // of the houses; all if not given
+  std::optional<int> first_houses;      // the first so many of those; all if not given
   std::vector<std::string> scenes;      // mesh files, or folders of them, in addition
   std::vector<std::string> recordings;  // TUM folders with odometry.txt, in addition
   ImportSpec import;
@@ -166,6 +167,7 @@ struct SlamConfig {
     v("name", name);
     v("houses", houses);
     v("split", split);
+    v("first_houses", first_houses);
     v("scenes", scenes);
     v("recordings", recordings);
     v("import", import);

@@ -327,6 +327,23 @@ TEST(SlamConfig, EveryShippedOneLoads) {
   EXPECT_GE(count, 2);
 }
 
+TEST_F(SlamRunner, OfHousesTheFirstMayBeEnough) {
+  SlamConfig config = Config();
+  config.scenes.clear();
+  config.houses = HousesSpec{path("houses").string(), 2, 7};
+  folder_.Write("houses/index.json", R"({"first_seed": 7, "houses": [
+    {"file": "h0.glb", "split": "train", "seed": 7, "rooms": 3, "area_m2": 50},
+    {"file": "h1.glb", "split": "test", "seed": 8, "rooms": 3, "area_m2": 50}]})");
+  EXPECT_EQ(DrivesOf(config).size(), 2 * DrivesOf([&] {
+                                           SlamConfig first = config;
+                                           first.first_houses = 1;
+                                           return first;
+                                         }())
+                                             .size());
+  config.first_houses = 0;
+  EXPECT_THROW(config.Validate(), sim::KeyError);
+}
+
 TEST_F(SlamRunner, SomethingMustBeThereToDriveThrough) {
   SlamConfig config = Config();
   config.scenes.clear();
