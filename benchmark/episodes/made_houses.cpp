@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/episodes/made_houses.h"
 
+#include <utility>
+
 #include "sim/base/error.h"
 #include "sim/base/folder_lock.h"
 #include "sim/house/house_set.h"
@@ -15,15 +17,11 @@ void RequireParts(const std::vector<sim::SetPart>& parts) {
 }
 
 sim::HouseSetSpec SetOf(const HousesSpec& houses) {
-  if (houses.set) {
-    const auto file = sim::LoadYaml<HouseSetFile>(*houses.set);
-    return {.first_seed = file.first_seed,
-            .parts = file.parts,
-            .refurnished = houses.refurnished.value_or(sim::Refurnish())};
-  }
+  HouseSetFile set = {houses.first_seed, houses.parts.value_or(std::vector<sim::SetPart>())};
+  if (houses.set) set = sim::LoadYaml<HouseSetFile>(*houses.set);
   return {.count = houses.count,
-          .first_seed = houses.first_seed,
-          .parts = houses.parts.value_or(std::vector<sim::SetPart>()),
+          .first_seed = set.first_seed,
+          .parts = std::move(set.parts),
           .refurnished = houses.refurnished.value_or(sim::Refurnish())};
 }
 

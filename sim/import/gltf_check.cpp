@@ -211,7 +211,7 @@ class GltfChecker {
   /// Only what is drawn of a material: its colour.
   void CheckMaterials() const {
     for (std::size_t i = 0; i < gltf_.Array("materials").size(); ++i) {
-      const Json* texture = ColorTexture(gltf_.Item("materials", i));
+      const Json* texture = ColorTextureOf(gltf_.Item("materials", i));
       if (texture == nullptr) continue;
       const std::string place = Place("materials", i) + ".baseColorTexture";
       gltf_.Reference(*texture, "index", "textures", place);
@@ -219,16 +219,11 @@ class GltfChecker {
     }
   }
 
-  static const Json* ColorTexture(const Json& material) {
-    const Json* texture = MemberOf(material, "pbrMetallicRoughness");
-    return texture == nullptr ? nullptr : MemberOf(*texture, "baseColorTexture");
-  }
-
   /// Textures that are drawn and name no picture, neither their own nor, `decoded`, in a format of
   /// an extension.
   void TellPictureless(const Json& decoded, std::vector<std::string>* ignored) const {
     for (std::size_t i = 0; i < gltf_.Array("materials").size(); ++i) {
-      const Json* texture = ColorTexture(gltf_.Item("materials", i));
+      const Json* texture = ColorTextureOf(gltf_.Item("materials", i));
       if (texture == nullptr) continue;
       const auto index = gltf_.Reference(*texture, "index", "textures", Place("materials", i));
       if (!index || decoded["textures"][*index].contains("source")) continue;

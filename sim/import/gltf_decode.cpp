@@ -171,8 +171,7 @@ class Decoder {
   void ReadChoice(std::size_t material) {
     UvChoice& choice = choices_[material];
     const std::string place = GltfDocument::Place("materials", material);
-    const Json* texture = MemberOf(gltf_.Item("materials", material), "pbrMetallicRoughness");
-    if (texture != nullptr) texture = MemberOf(*texture, "baseColorTexture");
+    const Json* texture = ColorTextureOf(gltf_.Item("materials", material));
     if (texture == nullptr) return;
     choice.set = gltf_.Count(*texture, "texCoord", place, 0);
     const Json* transform = ExtensionOf(*texture, kTransform);

@@ -222,6 +222,11 @@ const nlohmann::json* MemberOf(const nlohmann::json& object, const char* key) {
   return found != object.end() && found->is_object() ? &*found : nullptr;
 }
 
+const nlohmann::json* ColorTextureOf(const nlohmann::json& material) {
+  const nlohmann::json* surface = MemberOf(material, "pbrMetallicRoughness");
+  return surface == nullptr ? nullptr : MemberOf(*surface, "baseColorTexture");
+}
+
 const nlohmann::json* ExtensionOf(const nlohmann::json& object, const char* name) {
   const nlohmann::json* extensions = MemberOf(object, "extensions");
   return extensions == nullptr ? nullptr : MemberOf(*extensions, name);

@@ -68,6 +68,8 @@ class GltfDocument {
 
 /// An object in an object, or null.
 const nlohmann::json* MemberOf(const nlohmann::json& object, const char* key);
+/// What a material says of the texture that it is drawn with, or null.
+const nlohmann::json* ColorTextureOf(const nlohmann::json& material);
 /// What an extension says of an object, or null.
 const nlohmann::json* ExtensionOf(const nlohmann::json& object, const char* name);
 

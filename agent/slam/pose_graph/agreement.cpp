@@ -89,7 +89,7 @@ class Search {
     Expand(std::move(all));
     return best_;
   }
-  bool is_over() const { return left_.steps >= 0 && left_.words >= 0; }
+  bool is_within_limits() const { return left_.steps >= 0 && left_.words >= 0; }
 
  private:
   void Grow(int seed) {
@@ -121,10 +121,10 @@ class Search {
 
   void Expand(Bits open) {
     --left_.steps;
-    if (!is_over()) return;
+    if (!is_within_limits()) return;
     const std::vector<std::pair<int, int>> colours = Colours(open);
     left_.words -= static_cast<std::int64_t>(colours.size() * open.size());
-    for (auto it = colours.rbegin(); it != colours.rend() && is_over(); ++it) {
+    for (auto it = colours.rbegin(); it != colours.rend() && is_within_limits(); ++it) {
       const auto [i, colour] = *it;
       if (current_.size() + static_cast<std::size_t>(colour) <= best_.size()) return;
       current_.push_back(i);
@@ -171,7 +171,7 @@ ConsistentSet LargestAgreeing(const Agreement& agreement, const SearchLimits& li
   ConsistentSet set;
   for (const int i : search.Run()) set.members.push_back(order[static_cast<std::size_t>(i)]);
   std::sort(set.members.begin(), set.members.end());
-  set.is_largest = search.is_over();
+  set.is_largest = search.is_within_limits();
   return set;
 }
 
