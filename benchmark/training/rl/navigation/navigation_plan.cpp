@@ -35,7 +35,8 @@ NavigationScenes LoadNavigationScenes(const NavigationData& data, const TrainCon
   MakeHousesOf(data, CommittedVersion(), threads, context.start);
   std::function<void()> loaded;
   if (context.start) {
-    loaded = context.start(what, static_cast<int>(ScenesOf(data).size()));
+    const std::size_t scenes = ScenesOf(data).size() + ScenesOf(PlainOf(data)).size();
+    loaded = context.start(what, static_cast<int>(scenes));
   }
   return NavigationScenes(data, sim::BodySpec{}, threads, loaded, WarnLine);
 }
@@ -156,8 +157,11 @@ Measures NavigationWorld::Validate(const PolicyValidation::PolicyMaker& make,
 
 std::vector<std::pair<std::string, std::string>> NavigationWorld::CardRows(int lanes,
                                                                            int rollout) const {
-  return {{"scenes", std::to_string(scenes_.count())},
-          {"a step", fmt::format("{} steps of {} lanes", rollout, lanes)}};
+  std::string scenes = std::to_string(scenes_.count());
+  if (scenes_.plain_count() > 0) {
+    scenes += fmt::format(", {} of them as they are, too", scenes_.plain_count());
+  }
+  return {{"scenes", scenes}, {"a step", fmt::format("{} steps of {} lanes", rollout, lanes)}};
 }
 
 std::string NavigationWorld::validated_on() const {

@@ -23,20 +23,25 @@ struct NavigationData : TrainingScenes {
   /// How scenes are drawn, each in one look for the whole training; bodies walk in them as they
   /// are. Absent: as their files say.
   std::optional<LooksSpec> looks;
-  std::uint64_t seed = 0;  // of the episodes and the looks
-  int episodes = 0;        // always the first so many of DrawInTurn; 0: others without end
+  double plain_share = 0.0;  // of the episodes: in `houses` as they are, whatever the looks
+  std::uint64_t seed = 0;    // of the episodes and the looks
+  int episodes = 0;          // always the first so many of DrawInTurn; 0: others without end
 
   template <class V>
   void Visit(V& v) {
     TrainingScenes::Visit(v);
     v("import", import);
     v("looks", looks);
+    v("plain_share", plain_share);
     v("seed", seed);
     v("episodes", episodes);
   }
   /// Throws Error.
   void Validate() const;
 };
+
+/// The houses that `data` wants as they are, and nothing else; none without plain_share.
+NavigationData PlainOf(const NavigationData& data);
 
 /// `validation` if it is given, else the houses' split "val" of the training's `data`. Throws
 /// KeyError if there is neither.
@@ -64,6 +69,8 @@ class NavigationScenes {
   Drawn DrawInTurn(std::uint64_t number);
 
   std::size_t count() const { return scenes_.size(); }
+  /// The houses that are kept as they are beside those with looks.
+  std::size_t plain_count() const { return plain_.size(); }
 
  private:
   struct Scene {
@@ -72,12 +79,17 @@ class NavigationScenes {
     std::shared_ptr<const sim::World> world;
     std::unique_ptr<EpisodeDrawer> drawer;
     std::vector<Difficulty> kinds;
+
+    void Load(const sim::WorldOptions& options, const sim::BodySpec& body, std::uint64_t seed,
+              const Warn& warn);
   };
   Drawn DrawIn(Scene* scene, Difficulty kind, int index);
 
   std::uint64_t seed_;
   int episodes_;
+  double plain_share_;
   std::vector<Scene> scenes_;
+  std::vector<Scene> plain_;  // empty without plain_share
 };
 
 }  // namespace bulletnav::bench

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Policies that are trained in a small building: what they are shown, and that a training goes on
 // as if it had not been killed.
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -141,6 +143,30 @@ TEST_F(NavigationTest, LooksChangeWhatIsDrawnAndNothingElse) {
   EXPECT_EQ(other.numbers, plain.numbers);
   EXPECT_NE(other.pictures, plain.pictures);
   EXPECT_EQ(begin(data), other);
+  data.plain_share = 1.0;
+  EXPECT_EQ(begin(data), plain);
+}
+
+TEST_F(NavigationTest, AShareOfTheEpisodesIsPlayedInHousesAsTheyAre) {
+  NavigationData data = Data();
+  data.looks = LooksSpec{};
+  data.looks->share = 1.0;
+  data.plain_share = 0.25;
+  NavigationScenes scenes(data, {}, 1);
+  EXPECT_EQ(scenes.plain_count(), scenes.count());
+  std::map<std::filesystem::path, std::map<const sim::World*, int>> drawn;
+  for (std::uint64_t i = 0; i < 200; ++i) {
+    const NavigationScenes::Drawn one = scenes.Draw(static_cast<int>(i), i);
+    ++drawn[one.episode.scene_file][one.world.get()];
+  }
+  EXPECT_EQ(drawn.size(), scenes.count());
+  int rarer = 0;
+  for (const auto& [file, worlds] : drawn) {
+    ASSERT_EQ(worlds.size(), 2U);
+    rarer += std::min(worlds.begin()->second, worlds.rbegin()->second);
+  }
+  EXPECT_GT(rarer, 25);
+  EXPECT_LT(rarer, 75);
 }
 
 TEST_F(NavigationTest, EverySecondLaneSeesDepth) {
@@ -587,6 +613,26 @@ TEST_F(NavigationTest, BadConfigsAreNamed) {
               HasSubstr("stop_from must be in [0, 1)"));
   EXPECT_THAT(complaint("imitation", "forward_weight: 0\n"),
               HasSubstr("forward_weight must be positive"));
+  const auto refusal = [](NavigationData data) {
+    try {
+      data.Validate();
+    } catch (const sim::Error& error) {
+      return std::string(error.what());
+    }
+    return std::string("none");
+  };
+  NavigationData data = Data();
+  data.plain_share = 0.5;
+  EXPECT_EQ(refusal(data), "none");
+  data.episodes = 4;
+  EXPECT_THAT(refusal(data), HasSubstr("cannot be had with 'episodes'"));
+  data.episodes = 0;
+  data.plain_share = 1.5;
+  EXPECT_THAT(refusal(data), HasSubstr("between 0 and 1"));
+  data.plain_share = 0.5;
+  data.scenes = {"house.glb"};
+  data.houses.reset();
+  EXPECT_THAT(refusal(data), HasSubstr("name some"));
   EXPECT_THAT(complaint("ppo", "agent: {stop_steps: 2}\n"),
               HasSubstr("stop_steps needs stop_from"));
   EXPECT_THAT(complaint("distillation", "policy_start: nowhere.safetensors\n"),
