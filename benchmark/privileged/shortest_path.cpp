@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "benchmark/privileged/way_out.h"
+#include "sim/base/check.h"
 #include "sim/base/elementary.h"
 #include "sim/base/error.h"
 #include "sim/noise/noise_model.h"
@@ -37,6 +38,7 @@ void ShortestPathAgent::Config::Validate() const {
   if (!(turn_tolerance_deg >= 5.0) || !(turn_tolerance_deg <= 45.0)) {
     throw sim::Error("turn_tolerance_deg must lie between 5, half a turn, and 45");
   }
+  BULLETNAV_CHECK(search_pause >= 0);
 }
 
 void ShortestPathAgent::Reset(const GroundTruth& truth) {
@@ -46,6 +48,7 @@ void ShortestPathAgent::Reset(const GroundTruth& truth) {
     query_.emplace(world_->navmesh());
   }
   way_out_.clear();
+  pause_ = 0;
 }
 
 Action ShortestPathAgent::Act(const GroundTruth& truth) {
@@ -54,8 +57,13 @@ Action ShortestPathAgent::Act(const GroundTruth& truth) {
   if (!path || path->length < config_.stop_distance) return Action::kStop;
   if (const auto action = FollowWayOut(truth.pose)) return *action;
   const Action action = Towards(NextCorner(*path, truth.pose), truth.pose);
-  if (action != Action::kMoveForward || GainAhead(truth, path->length) >= kLeastGain) return action;
+  if (pause_ > 0) --pause_;
+  if (pause_ > 0 || action != Action::kMoveForward ||
+      GainAhead(truth, path->length) >= kLeastGain) {
+    return action;
+  }
   const auto way = FindWayOut(truth, *query_);
+  if (way.empty()) pause_ = config_.search_pause;
   way_out_.assign(way.begin(), way.end());
   patience_ = kPatience * static_cast<int>(way.size()) + 18;
   return FollowWayOut(truth.pose).value_or(action);

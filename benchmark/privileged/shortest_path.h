@@ -19,6 +19,9 @@ class ShortestPathAgent final : public PrivilegedAgent {
     double stop_distance = 0.5;  // metres of geodesic left
     // Off by more, it turns. At 5, half a turn, noise makes it dither: SPL 0.73 instead of 0.98.
     double turn_tolerance_deg = 12.0;
+    // Actions before it searches for a way round again where it has found none. No key of configs:
+    // it is for teachers, whose bodies push at walls and do not go the way that is found.
+    int search_pause = 0;
 
     template <class V>
     void Visit(V& v) {
@@ -46,6 +49,7 @@ class ShortestPathAgent final : public PrivilegedAgent {
   std::optional<sim::NavmeshQuery> query_;
   std::deque<Eigen::Vector3d> way_out_;
   int patience_ = 0;  // steps left for the way out, which noise may have made impassable
+  int pause_ = 0;     // steps left before the next search
 };
 
 }  // namespace bulletnav::bench

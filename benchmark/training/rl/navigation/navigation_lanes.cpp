@@ -15,6 +15,7 @@ namespace bulletnav::bench {
 namespace {
 
 constexpr std::size_t kStateBefore = 3;  // numbers of a lane's state before its actions
+constexpr int kTeachersPause = 25;       // actions
 
 std::vector<GroundTruth*> PointersTo(std::vector<GroundTruth>* truths) {
   std::vector<GroundTruth*> pointers;
@@ -70,7 +71,8 @@ NavigationLanes::NavigationLanes(const NavigationSpec& spec, NavigationScenes* s
   for (const int lane : all_) {
     Enter(lane, draw_);
     if (spec.teaches)
-      at(lane).teacher = std::make_unique<ShortestPathAgent>(ShortestPathAgent::Config{});
+      at(lane).teacher = std::make_unique<ShortestPathAgent>(
+          ShortestPathAgent::Config{.search_pause = kTeachersPause});
   }
 }
 
