@@ -5,6 +5,7 @@
 #include <CLI/Formatter.hpp>
 #include <fmt/core.h>
 
+#include "benchmark/base/warn_line.h"
 #include "benchmark/cli/commands.h"
 #include "benchmark/cli/progress.h"
 #include "benchmark/cli/scene_options.h"
@@ -39,6 +40,7 @@ void Generate(const GenerateOptions& options) {
   const fs::path out = options.out.empty() ? fs::path(spec.out) : options.out;
   sim::RequireWritable(out);
   const std::vector<std::string> scenes = ScenesOf(spec);
+  WarnOfScenesLeftOut(spec, scenes, WarnLine);
   EpisodeSet set;
   {
     Progress progress("scenes", static_cast<int>(scenes.size()));

@@ -5,8 +5,11 @@
 #include <array>
 #include <filesystem>
 #include <map>
+#include <numeric>
 #include <set>
 #include <string_view>
+
+#include <fmt/core.h>
 
 #include "benchmark/base/json_cursor.h"
 #include "benchmark/base/scene_names.h"
@@ -33,10 +36,18 @@ std::array<int, kKinds> Counts(const EpisodeCounts& counts) {
           counts.sequential};
 }
 
-/// How many of `count` the scene with number s of n gets.
-int Share(int count, std::size_t s, std::size_t n) {
+/// How many of each kind the scene with number s of n gets. What is left over of one kind goes to
+/// the scenes after those that got what was left over of the kind before.
+std::array<int, kKinds> SharesOf(const EpisodeCounts& counts, std::size_t s, std::size_t n) {
+  std::array<int, kKinds> shares = Counts(counts);
   const auto scenes = static_cast<int>(n);
-  return count / scenes + (static_cast<int>(s) < count % scenes ? 1 : 0);
+  int place = static_cast<int>(s);  // counted from the first that gets one more
+  for (int& share : shares) {
+    const int left_over = share % scenes;
+    share = share / scenes + (place < left_over ? 1 : 0);
+    place = (place + scenes - left_over) % scenes;
+  }
+  return shares;
 }
 
 /// The beginnings of the episodes' ids, by scene.
@@ -231,6 +242,17 @@ std::vector<std::string> ScenesOf(const GeneratorSpec& spec) {
   return scenes;
 }
 
+void WarnOfScenesLeftOut(const GeneratorSpec& spec, const std::vector<std::string>& scenes,
+                         const Warn& warn) {
+  const auto counts = Counts(spec.counts);
+  const auto sum = std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+  if (!warn || sum >= scenes.size()) return;
+  warn(
+      fmt::format("{}: {} scenes share {} episodes, so that some have none; ask for more in "
+                  "'counts' (of a run: episodes.draw.counts)",
+                  spec.out, scenes.size(), sum));
+}
+
 std::vector<Episode> GenerateEpisodes(const GeneratorSpec& spec,
                                       const std::vector<std::string>& scenes, int workers,
                                       const std::function<void()>& on_scene, SceneCache* cache) {
@@ -241,11 +263,9 @@ std::vector<Episode> GenerateEpisodes(const GeneratorSpec& spec,
   sim::WorkerPool pool(workers);
   pool.ForEach(static_cast<int>(scenes.size()), [&](int task, int /*worker*/) {
     const auto s = static_cast<std::size_t>(task);
-    std::array<int, kKinds> counts = Counts(spec.counts);
-    for (int& count : counts) count = Share(count, s, scenes.size());
     const auto ground = loaded.LoadGround(scenes[s]);
     EpisodeDrawer drawer(*ground, scenes[s], labels[s], spec.body, spec.seed);
-    drawn[s] = DrawScene(&drawer, spec, counts);
+    drawn[s] = DrawScene(&drawer, spec, SharesOf(spec.counts, s, scenes.size()));
     if (on_scene) on_scene();
   });
   return Interleave(drawn);

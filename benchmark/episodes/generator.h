@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "benchmark/base/warn_line.h"
 #include "benchmark/episodes/episode.h"
 #include "benchmark/episodes/import_spec.h"
 #include "sim/navmesh/navmesh.h"
@@ -82,12 +83,17 @@ struct GeneratorSpec {
 /// has no house in the split.
 std::vector<std::string> ScenesOf(const GeneratorSpec& spec);
 
-/// Draws all episodes (see EpisodeDrawer), spread evenly over the scenes: scene s of n gets
-/// count / n, and one more if s < count % n. They come by index, then kind, then scene, so that any
-/// first part of the list is spread evenly too. The same for any number of workers, which take a
-/// scene each; `workers` < 1: one per processor. `on_scene` is called, from any thread, when a
-/// scene is done. `cache`, if given, loads the scenes, as the spec says, and keeps them for who
-/// plays them. Throws sim::Error for a scene that cannot be loaded or has no such episodes.
+/// Warns if there are more scenes than episodes.
+void WarnOfScenesLeftOut(const GeneratorSpec& spec, const std::vector<std::string>& scenes,
+                         const Warn& warn);
+
+/// Draws all episodes (see EpisodeDrawer), spread evenly over the scenes: each of n gets count / n
+/// of a kind, and some one more, other scenes than of the kind before. They come by index, then
+/// kind, then scene, so that any first part of the list is spread evenly too. The same for any
+/// number of workers, which take a scene each; `workers` < 1: one per processor. `on_scene` is
+/// called, from any thread, when a scene is done. `cache`, if given, loads the scenes, as the spec
+/// says, and keeps them for who plays them. Throws sim::Error for a scene that cannot be loaded or
+/// has no such episodes.
 std::vector<Episode> GenerateEpisodes(const GeneratorSpec& spec,
                                       const std::vector<std::string>& scenes, int workers,
                                       const std::function<void()>& on_scene = {},

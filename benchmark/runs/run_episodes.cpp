@@ -81,6 +81,7 @@ void LeaveOut(const std::vector<std::string>& faults, const RunConfig& config, c
 void Draw(const RunConfig& config, const RunTools& tools) {
   const GeneratorSpec spec = config.generator();
   const std::vector<std::string> scenes = ScenesOf(spec);
+  WarnOfScenesLeftOut(spec, scenes, tools.warn);
   const auto advance = tools.start("drawing episodes, scenes", static_cast<int>(scenes.size()));
   EpisodeSet set;
   set.episodes = GenerateEpisodes(spec, scenes, tools.workers, advance, &tools.scenes);

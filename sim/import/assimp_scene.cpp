@@ -53,6 +53,7 @@ class Converter {
   SceneMesh Convert() {
     for (unsigned i = 0; i < scene_.mNumMaterials; ++i) AddMaterial(*scene_.mMaterials[i]);
     if (mesh_.materials.empty()) mesh_.materials.push_back({"default", kWhite, -1});
+    WhitenDefaults();
     AddNode(*scene_.mRootNode, aiMatrix4x4(), 0);
     if (other_primitives_ > 0) {
       report_.skipped.push_back(std::to_string(other_primitives_) + " points or lines");
@@ -84,6 +85,16 @@ class Converter {
     }
     if (IsSeeThrough(OpacityOf(source, color.a))) MarkSeeThrough(&material);
     mesh_.materials.push_back(material);
+  }
+
+  /// Where a file names no material, assimp's is grey: a factor of what vertices say is none.
+  void WhitenDefaults() {
+    for (unsigned i = 0; i < scene_.mNumMeshes; ++i) {
+      const aiMesh& mesh = *scene_.mMeshes[i];
+      if (!mesh.HasVertexColors(0) || mesh.mMaterialIndex >= scene_.mNumMaterials) continue;
+      Material& material = mesh_.materials[mesh.mMaterialIndex];
+      if (material.name == AI_DEFAULT_MATERIAL_NAME) material.base_color = kWhite;
+    }
   }
 
   /// Of its whole surface; what pictures say of single places is not asked. `alpha`: its colour's.

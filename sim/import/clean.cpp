@@ -174,8 +174,8 @@ void CheckExtent(const std::filesystem::path& file, const SceneMesh& mesh) {
     throw FileError(
         file, "",
         fmt::format("is {:.3g} m wide, which no building is; if it is not in metres, give "
-                    "--scale (0.001 for millimetres; in a config: import.scale)",
-                    extent));
+                    "--scale ({}; in a config: import.scale)",
+                    extent, extent < kMinExtent ? "1000 for kilometres" : "0.001 for millimetres"));
   }
   if (offset <= kMaxOffset) return;
   throw FileError(file, "",

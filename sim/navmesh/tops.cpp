@@ -11,7 +11,8 @@ namespace {
 constexpr float kDropShare = 0.15f;   // of a top's border
 constexpr float kLargestTop = 10.0f;  // m2
 constexpr float kLargestTopShare = 0.25f;
-constexpr float kReach = 1.0f;  // metres from a top's border to the floor, chairs between them
+constexpr float kLowDrop = 1.2f;  // metres; from a storey to the one below it is more
+constexpr float kReach = 1.0f;    // metres from a top's border to the floor, chairs between them
 
 /// Regions between which a body can walk.
 struct Part {
@@ -19,7 +20,10 @@ struct Part {
   int upstairs = 0;
   int roofs = 0;  // cells that are upstairs and uncovered
   int border = 0;
-  std::map<int, int> drops;  // how much of the border drops to which other part
+  std::map<int, int> drops;      // how much of the border drops to which other part
+  std::map<int, int> low_drops;  // and by less than kLowDrop
+
+  bool IsUpstairs() const { return 2 * upstairs >= cells; }
 };
 
 class Judge {
@@ -109,12 +113,15 @@ class Judge {
       if (other >= 0 && compact_.spans[other].reg != 0) continue;
       ++part.border;
       const int below = DropFrom(x, y, i, direction);
-      if (below >= 0 && PartOf(below) != PartOf(i)) ++part.drops[PartOf(below)];
+      if (below < 0 || PartOf(below) == PartOf(i)) continue;
+      ++part.drops[PartOf(below)];
+      const int drop = compact_.spans[i].y - compact_.spans[below].y;
+      if (static_cast<float>(drop) * compact_.ch < kLowDrop) ++part.low_drops[PartOf(below)];
     }
   }
 
-  /// The highest floor below a span's, out there in a direction, that no wall parts from it; -1 if
-  /// none.
+  /// The floor that is seen below from a span, out there in a direction, and that no wall parts
+  /// from it; -1 if none.
   int DropFrom(int x, int y, int i, int direction) const {
     const int low = compact_.spans[i].y;
     for (int step = 0; step < reach_; ++step) {
@@ -122,14 +129,26 @@ class Judge {
       y += rcGetDirOffsetY(direction);
       if (x < 0 || y < 0 || x >= compact_.width || y >= compact_.height) return -1;
       if (IsWall(x, y, low)) return -1;
+      const int seen = HighestTop(x, y, low + compact_.walkableClimb);
+      if (seen + compact_.walkableClimb >= low) continue;  // its own edge
       const rcCompactCell& cell = compact_.cells[x + y * compact_.width];
       const auto first = static_cast<int>(cell.index);
-      for (int k = first + static_cast<int>(cell.count) - 1; k >= first; --k) {
+      for (int k = first; k < first + static_cast<int>(cell.count); ++k) {
         const rcCompactSpan& span = compact_.spans[k];
-        if (span.reg != 0 && span.y + compact_.walkableClimb < low) return k;
+        if (span.reg != 0 && span.y == seen) return k;
       }
     }
     return -1;
+  }
+
+  /// Of what is solid in a column, the highest top up to a height; -1 if there is none.
+  int HighestTop(int x, int y, int most) const {
+    int highest = -1;
+    for (const rcSpan* span = heights_.spans[x + y * heights_.width]; span != nullptr;
+         span = span->next) {
+      if (static_cast<int>(span->smax) <= most) highest = static_cast<int>(span->smax);
+    }
+    return highest;
   }
 
   /// Whether a column bars the way of a body that stands at a height.
@@ -146,10 +165,13 @@ class Judge {
   static bool IsRoof(const Part& part) { return 2 * part.roofs >= part.cells; }
 
   bool IsTop(const Part& part) const {
-    if (2 * part.upstairs >= part.cells) return false;
     const float cell = compact_.cs * compact_.cs;
-    return std::any_of(part.drops.begin(), part.drops.end(), [&](const auto& drop) {
+    // An upper storey is no top of the lower one, but has tops of its own.
+    const bool is_upstairs = part.IsUpstairs();
+    const std::map<int, int>& drops = is_upstairs ? part.low_drops : part.drops;
+    return std::any_of(drops.begin(), drops.end(), [&](const auto& drop) {
       const Part& floor = parts_.at(drop.first);
+      if (is_upstairs && !floor.IsUpstairs()) return false;
       const auto area = static_cast<float>(part.cells) * cell;
       const float largest =
           std::max(kLargestTop, kLargestTopShare * static_cast<float>(floor.cells) * cell);

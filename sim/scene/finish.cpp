@@ -61,6 +61,57 @@ void BlackenOverhead(SceneMesh* mesh) {
   }
 }
 
+bool IsWhite(const Rgb8& color) {
+  return color == Rgb8{kWhite};
+}
+
+/// Whether surfaces have their colours from vertices alone, as a scan without pictures: one colour
+/// in all materials, and others in the vertices. Elsewhere vertices carry light.
+bool IsColoredByVertices(const SceneMesh& mesh) {
+  if (!mesh.textures.empty() || mesh.triangles.empty()) return false;
+  const auto color_of = [&](std::uint32_t material) {
+    return mesh.materials[material].base_color;
+  };
+  const Rgb8 first = color_of(mesh.triangle_materials.front());
+  return std::all_of(mesh.triangle_materials.begin(), mesh.triangle_materials.end(),
+                     [&](std::uint32_t material) {
+                       return color_of(material) == first;
+                     }) &&
+         !std::all_of(mesh.colors.begin(), mesh.colors.end(), IsWhite);
+}
+
+/// Puts what colours materials have into the vertices, so that those are white.
+void MoveColorsToVertices(SceneMesh* mesh) {
+  const Rgb8 base = mesh->materials[mesh->triangle_materials.front()].base_color;
+  for (Rgb8& color : mesh->colors) {
+    for (std::size_t c = 0; c < 3; ++c) color[c] = ToByte(color[c] * base[c] / kLightest);
+  }
+  for (Material& material : mesh->materials) material.base_color = kWhite;
+}
+
+/// A blank floor where vertices give the colours: of their mean's grey.
+void BlankFloorOfVertices(SceneMesh* mesh) {
+  const float floor = FloorHeight(*mesh);
+  const auto blank = static_cast<std::uint32_t>(mesh->materials.size());
+  double greys = 0.0;
+  double area = 0.0;
+  for (std::size_t t = 0; t < mesh->triangles.size(); ++t) {
+    if (!IsOnTheFloor(*mesh, t, floor)) continue;
+    const double of_one = AreaOf(*mesh, t);
+    area += of_one;
+    for (std::uint32_t& vertex : mesh->triangles[t]) {
+      const Rgb8& color = mesh->colors[vertex];
+      greys += of_one / 3.0 * GreyOf({1.0 * color[0], 1.0 * color[1], 1.0 * color[2]});
+      vertex = CopyVertex(vertex, mesh);  // walls keep theirs
+      mesh->colors.back() = kWhite;
+    }
+    mesh->triangle_materials[t] = blank;
+  }
+  if (area <= 0.0) return;
+  const double grey = greys / area;
+  mesh->materials.push_back({kBlankFloor, ToRgb8({grey, grey, grey}), -1});
+}
+
 void BlankFloor(SceneMesh* mesh) {
   const float floor = FloorHeight(*mesh);
   std::map<std::uint32_t, std::uint32_t> blanks;  // by material
@@ -182,13 +233,30 @@ Rgb8 Developed(const Finish& finish, const std::uint8_t* rgb) {
   return ToRgb8(color);
 }
 
-/// A material's own colour where it has no texture, else the texture's: not both.
-void Develop(const Finish& finish, SceneMesh* mesh) {
+bool Develops(const Finish& finish) {
   const Finish none;
-  if (finish.exposure == none.exposure && finish.contrast == none.contrast &&
-      finish.saturation == none.saturation && finish.tint == none.tint) {
-    return;
+  return finish.exposure != none.exposure || finish.contrast != none.contrast ||
+         finish.saturation != none.saturation || finish.tint != none.tint;
+}
+
+/// Where vertices give the colours: theirs, but of surfaces that a finish has given another.
+void DevelopVertices(const Finish& finish, SceneMesh* mesh) {
+  std::vector<char> is_developed(mesh->colors.size(), 0);
+  for (std::size_t t = 0; t < mesh->triangles.size(); ++t) {
+    if (!IsWhite(mesh->materials[mesh->triangle_materials[t]].base_color)) continue;
+    for (const std::uint32_t vertex : mesh->triangles[t]) is_developed[vertex] = 1;
   }
+  for (std::size_t v = 0; v < mesh->colors.size(); ++v) {
+    if (is_developed[v] != 0) mesh->colors[v] = Developed(finish, mesh->colors[v].data());
+  }
+  for (Material& material : mesh->materials) {
+    if (IsWhite(material.base_color)) continue;
+    material.base_color = Developed(finish, material.base_color.data());
+  }
+}
+
+/// A material's own colour where it has no texture, else the texture's: not both.
+void DevelopMaterials(const Finish& finish, SceneMesh* mesh) {
   for (Material& material : mesh->materials) {
     if (material.texture < 0) material.base_color = Developed(finish, material.base_color.data());
   }
@@ -222,9 +290,11 @@ void Finish::Validate() const {
 void ApplyFinish(const Finish& finish, SceneMesh* mesh) {
   finish.Validate();
   if (finish == Finish{}) return;
+  const bool by_vertices = IsColoredByVertices(*mesh);
+  if (by_vertices) MoveColorsToVertices(mesh);
   ApplyRepaint(finish.repaint, mesh);
   if (!finish.ceiling) RemoveCeiling(mesh);
-  if (finish.blank_floor) BlankFloor(mesh);
+  if (finish.blank_floor) by_vertices ? BlankFloorOfVertices(mesh) : BlankFloor(mesh);
   if (finish.blank_walls) BlankWalls(mesh);
   Recolor(finish.surfaces, mesh);
   if (finish.black_overhead) BlackenOverhead(mesh);
@@ -234,7 +304,9 @@ void ApplyFinish(const Finish& finish, SceneMesh* mesh) {
       texture.image = Shrunk(texture.image, finish.texture_shrink);
     }
   }
-  Develop(finish, mesh);
+  if (Develops(finish)) {
+    by_vertices ? DevelopVertices(finish, mesh) : DevelopMaterials(finish, mesh);
+  }
   mesh->back_faces = finish.back_faces;
   mesh->levels_of_detail = finish.levels_of_detail;
 }

@@ -27,7 +27,8 @@ struct EnumNames<Surfaces> {
 
 /// How a scene looks, beside what its file says: scenes differ in this more than in their rooms.
 /// Some have no ceiling, no pictures on their surfaces, no light; networks are trained on all.
-/// Colours change in display (sRGB-encoded) values. The default leaves a scene as it is.
+/// Colours change in display (sRGB-encoded) values, those of vertices where a scene has no others.
+/// The default leaves a scene as it is.
 struct Finish {
   /// False: level faces more than 2 m above the floor are left out, so that nothing is overhead.
   bool ceiling = true;

@@ -3,6 +3,9 @@
 
 #include <map>
 #include <mutex>
+#include <set>
+#include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 
@@ -62,14 +65,30 @@ TEST_F(GeneratorTest, SpreadsEpisodesEvenlyInEveryFirstPart) {
   };
   EXPECT_EQ(count("easy", 0), 3);
   EXPECT_EQ(count("easy", 1), 2);
+  EXPECT_EQ(count("medium", 0), 1);  // not again more of the first scene
   EXPECT_EQ(count("medium", 1), 2);
-  EXPECT_EQ(count("medium", 2), 1);
   EXPECT_EQ(count("sequence", 2), 1);
   // The first twelve are one of each kind from each scene.
   std::map<std::string, int> first;
   for (std::size_t i = 0; i < 12; ++i) ++first[episodes[i].scene];
   EXPECT_THAT(first, testing::Each(testing::Pair(testing::_, 4)));
   EXPECT_NO_THROW(RequireUniqueIds(episodes, "x"));
+}
+
+TEST_F(GeneratorTest, KindsShareOutManyScenes) {
+  spec_.counts = {.easy = 1, .medium = 1, .hard = 1};
+  std::vector<std::string> told;
+  const auto warn = [&](const std::string& text) {
+    told.push_back(text);
+  };
+  std::set<std::string> played;
+  for (const Episode& one : GenerateEpisodes(spec_, spec_.scenes, 1)) played.insert(one.scene);
+  EXPECT_EQ(played.size(), 3u);
+  WarnOfScenesLeftOut(spec_, spec_.scenes, warn);
+  EXPECT_THAT(told, testing::IsEmpty());
+  spec_.counts.hard = 0;
+  WarnOfScenesLeftOut(spec_, spec_.scenes, warn);
+  EXPECT_THAT(told, testing::ElementsAre(HasSubstr("3 scenes share 2 episodes")));
 }
 
 TEST_F(GeneratorTest, IsTheSameForAnyNumberOfWorkers) {

@@ -127,6 +127,21 @@ TEST(Import, AMaterialLibraryThatIsMissingIsNamed) {
   EXPECT_THAT(ImportScene(file).report.skipped, ElementsAre(HasSubstr("gone.mtl, which is not")));
 }
 
+TEST(Import, ObjWithColoursAtItsVerticesAlone) {
+  const TemporaryFolder folder;
+  std::string obj;
+  for (const char* corner :
+       {"0 0 0", "4 0 0", "4 0 -6", "0 0 -6", "0 3 0", "4 3 0", "4 3 -6", "0 3 -6"}) {
+    obj += std::string("v ") + corner + " 0.8 0.4 0.2\n";
+  }
+  const auto file = folder.Write("room.obj", obj + kRoomObj.substr(kRoomObj.find("f 1 2 3 4")));
+  const SceneMesh mesh = ImportScene(file).mesh;
+  EXPECT_THAT(mesh.colors, testing::Each(Rgb8{204, 102, 51}));
+  for (const std::uint32_t material : mesh.triangle_materials) {
+    EXPECT_EQ(mesh.materials[material].base_color, kWhite);
+  }
+}
+
 std::string PlyText(const std::string& format, const std::string& body) {
   return "ply\nformat " + format +
          " 1.0\nelement vertex 8\nproperty float x\nproperty float y\nproperty float z\n"

@@ -184,6 +184,18 @@ TEST(Indoors, EveryStoreyIsFloor) {
   }
 }
 
+TEST(Indoors, TopsUpstairsAreNoFloor) {
+  SceneMesh mesh = OpenHouse();
+  AddSlab({-kWall, 2.7f, -6 - kWall}, {8 + kWall, 2.7f, kWall}, &mesh);
+  AddWalls(8, 6, 2.7f, 2.7f + kHigh, &mesh);
+  AddSlab({-kWall, 5.4f, -6 - kWall}, {8 + kWall, 5.4f, kWall}, &mesh);
+  const float empty = Navmesh(mesh, {}).area();
+  AddBox({0, 2.7f, -6}, {2, 3.2f, -4}, kGrey, &mesh);
+  const Navmesh navmesh(mesh, {});
+  EXPECT_EQ(navmesh.islands().size(), 2u);
+  EXPECT_NEAR(navmesh.area(), empty - 2 * 2, 1.0f);
+}
+
 TEST(Indoors, AGalleryThatStepsLeadToIsFloor) {
   for (const bool roofed : {false, true}) {
     SceneMesh mesh = OpenHall(6.0f);

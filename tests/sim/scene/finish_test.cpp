@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include "sim/base/error.h"
 #include "sim/scene/mesh_measures.h"
@@ -197,6 +197,62 @@ TEST(Finish, DevelopsByExposureContrastSaturationAndTint) {
   mesh = Room();
   ApplyFinish({.contrast = 0.0, .tint = {0.9, 1.0, 1.0}}, &mesh);
   EXPECT_EQ(mesh.materials[1].base_color, (Rgb8{128, 128, 128}));
+}
+
+/// The room as a scan that has its colours at its vertices.
+SceneMesh ScannedRoom() {
+  SceneMesh mesh = Room();
+  mesh.textures.clear();
+  mesh.materials = {{"", {255, 255, 255}, -1}, {"", {255, 255, 255}, -1}};
+  return mesh;
+}
+
+/// Colours as drawn at the corners of a triangle: material times vertex.
+std::vector<Rgb8> ColorsOf(const SceneMesh& mesh, std::size_t triangle) {
+  std::vector<Rgb8> colors;
+  for (const std::uint32_t vertex : mesh.triangles[triangle]) {
+    Rgb8 color = mesh.materials[mesh.triangle_materials[triangle]].base_color;
+    for (std::size_t c = 0; c < 3; ++c) {
+      color[c] = static_cast<std::uint8_t>((color[c] * mesh.colors[vertex][c] + 127) / 255);
+    }
+    colors.push_back(color);
+  }
+  return colors;
+}
+
+TEST(Finish, DevelopsVerticesWhereTheyGiveTheColours) {
+  SceneMesh mesh = ScannedRoom();
+  Finish finish;
+  finish.exposure = 0.5;
+  ApplyFinish(finish, &mesh);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    EXPECT_THAT(ColorsOf(mesh, t), testing::Each(Rgb8{50, 55, 60}));
+  }
+  mesh = ScannedRoom();
+  finish.exposure = 1.0;
+  finish.saturation = 0.0;
+  ApplyFinish(finish, &mesh);
+  const Rgb8 grey = ColorsOf(mesh, 0)[0];
+  EXPECT_EQ(grey[0], grey[2]);
+  EXPECT_NEAR(grey[0], 0.2126 * 100 + 0.7152 * 110 + 0.0722 * 120, 0.51);
+}
+
+TEST(Finish, ABlankFloorReplacesTheColoursOfVertices) {
+  SceneMesh mesh = ScannedRoom();
+  Finish finish;
+  finish.blank_floor = true;
+  ApplyFinish(finish, &mesh);
+  EXPECT_THAT(ColorsOf(mesh, 0), testing::Each(Rgb8{109, 109, 109}));  // the floor
+  EXPECT_THAT(ColorsOf(mesh, 2), testing::Each(Rgb8{100, 110, 120}));  // the table
+  mesh.Validate();
+  // White and without light all but the floor is white, and factors meet each surface once.
+  mesh = ScannedRoom();
+  finish.surfaces = Surfaces::kAllWhite;
+  finish.baked_light = false;
+  finish.exposure = 0.5;
+  ApplyFinish(finish, &mesh);
+  EXPECT_THAT(ColorsOf(mesh, 0), testing::Each(Rgb8{55, 55, 55}));
+  EXPECT_THAT(ColorsOf(mesh, 2), testing::Each(Rgb8{128, 128, 128}));
 }
 
 TEST(Finish, RefusesWhatNoPictureSurvives) {
