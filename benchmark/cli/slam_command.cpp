@@ -79,6 +79,7 @@ void AddOptimizeCommand(CLI::App* slam) {
   command
       ->add_option("--width", options->optimize.kernel_width,
                    "Standard deviations from which on a loop counts less")
+      ->check(CLI::PositiveNumber)
       ->capture_default_str();
   command->add_option("--iterations", options->optimize.max_iterations, "At most")
       ->check(CLI::Range(1, 1'000'000))

@@ -120,11 +120,14 @@ class Panel {
   }
 
   void Line(std::size_t i) const {
+    const Chart::Series& series = chart_.series[i];
     std::vector<Point> points;
-    for (const Chart::Value& v : chart_.series[i].values) points.push_back(At(v.x, v.y));
-    canvas_->Polyline(points, StrokeOf(chart_.series[i], i));
-    if (!chart_.has_marks || chart_.series[i].is_reference) return;
-    for (const Point& p : points) DrawMarker(p, i, canvas_);
+    for (const Chart::Value& v : series.values) points.push_back(At(v.x, v.y));
+    canvas_->Polyline(points, StrokeOf(series, i));
+    const bool marks_all = chart_.has_marks && !series.is_reference;
+    for (const Chart::Value& v : series.values) {
+      if (marks_all || v.x == series.chosen) DrawMarker(At(v.x, v.y), i, canvas_);
+    }
   }
 
  private:
@@ -157,7 +160,8 @@ void DrawLegend(const Chart& chart, double top, Canvas* canvas) {
     const Chart::Series& series = chart.series[i];
     const std::vector<Point> line = {at, at + Point(24.0, 0.0)};
     canvas->Polyline(line, StrokeOf(series, i));
-    if (chart.has_marks && !series.is_reference) DrawMarker(at + Point(12.0, 0.0), i, canvas);
+    const bool has_mark = (chart.has_marks && !series.is_reference) || series.chosen;
+    if (has_mark) DrawMarker(at + Point(12.0, 0.0), i, canvas);
     canvas->Text(at + Point(32.0, 0.0), series.name,
                  {.size = kTick, .paint = kInk, .align = Align::kLeft});
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,8 +20,9 @@ struct Chart {
   };
   struct Series {
     std::string name;
-    std::vector<Value> values;  // by rising x
-    bool is_reference = false;  // what others are looked at beside: grey, without marks
+    std::vector<Value> values;          // by rising x
+    bool is_reference = false;          // what others are looked at beside: grey, without marks
+    std::optional<double> chosen = {};  // the x of a value that has a mark in any case
   };
   struct Tick {
     double x = 0.0;

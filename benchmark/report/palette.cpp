@@ -2,6 +2,7 @@
 #include "benchmark/report/palette.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace bulletnav::bench {
 namespace {
@@ -29,6 +30,21 @@ Paint TimeColor(double t) {
     return ((1.0 - part) * kViridis[i][channel] + part * kViridis[i + 1][channel]) / 255.0;
   };
   return {mixed(0), mixed(1), mixed(2)};
+}
+
+Paint KindColor(int kind) {
+  constexpr double kGolden = 0.6180339887498949;  // of a turn
+  constexpr std::array<double, 3> kValues = {0.85, 0.5, 1.0};
+  constexpr std::array<double, 3> kSaturations = {0.85, 0.8, 0.5};
+  const double turned = kind * kGolden;
+  const double hue = 6.0 * (turned - std::floor(turned));
+  const auto look = static_cast<std::size_t>(kind) % kValues.size();
+  const auto channel = [&](double from) {
+    const double at = std::fmod(from + hue, 6.0);
+    const double part = std::clamp(std::min(at, 4.0 - at), 0.0, 1.0);
+    return kValues[look] * (1.0 - kSaturations[look] * part);
+  };
+  return {channel(5.0), channel(3.0), channel(1.0)};
 }
 
 }  // namespace bulletnav::bench

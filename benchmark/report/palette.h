@@ -24,4 +24,8 @@ inline constexpr Paint kInk = {0.15, 0.15, 0.17};  // of text and axes
 /// white paper swallows, is left out. Source: viridis, Smith and van der Walt, 2015.
 Paint TimeColor(double t);
 
+/// A colour for each of many kinds, next ones far apart: hues by the golden angle, every third
+/// dark, every third light. Neighbours can be told apart up to some 20.
+Paint KindColor(int kind);
+
 }  // namespace bulletnav::bench

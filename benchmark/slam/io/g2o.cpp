@@ -75,7 +75,9 @@ class Reader {
     ForEachLine(file_, [&](const TextLine& line) {
       Take(line);
     });
-    if (graph_.vertices.empty()) throw sim::FileError(file_, "", "there are no vertices");
+    if (graph_.vertices.empty())
+      throw sim::FileError(file_, "",
+                           "has no vertices; a graph needs lines VERTEX_SE2 or VERTEX_SE3:QUAT");
     FinishEdges();
     for (const auto& [id, line] : fixed_) graph_.vertices[At(id, line)].is_fixed = true;
     return std::move(graph_);

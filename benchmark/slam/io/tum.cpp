@@ -85,7 +85,7 @@ std::vector<TimedFile> ReadTumList(const fs::path& list) {
     if (!fs::exists(file)) line.Fail(file.string() + " is not there; leave the line out");
     files.push_back({time, file, line.number()});
   });
-  if (files.empty()) throw sim::FileError(list, "", "there are no pictures");
+  if (files.empty()) throw sim::FileError(list, "", "names no pictures; record some");
   return files;
 }
 
@@ -156,6 +156,9 @@ TumFolder ReadTumFolder(const fs::path& folder, const TumOptions& options) {
   read.intrinsics =
       options.intrinsics ? *options.intrinsics : ReadCalibration(folder / "calibration.txt");
   const std::vector<TimedFile> colors = ReadTumList(folder / "rgb.txt");
+  if (colors.size() < 2) {
+    throw sim::FileError(folder / "rgb.txt", "", "names one picture; a drive needs more than one");
+  }
   const std::vector<TimedFile> depths = ReadTumList(folder / "depth.txt");
   for (const auto& [color, depth] :
        NearestTimes(TimesOf(colors), TimesOf(depths), options.most_apart)) {

@@ -40,10 +40,20 @@ Way WayOf(const std::vector<sim::BodyPose>& poses) {
   return way;
 }
 
+std::string CountText(const std::vector<LoopRecord>& loops) {
+  const auto count = std::count_if(loops.begin(), loops.end(), [](const LoopRecord& loop) {
+    return loop.is_accepted;
+  });
+  return count == 1 ? "1 loop" : fmt::format("{} loops", count);
+}
+
 /// With how far it is off, laid on the first true pose, in the mean.
-std::string TitleOf(const DrivePanel& panel, const std::vector<sim::BodyPose>& truth) {
+std::string TitleOf(const DrivePanel& panel, bool is_odometry,
+                    const std::vector<sim::BodyPose>& truth) {
   if (truth.empty() || truth.size() != panel.poses.size()) return panel.title;
-  return fmt::format("{}: {:.2f} m off", panel.title, MeasureBoth(truth, panel.poses).start.mean);
+  const double off = MeasureBoth(truth, panel.poses).start.mean;
+  if (is_odometry) return fmt::format("{}: {:.2f} m off", panel.title, off);
+  return fmt::format("{}: {}, {:.2f} m off", panel.title, CountText(panel.loops), off);
 }
 
 /// What is drawn, ready in the world's coordinates.
@@ -71,7 +81,7 @@ Drawing DrawingOf(const DrivePicture& picture, const std::optional<SceneMap>& ma
   const sim::BodyPose first = picture.truth.empty() ? sim::BodyPose{} : picture.truth.front();
   for (const Eigen::Vector2d& at : drawing.truth) drawing.extent.extend(at);
   for (DrivePanel& panel : drawing.panels) {
-    panel.title = TitleOf(panel, picture.truth);
+    panel.title = TitleOf(panel, drawing.ways.empty(), picture.truth);
     drawing.ways.push_back(WayOf(panel.poses, first));
     for (const Eigen::Vector2d& at : drawing.ways.back()) drawing.extent.extend(at);
   }
@@ -121,8 +131,7 @@ void DrawLoops(const std::vector<LoopRecord>& loops, const Way& way, const Panel
     if (!loop.is_accepted || last >= static_cast<int>(way.size())) continue;
     const Paint& paint = loop.is_wrong ? kVermillion : kGreen;
     canvas->Line(place.At(way[static_cast<std::size_t>(loop.earlier)]),
-                 place.At(way[static_cast<std::size_t>(loop.later)]), loop.is_wrong ? 2.0 : 1.0,
-                 paint.WithAlpha(loop.is_wrong ? 0.9 : 0.5));
+                 place.At(way[static_cast<std::size_t>(loop.later)]), 2.0, paint.WithAlpha(0.9));
   }
 }
 

@@ -2,7 +2,6 @@
 #include "benchmark/slam/plots/sequence_figure.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <set>
@@ -16,13 +15,6 @@ namespace {
 constexpr double kPanel = 420.0;
 constexpr double kTitle = 34.0;
 constexpr double kGap = 16.0;
-
-/// Clusters next to each other in number far apart in colour.
-Paint ClusterPaint(int cluster) {
-  constexpr double kGolden = 0.6180339887498949;
-  const double turned = cluster * kGolden;
-  return TimeColor(turned - std::floor(turned));
-}
 
 struct Drawing {
   std::vector<SequencePanel> panels;
@@ -55,7 +47,7 @@ void DrawSequence(const Drawing& drawing, const agent::Sequence& sequence, const
     points.push_back(place.At(drawing.way[static_cast<std::size_t>(frame)]));
   }
   if (points.empty()) return;
-  const Paint paint = ClusterPaint(sequence.cluster);
+  const Paint paint = KindColor(sequence.cluster);
   canvas->Polyline(points, {2.5, paint, {}});
   canvas->Disc(points.front(), 3.0, paint);
 }
@@ -96,6 +88,7 @@ void DrawPanel(const Drawing& drawing, std::size_t number, Canvas* canvas) {
 Chart::Series SpreadSeries(const SequencePanel& panel) {
   Chart::Series series{panel.title + ", chose " + std::to_string(ClustersOf(panel.trace)), {}};
   const agent::SequenceTrace& trace = panel.trace;
+  series.chosen = ClustersOf(trace);
   for (std::size_t i = 0; i < trace.tried.size() && i < trace.spreads.size(); ++i) {
     const double first = trace.spreads.front();
     const double share = first > 0.0 ? std::clamp(trace.spreads[i] / first, 0.0, 1.0) : 0.0;

@@ -22,7 +22,7 @@ int ClustersOf(const agent::SequenceTrace& trace);
 
 /// The paper's figure 3: the true way, each sequence in the colour of its cluster, with a dot where
 /// it begins; a panel a detector. Frames are on their places by the truth. On the plan of the scene
-/// if there is one.
+/// if there is one. Its edges are not drawn: most sequences were compared with most others.
 Figure SequenceFigure(const std::vector<sim::BodyPose>& truth,
                       const std::vector<SequencePanel>& panels, const std::optional<SceneMap>& map);
 

@@ -135,6 +135,10 @@ int WriteGraph(const ExportSpec& spec, const Chosen& chosen) {
     WriteG2o(spec.out, graph);
     return static_cast<int>(graph.vertices.size());
   }
+  if (!chosen.results.empty() && !HasDrive(chosen.results)) {
+    throw sim::FileError(chosen.results, "",
+                         "is not played to its end; call 'slam run' with the same config again");
+  }
   const fs::path file = chosen.results / (spec.detector + ".g2o");
   if (chosen.results.empty() || !fs::exists(file)) {
     std::vector<std::string> names;

@@ -132,6 +132,11 @@ void SlamConfig::Validate() const {
     if (count < 1) throw sim::KeyError("actions", "'actions' must be at least 1");
   }
   if (seeds.empty()) throw sim::KeyError("seeds", "'seeds' has no number");
+  for (const auto& [key, file] :
+       {std::pair{"descriptors", descriptors}, {"sequences", sequences}, {"filter", filter}}) {
+    if (file && file->empty())
+      throw sim::KeyError(key, std::string(key) + " is empty; name a file of weights");
+  }
   if (sequences && !descriptors) {
     throw sim::KeyError("sequences", "'sequences' needs 'descriptors', the network that it is of");
   }

@@ -146,7 +146,7 @@ std::vector<DriveResult> RunSlam(const SlamConfig& config, const fs::path& folde
 SlamConfig ReadSlamRun(const fs::path& folder) {
   const fs::path file = folder / kConfig;
   if (!fs::exists(file)) {
-    throw sim::FileError(folder, "", "holds no results of 'slam run'");
+    throw sim::FileError(folder, "", "holds no results of 'slam run'; name a folder that it wrote");
   }
   const sim::YamlNode root = sim::ParseYaml(sim::ReadTextFile(file), file);
   if (root.yaml().IsMap() && !root.yaml()["detectors"]) {

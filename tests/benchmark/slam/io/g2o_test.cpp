@@ -101,7 +101,7 @@ TEST(G2o, TellsFileAndLine) {
         << text;
   };
   const std::string two = "VERTEX_SE2 0 0 0 0\nVERTEX_SE2 1 1 0 0\n";
-  expect("", " there are no vertices");
+  expect("", " has no vertices");
   expect("VERTEX_SE2 0 0 0\n", "1: expected 5 words, 'VERTEX_SE2 id x y yaw', and found 4");
   expect(two + "VERTEX_SE2 1 1 0 0\n", "3: vertex 1 is there twice");
   expect(two + "VERTEX_SE2 x 1 0 0\n", "3: expected a whole number, got 'x'");

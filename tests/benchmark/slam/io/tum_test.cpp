@@ -147,7 +147,7 @@ TEST_F(TumFolderTest, TellsFileAndLine) {
   folder_.Write("depth.txt", "1.2 c.png\n1.1 d.png\n");
   ExpectError("depth.txt:2: time 1.1 is not after the line before it, 1.2");
   folder_.Write("depth.txt", "# none\n");
-  ExpectError("depth.txt: there are no pictures");
+  ExpectError("depth.txt: names no pictures");
   folder_.Write("calibration.txt", "0 1 2 3\n");
   ExpectError("calibration.txt:1: fx and fy must be positive");
   std::filesystem::remove(folder_.path() / "calibration.txt");

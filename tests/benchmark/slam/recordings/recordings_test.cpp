@@ -220,6 +220,9 @@ TEST_F(Recordings, BadRecordingsAreToldInALine) {
   bad = Record<TumWriter>("clock", true);
   sim::WriteFileAtomically(bad / "rgb.txt", "1 rgb/000000.png\n0.5 rgb/000001.png\n");
   EXPECT_THAT(complaint(bad), AllOf(HasSubstr("rgb.txt:2"), HasSubstr("is not after")));
+  bad = Record<TumWriter>("short", true);
+  sim::WriteFileAtomically(bad / "rgb.txt", "1 rgb/000000.png\n");
+  EXPECT_THAT(complaint(bad), AllOf(HasSubstr("rgb.txt"), HasSubstr("more than one")));
   bad = Record<TumWriter>("late", true);
   sim::WriteFileAtomically(bad / "depth.txt", "9 depth/000000.png\n");
   EXPECT_THAT(complaint(bad), HasSubstr("not synchronised"));
