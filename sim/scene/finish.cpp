@@ -294,7 +294,8 @@ void ApplyFinish(const Finish& finish, SceneMesh* mesh) {
   if (by_vertices) MoveColorsToVertices(mesh);
   ApplyRepaint(finish.repaint, mesh);
   if (!finish.ceiling) RemoveCeiling(mesh);
-  if (finish.blank_floor) by_vertices ? BlankFloorOfVertices(mesh) : BlankFloor(mesh);
+  if (finish.blank_floor && by_vertices) BlankFloorOfVertices(mesh);
+  if (finish.blank_floor && !by_vertices) BlankFloor(mesh);
   if (finish.blank_walls) BlankWalls(mesh);
   Recolor(finish.surfaces, mesh);
   if (finish.black_overhead) BlackenOverhead(mesh);
@@ -304,9 +305,8 @@ void ApplyFinish(const Finish& finish, SceneMesh* mesh) {
       texture.image = Shrunk(texture.image, finish.texture_shrink);
     }
   }
-  if (Develops(finish)) {
-    by_vertices ? DevelopVertices(finish, mesh) : DevelopMaterials(finish, mesh);
-  }
+  if (Develops(finish) && by_vertices) DevelopVertices(finish, mesh);
+  if (Develops(finish) && !by_vertices) DevelopMaterials(finish, mesh);
   mesh->back_faces = finish.back_faces;
   mesh->levels_of_detail = finish.levels_of_detail;
 }
