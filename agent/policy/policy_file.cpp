@@ -13,17 +13,6 @@
 namespace bulletnav::agent {
 namespace {
 
-/// The setting of the training that made the weights, as its config in the metadata says; empty if
-/// that does not say, or is not of the encoder that is in the file now.
-std::string TrainedSetting(const TensorFile& weights, const std::filesystem::path& file) {
-  const auto training = weights.metadata.find("training");
-  if (training == weights.metadata.end() || weights.metadata.contains(kStitchedKey)) return "";
-  const sim::YamlNode config = sim::ParseYaml(training->second, file);
-  config.ExpectMap();
-  const YAML::Node setting = config.yaml()["setting"];
-  return setting ? config.Child(setting).ToString() : "";
-}
-
 /// Policies are trained in the body that is the default.
 void RequireTrainedBody(const Rig& rig, const std::filesystem::path& file) {
   const Rig trained;
@@ -51,6 +40,15 @@ void RequireTrainedBody(const Rig& rig, const std::filesystem::path& file) {
 }
 
 }  // namespace
+
+std::string TrainedSetting(const TensorFile& weights, const std::filesystem::path& file) {
+  const auto training = weights.metadata.find("training");
+  if (training == weights.metadata.end() || weights.metadata.contains(kStitchedKey)) return "";
+  const sim::YamlNode config = sim::ParseYaml(training->second, file);
+  config.ExpectMap();
+  const YAML::Node setting = config.yaml()["setting"];
+  return setting ? config.Child(setting).ToString() : "";
+}
 
 PolicyConfig PolicyConfigOf(const TensorFile& weights, const std::filesystem::path& file) {
   return ConfigInWeights<PolicyConfig>(weights, kPolicyKey, file, "a policy; train it again");

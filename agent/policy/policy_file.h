@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>
+#include <string>
 
 #include "agent/models/safetensors.h"
 #include "agent/observation.h"
@@ -13,6 +14,10 @@ inline constexpr const char* kTrainPolicyAgain = "train the policy again";
 
 /// A note in the metadata of weights that see with another encoder than they were trained with.
 inline constexpr const char* kStitchedKey = "stitched";
+
+/// The setting of the training that made the weights, "rgb", "rgbd" or "both", as its config in the
+/// metadata says; empty if that does not say, or is not of the encoder that is in the file now.
+std::string TrainedSetting(const TensorFile& weights, const std::filesystem::path& file);
 
 /// The configuration of the policy that weights belong to. Throws FileError if it is missing or
 /// bad.

@@ -2,11 +2,15 @@
 #include "benchmark/training/rl/navigation/policy_evaluation.h"
 
 #include <memory>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/core.h>
 
 #include "agent/models/model_registry.h"
+#include "agent/models/safetensors.h"
+#include "agent/policy/policy_file.h"
 #include "benchmark/training/rl/navigation/navigation_plan.h"
 #include "benchmark/training/rl/navigation/policy_validation.h"
 #include "sim/base/error.h"
@@ -17,9 +21,12 @@ namespace {
 
 constexpr const char* kAsItIs = "as it is";
 
-std::vector<std::string> SettingsOf(LaneSetting setting) {
-  if (setting == LaneSetting::kBoth) return {"rgb", "rgbd"};
-  return {std::string(sim::NameOf(setting))};
+std::vector<std::string> SettingsOf(const PolicyEvaluationConfig& config,
+                                    const std::filesystem::path& weights) {
+  const std::string trained = agent::TrainedSetting(agent::ReadTensorFile(weights), weights);
+  const std::string setting = config.setting ? std::string(sim::NameOf(*config.setting)) : trained;
+  if (setting == sim::NameOf(LaneSetting::kBoth)) return {"rgb", "rgbd"};
+  return {setting.empty() ? "rgbd" : setting};
 }
 
 Task TaskOf(const PolicyEvaluationConfig& config, int step_limit) {
@@ -67,7 +74,7 @@ std::vector<PolicyEvaluationRow> EvaluatePolicy(const PolicyEvaluationConfig& co
   if (trials.shuffle_goals && config.episodes < 2) {
     throw sim::Error("goals of one episode alone cannot be shuffled; play more episodes");
   }
-  const std::vector<std::string> settings = SettingsOf(config.setting);
+  const std::vector<std::string> settings = SettingsOf(config, weights);
   int limit = 0;
   for (const std::string& setting : settings) {
     limit = Load(weights, Task{}, setting == "rgbd")->step_limit();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,8 +15,8 @@ namespace bulletnav::bench {
 struct PolicyEvaluationConfig {
   std::string weights;
   NavigationData data;
-  int episodes = 60;  // in each setting
-  LaneSetting setting = LaneSetting::kRgbd;
+  int episodes = 60;                   // in each setting
+  std::optional<LaneSetting> setting;  // default: what the weights were trained in, else rgbd
   sim::NoiseMode noise = sim::NoiseMode::kAnsReleased;
   std::optional<std::string> sensor_noise;  // of cameras, see sim::NamedSensorNoise; default: none
   agent::PolicyAgent::Config agent;
