@@ -36,16 +36,21 @@ std::array<int, kKinds> Counts(const EpisodeCounts& counts) {
           counts.sequential};
 }
 
-/// How many of each kind the scene with number s of n gets. What is left over of one kind goes to
-/// the scenes after those that got what was left over of the kind before.
+/// How many of each kind the scene with number s of n gets. What is left over goes to the first
+/// scenes; of kinds with fewer episodes than scenes it goes on where the one before ended.
 std::array<int, kKinds> SharesOf(const EpisodeCounts& counts, std::size_t s, std::size_t n) {
   std::array<int, kKinds> shares = Counts(counts);
+  const auto scene = static_cast<int>(s);
   const auto scenes = static_cast<int>(n);
-  int place = static_cast<int>(s);  // counted from the first that gets one more
+  int first = 0;
   for (int& share : shares) {
-    const int left_over = share % scenes;
-    share = share / scenes + (place < left_over ? 1 : 0);
-    place = (place + scenes - left_over) % scenes;
+    const int count = share;
+    if (count >= scenes) {
+      share = count / scenes + (scene < count % scenes ? 1 : 0);
+      continue;
+    }
+    share = (scene + scenes - first) % scenes < count ? 1 : 0;
+    first = (first + count) % scenes;
   }
   return shares;
 }
