@@ -89,12 +89,11 @@ void WarnOfScenesLeftOut(const GeneratorSpec& spec, const std::vector<std::strin
 
 /// Draws all episodes (see EpisodeDrawer), spread evenly over the scenes: scene s of n gets
 /// count / n of a kind, and one more if s < count % n; where count < n, the next ones get one after
-/// those that got one of the kind before. They come by index, then
-/// kind, then scene, so that any first part of the list is spread evenly too. The same for any
-/// number of workers, which take a scene each; `workers` < 1: one per processor. `on_scene` is
-/// called, from any thread, when a scene is done. `cache`, if given, loads the scenes, as the spec
-/// says, and keeps them for who plays them. Throws sim::Error for a scene that cannot be loaded or
-/// has no such episodes.
+/// those that got one of the kind before. They come by index, then kind, then scene, so that any
+/// first part of the list is spread evenly too. The same for any number of workers, which take a
+/// scene each; `workers` < 1: one per processor. `on_scene` is called, from any thread, when a
+/// scene is done. `cache`, if given, loads the scenes, as the spec says, and keeps them for who
+/// plays them. Throws sim::Error for a scene that cannot be loaded or has no such episodes.
 std::vector<Episode> GenerateEpisodes(const GeneratorSpec& spec,
                                       const std::vector<std::string>& scenes, int workers,
                                       const std::function<void()>& on_scene = {},

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "benchmark/privileged/way_out.h"
-#include "sim/base/check.h"
 #include "sim/base/elementary.h"
 #include "sim/base/error.h"
 #include "sim/noise/noise_model.h"
@@ -38,7 +37,6 @@ void ShortestPathAgent::Config::Validate() const {
   if (!(turn_tolerance_deg >= 5.0) || !(turn_tolerance_deg <= 45.0)) {
     throw sim::Error("turn_tolerance_deg must lie between 5, half a turn, and 45");
   }
-  BULLETNAV_CHECK(search_pause >= 0);
 }
 
 void ShortestPathAgent::Reset(const GroundTruth& truth) {

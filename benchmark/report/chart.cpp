@@ -61,6 +61,10 @@ void DrawMarker(const Point& at, std::size_t series, Canvas* canvas) {
   canvas->Fill(polygon, paint);
 }
 
+bool MarksAll(const Chart& chart, const Chart::Series& series) {
+  return chart.has_marks && !series.is_reference;
+}
+
 /// One chart: where its values lie, and its parts.
 class Panel {
  public:
@@ -124,7 +128,7 @@ class Panel {
     std::vector<Point> points;
     for (const Chart::Value& v : series.values) points.push_back(At(v.x, v.y));
     canvas_->Polyline(points, StrokeOf(series, i));
-    const bool marks_all = chart_.has_marks && !series.is_reference;
+    const bool marks_all = MarksAll(chart_, series);
     for (const Chart::Value& v : series.values) {
       if (marks_all || v.x == series.chosen) DrawMarker(At(v.x, v.y), i, canvas_);
     }
@@ -160,8 +164,7 @@ void DrawLegend(const Chart& chart, double top, Canvas* canvas) {
     const Chart::Series& series = chart.series[i];
     const std::vector<Point> line = {at, at + Point(24.0, 0.0)};
     canvas->Polyline(line, StrokeOf(series, i));
-    const bool has_mark = (chart.has_marks && !series.is_reference) || series.chosen;
-    if (has_mark) DrawMarker(at + Point(12.0, 0.0), i, canvas);
+    if (MarksAll(chart, series) || series.chosen) DrawMarker(at + Point(12.0, 0.0), i, canvas);
     canvas->Text(at + Point(32.0, 0.0), series.name,
                  {.size = kTick, .paint = kInk, .align = Align::kLeft});
   }

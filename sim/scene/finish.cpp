@@ -36,6 +36,10 @@ double GreyOf(const Color& color) {
   return kGreyParts[0] * color[0] + kGreyParts[1] * color[1] + kGreyParts[2] * color[2];
 }
 
+double GreyOf(const Rgb8& color) {
+  return GreyOf(Color{1.0 * color[0], 1.0 * color[1], 1.0 * color[2]});
+}
+
 /// Whether a triangle is level and more than a door's height above the floor.
 std::vector<char> Overhead(const SceneMesh& mesh) {
   const float overhead = FloorHeight(mesh) + kOverhead;
@@ -101,7 +105,7 @@ void BlankFloorOfVertices(SceneMesh* mesh) {
     area += of_one;
     for (std::uint32_t& vertex : mesh->triangles[t]) {
       const Rgb8& color = mesh->colors[vertex];
-      greys += of_one / 3.0 * GreyOf({1.0 * color[0], 1.0 * color[1], 1.0 * color[2]});
+      greys += of_one / 3.0 * GreyOf(color);
       vertex = CopyVertex(vertex, mesh);  // walls keep theirs
       mesh->colors.back() = kWhite;
     }
@@ -174,7 +178,7 @@ void Recolor(Surfaces surfaces, SceneMesh* mesh) {
   mesh->textures.clear();
   if (surfaces != Surfaces::kAllWhite) return;
   for (Rgb8& color : mesh->colors) {
-    const double grey = GreyOf({1.0 * color[0], 1.0 * color[1], 1.0 * color[2]});
+    const double grey = GreyOf(color);
     color = ToRgb8({grey, grey, grey});
   }
 }
