@@ -35,8 +35,7 @@ NavigationScenes LoadNavigationScenes(const NavigationData& data, const TrainCon
   MakeHousesOf(data, CommittedVersion(), threads, context.start);
   std::function<void()> loaded;
   if (context.start) {
-    const std::size_t scenes = ScenesOf(data).size() + ScenesOf(PlainOf(data)).size();
-    loaded = context.start(what, static_cast<int>(scenes));
+    loaded = context.start(what, static_cast<int>(ScenesOf(data).size()));
   }
   return NavigationScenes(data, sim::BodySpec{}, threads, loaded, WarnLine);
 }

@@ -2,6 +2,7 @@
 #include "benchmark/training/rl/navigation/navigation_scenes.h"
 
 #include <mutex>
+#include <set>
 
 #include "benchmark/episodes/scene_cache.h"
 #include "sim/base/error.h"
@@ -68,53 +69,47 @@ NavigationData ValidationOf(const std::optional<NavigationData>& validation,
   return val;
 }
 
-void NavigationScenes::Scene::Load(const sim::WorldOptions& options, const sim::BodySpec& body,
-                                   std::uint64_t seed, const Warn& warn) {
-  SceneCache cache(options);
-  if (warn) cache.WarnOfGrey(warn);
-  cache.Expect(file);
-  ground = cache.LoadGround(file);
-  world = cache.Get(file);
-  drawer = std::make_unique<EpisodeDrawer>(*ground, file.string(), ground->name, body, seed);
-  for (const Difficulty kind : kKinds) {
-    if (CanDraw(drawer.get(), kind)) kinds.push_back(kind);
-  }
-  if (kinds.empty()) {
-    throw sim::FileError(file, "", "has no place for an episode of 1.5 m or more");
-  }
-  cache.Done(file);
-}
-
 NavigationScenes::NavigationScenes(const NavigationData& data, const sim::BodySpec& body,
                                    int threads, const std::function<void()>& loaded,
                                    const Warn& warn)
     : seed_(data.seed), episodes_(data.episodes), plain_share_(data.plain_share) {
   const std::vector<std::filesystem::path> files = ScenesOf(data);
   if (files.empty()) throw sim::KeyError("data", "data names no scenes; see configs/train");
-  const NavigationData plain_data = PlainOf(data);
-  const std::vector<std::filesystem::path> plain_files = ScenesOf(plain_data);
+  const NavigationData plain = PlainOf(data);
+  const std::vector<std::filesystem::path> plain_files = ScenesOf(plain);
+  const std::set<std::filesystem::path> is_plain(plain_files.begin(), plain_files.end());
   scenes_.resize(files.size());
-  plain_.resize(plain_files.size());
   std::mutex warning;
   const Warn warn_alone = [&](const std::string& text) {
     const std::lock_guard lock(warning);
     warn(text);
   };
   sim::WorkerPool pool(threads);
-  const auto load = [&](const NavigationData& of, const std::filesystem::path& file, Scene* scene,
-                        const Warn& told) {
-    scene->file = file;
-    scene->Load(OptionsOf(of, file), body, seed_, told);
-    if (loaded) loaded();
-  };
-  pool.ForEach(static_cast<int>(files.size() + plain_files.size()), [&](int i, int) {
-    const auto at = static_cast<std::size_t>(i);
-    if (at < files.size()) {
-      load(data, files[at], &scenes_[at], warn ? warn_alone : Warn{});
-    } else {
-      load(plain_data, plain_files[at - files.size()], &plain_[at - files.size()], {});
+  pool.ForEach(static_cast<int>(files.size()), [&](int i, int) {
+    Scene& scene = scenes_[static_cast<std::size_t>(i)];
+    scene.file = files[static_cast<std::size_t>(i)];
+    SceneCache cache(OptionsOf(data, scene.file));
+    if (warn) cache.WarnOfGrey(warn_alone);
+    cache.Expect(scene.file);
+    scene.ground = cache.LoadGround(scene.file);
+    scene.world = cache.Get(scene.file);
+    scene.drawer = std::make_unique<EpisodeDrawer>(*scene.ground, scene.file.string(),
+                                                   scene.ground->name, body, seed_);
+    for (const Difficulty kind : kKinds) {
+      if (CanDraw(scene.drawer.get(), kind)) scene.kinds.push_back(kind);
     }
+    if (scene.kinds.empty()) {
+      throw sim::FileError(scene.file, "", "has no place for an episode of 1.5 m or more");
+    }
+    cache.Done(scene.file);
+    if (is_plain.contains(scene.file)) {
+      scene.plain = sim::World::Load(scene.file, OptionsOf(plain, scene.file));
+    }
+    if (loaded) loaded();
   });
+  for (Scene& scene : scenes_) {
+    if (scene.plain) plain_.push_back(&scene);
+  }
 }
 
 NavigationScenes::Drawn NavigationScenes::DrawIn(Scene* scene, Difficulty kind, int index) {
@@ -132,12 +127,15 @@ NavigationScenes::Drawn NavigationScenes::Draw(int lane, std::uint64_t number) {
                      .Fork("episode", number);
   if (episodes_ > 0) return DrawInTurn(static_cast<std::uint64_t>(rng.Below(episodes_)));
   const bool is_plain = plain_share_ > 0.0 && rng.Fork("plain", 0).Chance(plain_share_);
-  std::vector<Scene>& scenes = is_plain ? plain_ : scenes_;
-  Scene& scene = scenes[static_cast<std::size_t>(rng.Below(static_cast<int>(scenes.size())))];
+  const std::size_t count = is_plain ? plain_.size() : scenes_.size();
+  const auto number_of = static_cast<std::size_t>(rng.Below(static_cast<int>(count)));
+  Scene& scene = is_plain ? *plain_[number_of] : scenes_[number_of];
   const Difficulty kind =
       scene.kinds[static_cast<std::size_t>(rng.Below(static_cast<int>(scene.kinds.size())))];
   constexpr int kIndices = 1 << 30;
-  return DrawIn(&scene, kind, rng.Below(kIndices));
+  Drawn drawn = DrawIn(&scene, kind, rng.Below(kIndices));
+  if (is_plain) drawn.world = scene.plain;
+  return drawn;
 }
 
 NavigationScenes::Drawn NavigationScenes::DrawInTurn(std::uint64_t number) {

@@ -79,9 +79,7 @@ class NavigationScenes {
     std::shared_ptr<const sim::World> world;
     std::unique_ptr<EpisodeDrawer> drawer;
     std::vector<Difficulty> kinds;
-
-    void Load(const sim::WorldOptions& options, const sim::BodySpec& body, std::uint64_t seed,
-              const Warn& warn);
+    std::shared_ptr<const sim::World> plain;  // as it is, of houses where plain_share wants them
   };
   Drawn DrawIn(Scene* scene, Difficulty kind, int index);
 
@@ -89,7 +87,7 @@ class NavigationScenes {
   int episodes_;
   double plain_share_;
   std::vector<Scene> scenes_;
-  std::vector<Scene> plain_;  // empty without plain_share
+  std::vector<Scene*> plain_;  // those that have a plain world
 };
 
 }  // namespace bulletnav::bench
