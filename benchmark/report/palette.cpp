@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/image/hue.h"
+
 namespace bulletnav::bench {
 namespace {
 
@@ -37,14 +39,9 @@ Paint KindColor(int kind) {
   constexpr std::array<double, 3> kValues = {0.85, 0.5, 1.0};
   constexpr std::array<double, 3> kSaturations = {0.85, 0.8, 0.5};
   const double turned = kind * kGolden;
-  const double hue = 6.0 * (turned - std::floor(turned));
   const auto look = static_cast<std::size_t>(kind) % kValues.size();
-  const auto channel = [&](double from) {
-    const double at = std::fmod(from + hue, 6.0);
-    const double part = std::clamp(std::min(at, 4.0 - at), 0.0, 1.0);
-    return kValues[look] * (1.0 - kSaturations[look] * part);
-  };
-  return {channel(5.0), channel(3.0), channel(1.0)};
+  const auto color = sim::FromHue(turned - std::floor(turned), kSaturations[look], kValues[look]);
+  return {color[0], color[1], color[2]};
 }
 
 }  // namespace bulletnav::bench

@@ -7,6 +7,7 @@
 
 #include "sim/base/check.h"
 #include "sim/base/error.h"
+#include "sim/image/hue.h"
 
 namespace bulletnav::sim {
 namespace {
@@ -18,19 +19,6 @@ constexpr double kMostSaturated = 0.8;
 constexpr double kLeastDetail = 1.0;  // grey that details are measured against, at least
 
 using Color = std::array<double, 3>;
-
-/// Six straight pieces around the circle; hue in [0, 1), all else in [0, 1].
-Color FromHue(double hue, double saturation, double value) {
-  Color color{};
-  for (std::size_t c = 0; c < color.size(); ++c) {
-    constexpr std::array kBegins = {0.0, 4.0, 2.0};
-    double place = 6.0 * hue + kBegins[c];
-    if (place >= 6.0) place -= 6.0;
-    const double part = std::clamp(std::abs(place - 3.0) - 1.0, 0.0, 1.0);
-    color[c] = value * (1.0 - saturation + saturation * part);
-  }
-  return color;
-}
 
 /// A colour and how much of it covers what was there.
 struct Paint {
