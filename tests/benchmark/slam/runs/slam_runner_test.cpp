@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/slam/runs/slam_runner.h"
 
+#include <csignal>
+#include <map>
 #include <sstream>
+#include <thread>
 
+#include <Eigen/Geometry>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include "benchmark/slam/io/tum.h"
 #include "benchmark/slam/runs/drive_files.h"
@@ -76,6 +82,111 @@ TEST_F(SlamRunner, WritesTheSameForAnyNumberOfWorkersAndAfterAKill) {
   EXPECT_THAT(SlamTables(config, results),
               AllOf(HasSubstr("Drives of 60 actions (2)"), HasSubstr("| odometry alone | 0.000 |"),
                     HasSubstr("| seqslam | near |"), HasSubstr("| true loops |")));
+}
+
+/// All files of a run but its lock and the times that its parts took.
+std::map<std::string, std::string> BytesOf(const fs::path& folder) {
+  std::map<std::string, std::string> bytes;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    const std::string name = fs::relative(entry.path(), folder).string();
+    if (!entry.is_regular_file() || name == "lock" || name.find("times") != std::string::npos) {
+      continue;
+    }
+    bytes[name] = sim::ReadTextFile(entry.path());
+  }
+  return bytes;
+}
+
+/// With words, a filter over places and learned descriptors, one worker where it is not killed.
+TEST_F(SlamRunner, KilledAtAnyMomentItGoesOnToTheSameBytes) {
+  folder_.Write("colors.obj",
+                "v 0 0 0 1 0 0\nv 6 0 0 0 1 0\nv 6 0 -5 0 0 1\nv 0 0 -5 1 1 0\n"
+                "v 0 2.5 0 0 1 1\nv 6 2.5 0 1 0 1\nv 6 2.5 -5 1 1 1\nv 0 2.5 -5 0 0 0\n"
+                "f 1 2 3 4\nf 5 8 7 6\nf 1 5 6 2\nf 2 6 7 3\nf 3 7 8 4\nf 4 8 5 1\n");
+  const SlamConfig config = LoadSlamConfig(folder_.Write(
+      "drive.yaml", "scenes: [" + path("colors.obj").string() +
+                        "]\nactions: [40]\nseeds: [3, 4, 5, 6]\napart_m: 1\n"
+                        "camera: {rows: 96, cols: 128}\ndescriptors: " BULLETNAV_WEIGHTS
+                        "/place_rgb.safetensors\ndetectors: [{detector: rtabmap_like}, "
+                        "{detector: gem_flat}, {detector: hut}]\n"));
+  SlamRunOptions one;
+  one.workers = 1;
+  RunSlam(config, path("whole"), one);
+  SlamRunOptions two;
+  two.workers = 2;
+  int kills = 0;
+  for (int delay_ms = 60;; delay_ms += 90) {
+    const pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+      RunSlam(config, path("killed"), two);
+      std::_Exit(0);
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(delay_ms));
+    ::kill(child, SIGKILL);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    if (WIFEXITED(status)) break;
+    ++kills;
+  }
+  EXPECT_GT(kills, 1);
+  const auto whole = BytesOf(path("whole"));
+  const auto killed = BytesOf(path("killed"));
+  EXPECT_GT(whole.size(), 4u * 9u);
+  for (const auto& [file, bytes] : whole) {
+    EXPECT_TRUE(killed.contains(file) && killed.at(file) == bytes) << file;
+  }
+  for (const auto& [file, bytes] : killed) EXPECT_TRUE(whole.contains(file)) << file;
+}
+
+/// x, y, z of the lines `t x y z qx qy qz qw` of a file, and the turn of the first.
+std::pair<Eigen::Matrix3Xd, Eigen::Quaterniond> ReadPlaces(const fs::path& file) {
+  std::istringstream lines(sim::ReadTextFile(file));
+  std::vector<Eigen::Vector3d> places;
+  Eigen::Quaterniond first;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("#")) continue;
+    std::istringstream numbers(line);
+    double time = 0.0;
+    Eigen::Vector3d at;
+    Eigen::Quaterniond turn;
+    numbers >> time >> at.x() >> at.y() >> at.z() >> turn.x() >> turn.y() >> turn.z() >> turn.w();
+    EXPECT_FALSE(numbers.fail()) << line;
+    if (places.empty()) first = turn;
+    places.push_back(at);
+  }
+  Eigen::Matrix3Xd columns(3, static_cast<Eigen::Index>(places.size()));
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    columns.col(static_cast<Eigen::Index>(i)) = places[i];
+  }
+  return {columns, first};
+}
+
+/// From the files that a run writes, read and laid over each other by other means than its own:
+/// rotations of space, and Eigen's Umeyama.
+TEST_F(SlamRunner, FilesHaveTheErrorsOfTheTable) {
+  const DriveResult result = RunSlam(Config(), path("run"), {}).front();
+  const fs::path drive = path("run") / "drives" / result.drive;
+  const auto [truth, truth_turn] = ReadPlaces(drive / "groundtruth.tum");
+  for (const std::string name : {"odometry", "seqslam"}) {
+    const BothErrors& errors =
+        name == "odometry" ? *result.odometry : *result.detectors[0].outcome.error;
+    const auto [places, turn] = ReadPlaces(drive / (name + ".tum"));
+    ASSERT_EQ(places.cols(), truth.cols());
+    const Eigen::Matrix3d over = (truth_turn * turn.inverse()).toRotationMatrix();
+    const Eigen::VectorXd from_start =
+        ((over * (places.colwise() - places.col(0))) - (truth.colwise() - truth.col(0)))
+            .colwise()
+            .norm();
+    EXPECT_NEAR(from_start.mean(), errors.start.mean, 1e-6) << name;
+    EXPECT_NEAR(from_start.maxCoeff(), errors.start.max, 1e-6) << name;
+    const Eigen::Matrix3d best = Eigen::umeyama(places.topRows(2), truth.topRows(2), false);
+    const Eigen::Matrix2Xd moved =
+        (best.topLeftCorner<2, 2>() * places.topRows(2)).colwise() + best.topRightCorner<2, 1>();
+    const Eigen::VectorXd laid_over = (moved - truth.topRows(2)).colwise().norm();
+    EXPECT_NEAR(laid_over.mean(), errors.planar.mean, 1e-6) << name;
+    EXPECT_NEAR(laid_over.minCoeff(), errors.planar.min, 1e-6) << name;
+  }
 }
 
 /// A row that is added later is the one that it would have been from the start, among the others.
