@@ -129,8 +129,9 @@ void FurnishTreatment(RoomFurnisher* room) {
 void FurnishExamRoom(RoomFurnisher* room) {
   if (room->area() > 18.0f && room->Chance(0.7)) return FurnishTreatment(room);
   const Placed* couch = room->AgainstWall("exam_couch", {.anchor = placing::Anchor::kEnd});
-  const Placed* desk = room->AgainstWall("desk", {.width = 1.6f, .min_width = 1.1f});
-  if (desk != nullptr) SeatAtDesks(room);
+  const Placed* desk =
+      room->AgainstWall("desk", {.width = 1.6f, .min_width = 1.1f, .seat = "office_chair"});
+  if (desk != nullptr) room->SeatAt(*desk, "office_chair");
   if (couch != nullptr && room->Chance(0.5)) {
     room->At(*couch, "bed_curtain", {0.0f, couch->size.z() + 0.5f, 0.0f}, {.width = 1.6f});
   }
@@ -236,7 +237,7 @@ void Furnish(RoomType type, RoomFurnisher* room) {
   if (type == kCorridor) return FurnishWideCorridor(room);
   if (type == kLaboratory) return FurnishSampleRoom(room);
   if (type == kBathroom) return FurnishWetCell(room);
-  if (type == kOffice) return FurnishStaffOffice(room);
+  if (type == kOffice) return FurnishOffice(room);
   if (type == kBreakRoom) return FurnishBreakRoom(room);
   if (type == kRestroom) return FurnishRestroom(room);
   if (type == kStockRoom) return FurnishStockRoom(room);

@@ -114,9 +114,10 @@ void FurnishGuestRoom(RoomFurnisher* room) {
   const GuestRoom guest = DrawGuestRoom(room);
   room->SetAlike(true);
   PlaceGuestBed(guest, room);
-  const Placed* desk = room->AgainstWall("desk", {.width = 1.4f, .min_width = 1.0f});
+  const Placed* desk =
+      room->AgainstWall("desk", {.width = 1.4f, .min_width = 1.0f, .seat = "office_chair"});
   if (desk != nullptr) {
-    SeatAtDesks(room);
+    room->SeatAt(*desk, "office_chair");
     room->Over(*desk, guest.has_mirror ? "mirror" : "wall_tv", 0.4f);
   }
   room->AgainstWall("wardrobe",
@@ -140,8 +141,9 @@ void FurnishGuestBath(RoomFurnisher* room) {
 
 void FurnishHotelCorridor(RoomFurnisher* room) {
   room->SetAlike(true);
-  const int doors = static_cast<int>(room->space().mouths().size());
-  for (int i = 0; i < doors; ++i) room->OnWall("room_sign", 1.5f);
+  for (const PlanPoint& mouth : room->space().mouths()) {
+    room->OnWall("room_sign", 1.5f, {.beside = &mouth});
+  }
   for (int i = 0; i < static_cast<int>(room->area() / 9.0f); ++i) room->OnWall("wall_lamp", 1.7f);
   const PlanPoint middle = room->space().main_floor().center();
   const Eigen::Vector2f floor = room->space().main_floor().sizes();
@@ -183,7 +185,7 @@ void Furnish(RoomType type, RoomFurnisher* room) {
   if (type == kCorridor) return FurnishHotelCorridor(room);
   if (type == kStockRoom) return FurnishLinenRoom(room);
   if (type == kMeetingRoom) return FurnishMeetingRoom(room);
-  if (type == kOffice) return FurnishStaffOffice(room);
+  if (type == kOffice) return FurnishOffice(room);
   if (type == kRestroom) return FurnishRestroom(room);
   FurnishTechnicalRoom(room);
 }

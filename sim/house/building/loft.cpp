@@ -151,9 +151,10 @@ void HobbyZone(Hall* hall) {
       room.NearWall("bicycle");
       break;
   }
-  const Placed* desk = room.AgainstWall("desk", {.width = 1.6f, .min_width = 1.1f});
+  const Placed* desk =
+      room.AgainstWall("desk", {.width = 1.6f, .min_width = 1.1f, .seat = "office_chair"});
   if (desk != nullptr) {
-    room.At(*desk, "office_chair", {0.0f, desk->size.z() + 0.22f, kHalfTurn});
+    room.SeatAt(*desk, "office_chair");
     static constexpr std::array<std::string_view, 2> kThings = {"laptop", "desk_lamp"};
     room.OnTops(*desk, kThings, 2);
   }

@@ -145,26 +145,6 @@ void Tables(Hall* hall, std::string_view table, float width, const Field& field)
   room.SetAlike(false);
 }
 
-void SeatAtDesks(RoomFurnisher* room) {
-  constexpr std::array kBehind = {0.22f, 0.34f, 0.46f};  // metres from the desk's edge
-  const std::size_t count = room->placed().size();
-  for (std::size_t i = 0; i < count; ++i) {
-    const Placed& desk = room->placed()[i];
-    if (desk.kind->name != "desk") continue;
-    const Placed* next = i + 1 < count ? &room->placed()[i + 1] : nullptr;
-    if (next != nullptr && next->kind->name == "office_chair") continue;
-    for (const float behind : kBehind) {
-      const float z = desk.size.z() + behind;
-      if (room->At(desk, "office_chair", {0.0f, z, kHalfTurn}) != nullptr) break;
-    }
-  }
-}
-
-void FurnishStaffOffice(RoomFurnisher* room) {
-  FurnishOffice(room);
-  SeatAtDesks(room);
-}
-
 void FurnishWetCell(RoomFurnisher* room) {
   room->SetAlike(true);
   const placing::Wish in_corner{.anchor = placing::Anchor::kEnd, .squeeze = true};

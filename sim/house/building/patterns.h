@@ -39,11 +39,6 @@ void GlazedWall(Hall* hall, float u);
 /// Tables with chairs in a grid.
 void Tables(Hall* hall, std::string_view table, float width, const Field& field);
 
-/// A chair before every desk along the walls that has none.
-void SeatAtDesks(RoomFurnisher* room);
-
-/// An office with a chair at every desk.
-void FurnishStaffOffice(RoomFurnisher* room);
 /// Shower, toilet and basin on a few square metres: of a hotel room, of a ward.
 void FurnishWetCell(RoomFurnisher* room);
 /// Tables, a buffet along a wall: canteens, breakfast rooms.

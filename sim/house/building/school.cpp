@@ -239,7 +239,7 @@ void Furnish(RoomType type, RoomFurnisher* room) {
   if (type == kCanteen) return FurnishCanteen(room);
   if (type == kLobby) return FurnishSchoolLobby(room);
   if (type == kCorridor) return FurnishSchoolCorridor(room);
-  if (type == kOffice) return FurnishStaffOffice(room);
+  if (type == kOffice) return FurnishOffice(room);
   if (type == kMeetingRoom) return FurnishMeetingRoom(room);
   if (type == kBreakRoom) return FurnishBreakRoom(room);
   if (type == kRestroom) return FurnishRestroom(room);

@@ -133,6 +133,7 @@ double RoomFurnisher::Score(const Draft& draft, const Eigen::Affine3f& pose, con
   const Box box = Transformed(draft.bounds, pose);
   double score = rng_.Uniform(0.0, 0.25);
   if (wish.near != nullptr) score -= (Middle(wish.near->box) - Middle(box)).norm();
+  if (wish.beside != nullptr) score -= FootOf(box).exteriorDistance(*wish.beside);
   if (wish.facing != nullptr) score += 2.0 * Facing(pose, box, *wish.facing);
   if (wish.far_from_doors) {
     double nearest = 4.0;

@@ -29,8 +29,9 @@ struct Wish {
   float min_width = 0.0f;  // a narrower one will do
   float height = 0.0f;
   Anchor anchor = Anchor::kAnywhere;
-  const Placed* near = nullptr;    // as close as possible
-  const Placed* facing = nullptr;  // looks at it and is in line with it
+  const Placed* near = nullptr;       // as close as possible
+  const PlanPoint* beside = nullptr;  // as close as possible to this place on the floor
+  const Placed* facing = nullptr;     // looks at it and is in line with it
   bool far_from_doors = false;
   bool squeeze = false;        // rather near a door or with little free floor than not at all
   std::string_view seat = {};  // only where this can stand before it, see SeatAt

@@ -76,6 +76,52 @@ bool LeadsTo(const FloorPlan& plan, int room, RoomType type) {
   });
 }
 
+/// Where a piece's middle is on the floor.
+Eigen::Vector2f MiddleOf(const Furnishing& piece) {
+  return {piece.position.x(), piece.position.z()};
+}
+
+TEST(KindsFurnished, DesksHaveChairs) {
+  for (const BuildingKind* kind : AllKinds()) {
+    for (std::uint64_t seed = 0; seed < 3; ++seed) {
+      SCOPED_TRACE(std::string(kind->name) + " " + std::to_string(seed));
+      const Furnished building = Furnish(*kind, seed, {250.0f, 350.0f});
+      for (const Furnishing& desk : building.furniture) {
+        if (desk.kind != "desk") continue;
+        const bool has_chair = std::any_of(
+            building.furniture.begin(), building.furniture.end(), [&](const Furnishing& chair) {
+              return chair.kind == "office_chair" && chair.room == desk.room &&
+                     (MiddleOf(chair) - MiddleOf(desk)).norm() < 1.4f;
+            });
+        EXPECT_TRUE(has_chair) << "room " << desk.room;
+      }
+    }
+  }
+}
+
+TEST(KindsFurnished, SignsHangBesideDoors) {
+  int signs = 0;
+  int beside = 0;
+  for (std::uint64_t seed = 0; seed < 4; ++seed) {
+    const Furnished hotel = Furnish(Hotel(), seed, {300.0f, 500.0f});
+    for (const Furnishing& sign : hotel.furniture) {
+      if (sign.kind != "room_sign") continue;
+      ++signs;
+      for (const Opening& opening : hotel.plan.openings) {
+        if (!opening.IsPassage() || (opening.room_a != sign.room && opening.room_b != sign.room)) {
+          continue;
+        }
+        const Eigen::Vector2f middle = 0.5f * (opening.a + opening.b);
+        if ((middle - MiddleOf(sign)).norm() > 1.2f) continue;
+        ++beside;
+        break;
+      }
+    }
+  }
+  EXPECT_GT(signs, 20);
+  EXPECT_GE(beside, (9 * signs) / 10);
+}
+
 /// Basins bring one.
 TEST(KindsFurnished, WashroomsHaveNoMirrorAboveAMirror) {
   for (const BuildingKind* kind : {&Hotel(), &School()}) {
