@@ -2,6 +2,7 @@
 #include "benchmark/report/run_tables.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include <fmt/core.h>
@@ -205,15 +206,31 @@ std::string Remark(const TableLayout& layout, std::span<const SummaryRow> rows,
   return like.note.empty() ? text : text + ", " + like.note;
 }
 
+/// Whether the paper's figures may stand below those of `rows`: bands that were not played have
+/// nothing to stand below, and the paper's overall is of its own three.
+bool IsLikeThePapers(std::span<const SummaryRow> rows, const std::string& difficulty) {
+  if (rows.empty()) return true;
+  if (difficulty != "overall") {
+    return std::any_of(rows.begin(), rows.end(), [&](const SummaryRow& row) {
+      return row.difficulty == difficulty;
+    });
+  }
+  static constexpr std::array<std::string_view, 4> kPapers = {"easy", "medium", "hard", "overall"};
+  return std::all_of(rows.begin(), rows.end(), [&](const SummaryRow& row) {
+    return std::find(kPapers.begin(), kPapers.end(), row.difficulty) != kPapers.end();
+  });
+}
+
 /// The paper's row for an agent and setting, if it has one.
-void AddPaperRow(const TableLayout& layout, const std::string& agent, const std::string& setting,
-                 ResultsTable* table) {
+void AddPaperRow(const TableLayout& layout, std::span<const SummaryRow> rows,
+                 const std::string& agent, const std::string& setting, ResultsTable* table) {
   ResultsTable::Row paper = {
       SettingTitle(setting), AgentTitle(agent, {}) + ", paper, Gibson", true, {}, ""};
   bool any = false;
   for (const Column& column : layout.columns) {
-    paper.cells.push_back(Figure(
-        FindPublished(column.measure.name, agent, setting, column.condition, column.difficulty)));
+    const auto published =
+        FindPublished(column.measure.name, agent, setting, column.condition, column.difficulty);
+    paper.cells.push_back(IsLikeThePapers(rows, column.difficulty) ? Figure(published) : "");
     any = any || !paper.cells.back().empty();
   }
   if (any) table->rows.push_back(std::move(paper));
@@ -233,7 +250,7 @@ void AddRows(const TableLayout& layout, std::span<const SummaryRow> rows, const 
   if (!any) return;
   ours.remark = Remark(layout, rows, like);
   table->rows.push_back(std::move(ours));
-  AddPaperRow(layout, like.agent, like.setting, table);
+  AddPaperRow(layout, rows, like.agent, like.setting, table);
 }
 
 /// The rows of `settings` that the layout has figures for, by setting and then agent.
@@ -275,7 +292,8 @@ void AddMissing(const TableLayout& layout, std::span<const SummaryRow> rows,
                            std::vector<std::string>(layout.columns.size()),
                            agent.note.empty() ? "no results" : agent.note});
     if (!like_papers) continue;
-    for (const char* setting : {"rgb", "rgbd"}) AddPaperRow(layout, agent.agent, setting, table);
+    for (const char* setting : {"rgb", "rgbd"})
+      AddPaperRow(layout, rows, agent.agent, setting, table);
   }
 }
 

@@ -170,6 +170,18 @@ TEST(RunTables, FurtherDifficultiesHaveColumnsWhereThereAreSome) {
               HasSubstr("| Hard SPL | Very hard Succ | Very hard SPL | Overall"));
 }
 
+/// The paper's overall is of three bands, and a band that was not played has no figure beside it.
+TEST(RunTables, PapersFiguresStandBelowTheSameBandsAlone) {
+  std::vector<EpisodeResult> results = Results({"noise"});
+  const std::string whole = "*0.43* | *0.26* | *0.63* | *0.43* |";
+  EXPECT_THAT(Markdown(results), HasSubstr(whole));
+  results.front().difficulty = Difficulty::kVeryHard;
+  const std::string more = Markdown(results);
+  EXPECT_THAT(more, AllOf(HasSubstr("*0.43* | *0.26* |"), Not(HasSubstr("*0.63* | *0.43*"))));
+  for (EpisodeResult& result : results) result.difficulty = Difficulty::kVeryHard;
+  EXPECT_THAT(Markdown(results), Not(HasSubstr("paper, Gibson*")));
+}
+
 TEST(SceneTable, HasARowASceneAndSaysWhichIsWhich) {
   std::vector<EpisodeResult> results = Results({"noise", "no_stop"});
   EXPECT_FALSE(SceneTable(results, Agents()).has_value());  // a single one
