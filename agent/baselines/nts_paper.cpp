@@ -24,14 +24,15 @@ class NtsPaper final : public Agent {
  public:
   static constexpr std::string_view kName = "nts_paper";
 
+  /// The paper names none of these; chosen on the validation houses (docs/agents.md).
   struct Config {
     NavigatorSpec navigator;
-    double same_node = 0.5;      // probability from which an observation belongs to a node
-    double explorable = 0.5;     // probability from which a direction gets a ghost node
+    double same_node = 0.8;      // probability from which an observation belongs to a node
+    double explorable = 0.3;     // probability from which a direction gets a ghost node
     double goal_seen = 0.5;      // probability from which the goal belongs to a node
     double stop_distance = 0.5;  // metres to the goal, by F_R
-    double reached = 0.5;        // metres
-    int patience = 30;           // steps
+    double reached = 0.75;       // metres
+    int patience = 15;           // steps
 
     template <class V>
     void Visit(V& v) {
