@@ -13,10 +13,7 @@ class MetricMapRl final : public PolicyAgent {
  public:
   static constexpr std::string_view kName = "metric_map_rl";
   struct Config : PolicyAgent::Config {
-    Config() {  // of the shipped policies; chosen on goals of the validation houses
-      stop_from = 0.25;
-      stop_steps = 2;
-    }
+    Config() : PolicyAgent::Config(kAfterReward) {}
   };
 
   static std::vector<ModelSlot> ModelSlots(const Rig& rig) {

@@ -11,10 +11,7 @@ class ResnetGruIl final : public PolicyAgent {
  public:
   static constexpr std::string_view kName = "resnet_gru_il";
   struct Config : PolicyAgent::Config {
-    Config() {  // of the shipped policies; chosen on goals of the validation houses
-      stop_from = 0.4;
-      stop_steps = 2;
-    }
+    Config() : PolicyAgent::Config(kAfterImitation) {}
   };
 
   static std::vector<ModelSlot> ModelSlots(const Rig& /*rig*/) {

@@ -76,6 +76,13 @@ class PolicyAgent : public Agent {
   std::uint64_t seed_ = 0;
 };
 
+/// How the shipped policies act in runs, those that imitate and those that learned by reward;
+/// chosen on goals of the validation houses.
+inline constexpr PolicyAgent::Config kAfterImitation = {
+    .sample = true, .stop_from = 0.4, .stop_steps = 2};
+inline constexpr PolicyAgent::Config kAfterReward = {
+    .sample = true, .stop_from = 0.25, .stop_steps = 2};
+
 /// An action, an index into sim::kAllActions, by the probabilities of all four.
 std::size_t ChooseAction(std::array<float, 4> probabilities, const PolicyAgent::Config& config,
                          sim::Rng* rng);

@@ -62,6 +62,13 @@ std::vector<std::pair<std::string, PolicyValidation::Way>> WaysOf(const PolicyTr
 
 }  // namespace
 
+agent::PolicyAgent::Config UsualAgent(const std::filesystem::path& weights) {
+  const agent::TensorFile file = agent::ReadTensorFile(weights);
+  const auto task = file.metadata.find("task");
+  const bool is_imitator = task != file.metadata.end() && task->second == "imitation";
+  return is_imitator ? agent::kAfterImitation : agent::kAfterReward;
+}
+
 void PolicyEvaluationConfig::Validate() const {
   internal::RequireAtLeast(1, episodes, "episodes");
   sim::RequireSensorNoise(sensor_noise.value_or("none"));
@@ -88,7 +95,7 @@ std::vector<PolicyEvaluationRow> EvaluatePolicy(const PolicyEvaluationConfig& co
     for (auto [trial, way] : WaysOf(trials)) {
       way.with_depth = setting == "rgbd";
       way.pool = &pool;
-      way.agent = config.agent;
+      way.agent = config.agent ? *config.agent : UsualAgent(weights);
       Measures measures;
       validation.Measure(
           [&, has_depth = way.with_depth] {

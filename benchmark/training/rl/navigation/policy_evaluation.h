@@ -19,7 +19,7 @@ struct PolicyEvaluationConfig {
   std::optional<LaneSetting> setting;  // default: what the weights were trained in, else rgbd
   sim::NoiseMode noise = sim::NoiseMode::kAnsReleased;
   std::optional<std::string> sensor_noise;  // of cameras, see sim::NamedSensorNoise; default: none
-  agent::PolicyAgent::Config agent;
+  std::optional<agent::PolicyAgent::Config> agent;  // default: UsualAgent
 
   template <class V>
   void Visit(V& v) {
@@ -34,6 +34,10 @@ struct PolicyEvaluationConfig {
   /// Throws Error.
   void Validate() const;
 };
+
+/// How the agent acts in runs that such weights are of, by the task of their training. Throws
+/// FileError if they cannot be read.
+agent::PolicyAgent::Config UsualAgent(const std::filesystem::path& weights);
 
 /// Beside the episodes as they are: what a policy must fail at.
 struct PolicyTrials {

@@ -449,6 +449,18 @@ TEST_F(NavigationTest, EvaluatesWhatAFileOfWeightsHolds) {
                sim::Error);
 }
 
+/// Shipped policies are tried as they act in runs.
+TEST_F(NavigationTest, PoliciesOfBothTrainingsActAsTheirAgentsDo) {
+  const std::filesystem::path weights = BULLETNAV_WEIGHTS;
+  EXPECT_EQ(UsualAgent(weights / "resnet_gru_il_rgbd.safetensors").stop_from,
+            agent::kAfterImitation.stop_from);
+  for (const char* name : {"target_driven_rl_rgb", "metric_map_rl_rgbd"}) {
+    EXPECT_EQ(UsualAgent(weights / (std::string(name) + ".safetensors")).stop_from,
+              agent::kAfterReward.stop_from)
+        << name;
+  }
+}
+
 TEST_F(NavigationTest, FixedEpisodesComeAgainAndAgain) {
   NavigationData data = Data();
   data.episodes = 3;
