@@ -115,7 +115,7 @@ TEST_F(SlamRunner, KilledAtAnyMomentItGoesOnToTheSameBytes) {
   SlamRunOptions two;
   two.workers = 2;
   int kills = 0;
-  for (int delay_ms = 60;; delay_ms += 90) {
+  for (int delay_ms = 60;; delay_ms += delay_ms / 2) {
     const pid_t child = ::fork();
     ASSERT_GE(child, 0);
     if (child == 0) {
