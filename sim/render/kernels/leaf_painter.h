@@ -14,19 +14,13 @@ namespace {
 
 constexpr int kTallRows = 8;  // triangles at least as tall get their rows cut per vector
 constexpr float kRowTolerance = 1e-4f;
-constexpr float kDepthTolerance = 1.001f;  // of triangles whose plane all but meets the camera
 
 /// Draws leaves into one picture.
 class LeafPainter {
  public:
   LeafPainter(const KernelGrid& grid, const KernelFrame& frame, const KernelHits& hits,
-              const KernelScratch& scratch, bool back_faces)
-      : grid_(grid),
-        frame_(frame),
-        hits_(hits),
-        tile_farthest_(scratch.tile_farthest),
-        dirty_(scratch.dirty),
-        back_faces_(back_faces) {}
+              std::uint16_t* dirty, bool back_faces)
+      : grid_(grid), frame_(frame), hits_(hits), dirty_(dirty), back_faces_(back_faces) {}
 
   /// Writes what is nearer than what is there. Of triangles that are equally near the first stays.
   void Draw(const BvhLeaf& leaf) {
@@ -41,7 +35,6 @@ class LeafPainter {
     }
     for (; left != 0; left &= left - 1) {
       const int i = __builtin_ctz(left);
-      if (IsHidden(setup, i)) continue;
       const Triangle triangle = {&planes[0][i], leaf.id[i], setup.rect.first_row[i],
                                  setup.rect.last_row[i]};
       DrawColumns(triangle, setup.rect.first_col[i], setup.rect.last_col[i]);
@@ -54,7 +47,6 @@ class LeafPainter {
     F8 edge[3][3];    // [edge][axis] normals of the planes through the camera and an edge
     F8 inverse_t[3];  // n / (a.n): 1 / t = d . inverse_t
     PixelRect8 rect;
-    F8 inverse_near;  // 1 / t of no pixel is larger
     I8 usable;
   };
 
@@ -91,19 +83,11 @@ class LeafPainter {
     for (int axis = 0; axis < 3; ++axis) out->inverse_t[axis] = normal[axis] / volume;
     // A plane that passes within a micrometre of the camera is seen from its edge.
     const I8 solid = volume * volume > 1e-12f * Dot(normal, normal);
-    out->inverse_near =
-        kDepthTolerance * grid_.xz_max * SetTriangleRect(grid_, frame_, v, u, w, &out->rect);
+    SetTriangleRect(grid_, frame_, v, u, w, &out->rect);
     // The normal points to where corners go anticlockwise: away from the camera behind.
     const I8 faces = back_faces_ ? solid : solid & (volume < 0.0f);
     out->usable = faces & (out->rect.first_row <= out->rect.last_row) &
                   (out->rect.first_col <= out->rect.last_col);
-  }
-
-  bool IsHidden(const Setup& setup, int i) const {
-    const PixelRect8& rect = setup.rect;
-    return sim::IsHidden(grid_, tile_farthest_,
-                         TileColumns(grid_, rect.first_col[i], rect.last_col[i]), rect.first_row[i],
-                         rect.last_row[i], setup.inverse_near[i]);
   }
 
   static void Cross(const F8 (&a)[3], const F8 (&b)[3], F8 (&out)[3]) {
@@ -205,8 +189,7 @@ class LeafPainter {
   const KernelGrid& grid_;
   const KernelFrame& frame_;
   const KernelHits& hits_;
-  const float* tile_farthest_;  // as in KernelScratch
-  std::uint16_t* dirty_;        // the same
+  std::uint16_t* dirty_;  // as in KernelScratch
   bool back_faces_;
 };
 

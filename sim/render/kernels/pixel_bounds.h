@@ -99,22 +99,6 @@ inline std::uint32_t TileColumns(const KernelGrid& grid, int first, int last) {
   return BitsBetween(first >> shift, (grid.cols - 1) >> shift) | BitsBetween(0, wrapped >> shift);
 }
 
-/// Whether all pixels of these columns and rows of tiles are drawn already, none of them farther
-/// than 1 / inverse_near. `tile_farthest` as in KernelScratch.
-inline bool IsHidden(const KernelGrid& grid, const float* tile_farthest, std::uint32_t tile_columns,
-                     int first_row, int last_row, float inverse_near) {
-  const int last = last_row >> grid.tile_row_shift;
-  for (int r = first_row >> grid.tile_row_shift; r <= last; ++r) {
-    const float* tiles = tile_farthest + r * kTileColumns;
-    std::uint32_t open = 0;
-    for (int c = 0; c < kTileColumns; c += kWidth) {
-      open |= Bits(Load<FW>(tiles + c) < inverse_near) << c;
-    }
-    if ((open & tile_columns) != 0) return false;
-  }
-  return true;
-}
-
 /// A difference of columns brought into [-circle / 2, circle / 2).
 inline I8 Wrapped(I8 difference, int circle) {
   difference += (difference < -circle / 2) & circle;
@@ -141,10 +125,9 @@ inline void SetBoxColumns(const KernelGrid& grid, const KernelFrame& frame, F8 l
 }
 
 /// Bounds of triangles with the corners v[corner][axis] from the camera; u and w are their edges
-/// from corner 0 to corners 1 and 2. Returns one over how far they are from the camera's axis, or
-/// more.
-inline F8 SetTriangleRect(const KernelGrid& grid, const KernelFrame& frame, const F8 (&v)[3][3],
-                          const F8 (&u)[3], const F8 (&w)[3], PixelRect8* rect) {
+/// from corner 0 to corners 1 and 2.
+inline void SetTriangleRect(const KernelGrid& grid, const KernelFrame& frame, const F8 (&v)[3][3],
+                            const F8 (&u)[3], const F8 (&w)[3], PixelRect8* rect) {
   const I8 a = ColumnOf(grid, frame, v[0][0], v[0][2]);
   const I8 b = ColumnOf(grid, frame, v[1][0], v[1][2]);
   const I8 c = ColumnOf(grid, frame, v[2][0], v[2][2]);
@@ -173,7 +156,6 @@ inline F8 SetTriangleRect(const KernelGrid& grid, const KernelFrame& frame, cons
   const F8 lowest = Min(Min(v[0][1], v[1][1]), v[2][1]);
   SetRows(grid, highest * (highest > 0.0f ? inverse_near : inverse_far),
           lowest * (lowest > 0.0f ? inverse_far : inverse_near), rect);
-  return inverse_near;
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ class Sweep {
         frame_(frame),
         scratch_(scratch),
         hits_(hits),
-        painter_(grid, frame, hits, scratch, scene.back_faces) {}
+        painter_(grid, frame, hits, scratch.dirty, scene.back_faces) {}
 
   void Run() {
     Clear();
@@ -101,8 +101,16 @@ class Sweep {
 
   /// Whether everything the entry may cover is already nearer than the entry can be.
   bool IsHidden(const QueueEntry& entry) const {
-    return sim::IsHidden(grid_, scratch_.tile_farthest, entry.tile_columns, entry.first_row,
-                         entry.last_row, entry.inverse_near);
+    const int last = entry.last_row >> grid_.tile_row_shift;
+    for (int r = entry.first_row >> grid_.tile_row_shift; r <= last; ++r) {
+      const float* tiles = scratch_.tile_farthest + r * kTileColumns;
+      std::uint32_t open = 0;
+      for (int c = 0; c < kTileColumns; c += kWidth) {
+        open |= Bits(Load<FW>(tiles + c) < entry.inverse_near) << c;
+      }
+      if ((open & entry.tile_columns) != 0) return false;
+    }
+    return true;
   }
 
   void RefreshTiles() {
