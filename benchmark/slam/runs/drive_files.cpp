@@ -74,6 +74,7 @@ LoopRecord LoopOf(const std::array<double, kLoopColumns>& numbers) {
 
 void WriteDrive(const fs::path& folder, const PlayedDrive& drive) {
   sim::MakeFolder(folder);
+  sim::RemoveLeftovers(folder);
   sim::WriteFileAtomically(folder / "odometry.tum", TumOf(drive, drive.odometry));
   if (drive.truth.size() == drive.odometry.size()) {
     sim::WriteFileAtomically(folder / kTruth, TumOf(drive, drive.truth));
