@@ -2,7 +2,6 @@
 #include "benchmark/runs/merge_shards.h"
 
 #include <chrono>
-#include <csignal>
 #include <cstdlib>
 #include <map>
 #include <thread>
@@ -23,6 +22,7 @@
 #include "sim/base/folder_lock.h"
 #include "sim/config/yaml_writer.h"
 #include "tests/support/houses.h"
+#include "tests/support/killed.h"
 #include "tests/support/temporary_folder.h"
 
 namespace bulletnav::bench {
@@ -111,22 +111,17 @@ TEST_F(MergeShardsTest, MergedShardsAreOneRunByteForByte) {
 
 TEST_F(MergeShardsTest, AShardThatIsKilledGoesOnToTheSameBytes) {
   Play("whole");
-  int kills = 0;
-  for (int delay_ms = 10;; delay_ms += 20) {
-    const pid_t child = ::fork();
-    ASSERT_GE(child, 0);
-    if (child == 0) {
-      Play("killed", Shard{1, 2});
-      std::_Exit(0);
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(delay_ms));
-    ::kill(child, SIGKILL);
-    int status = 0;
-    ::waitpid(child, &status, 0);
-    if (WIFEXITED(status)) break;
-    EXPECT_THAT(Complaint("killed"), HasSubstr("--shard"));
-    ++kills;
-  }
+  const int kills = tests::KillUntilDone(
+      [&] {
+        Play("killed", Shard{1, 2});
+      },
+      std::chrono::milliseconds(10),
+      [](tests::Delay delay) {
+        return delay + std::chrono::milliseconds(20);
+      },
+      [&] {
+        EXPECT_THAT(Complaint("killed"), HasSubstr("--shard"));
+      });
   EXPECT_GT(kills, 2);
   Play("killed", Shard{2, 2});
   MergeShards(folder("killed"));
@@ -137,25 +132,19 @@ TEST_F(MergeShardsTest, KilledWhileItMergesItCanBeRepeated) {
   Play("whole");
   const std::map<std::string, std::string> whole = Files("whole");
   for (const int number : {1, 2}) Play("run", Shard{number, 2});
-  int kills = 0;
-  for (int delay_us = 500;; delay_us += 500) {
-    const pid_t child = ::fork();
-    ASSERT_GE(child, 0);
-    if (child == 0) {
-      MergeShards(folder("run"));
-      std::_Exit(0);
-    }
-    std::this_thread::sleep_for(std::chrono::microseconds(delay_us));
-    ::kill(child, SIGKILL);
-    int status = 0;
-    ::waitpid(child, &status, 0);
-    if (WIFEXITED(status)) break;
-    const std::map<std::string, std::string> files = Files("run");
-    if (files.contains("episodes.jsonl")) {
-      for (const auto& [file, text] : whole) EXPECT_EQ(files.at(file), text) << file;
-    }
-    ++kills;
-  }
+  const int kills = tests::KillUntilDone(
+      [&] {
+        MergeShards(folder("run"));
+      },
+      tests::Delay(500),
+      [](tests::Delay delay) {
+        return delay + tests::Delay(500);
+      },
+      [&] {
+        const std::map<std::string, std::string> files = Files("run");
+        if (!files.contains("episodes.jsonl")) return;
+        for (const auto& [file, text] : whole) EXPECT_EQ(files.at(file), text) << file;
+      });
   EXPECT_GT(kills, 0);
   for (const auto& [file, text] : whole) EXPECT_EQ(Files("run").at(file), text) << file;
 }

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <csignal>
 #include <cstdlib>
 #include <functional>
 #include <map>
@@ -14,8 +13,6 @@
 
 #include <fmt/core.h>
 #include <gmock/gmock.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include "benchmark/episodes/episode_file.h"
 #include "benchmark/play/trajectory.h"
@@ -24,6 +21,7 @@
 #include "benchmark/runs/run_play.h"
 #include "sim/base/files.h"
 #include "tests/support/houses.h"
+#include "tests/support/killed.h"
 #include "tests/support/temporary_folder.h"
 
 namespace bulletnav::agent {
@@ -157,21 +155,15 @@ TEST_F(RunnerTest, AnyNumberOfWorkersGivesTheSameBytes) {
 TEST_F(RunnerTest, KilledAtAnyMomentItGoesOnToTheSameBytes) {
   const RunConfig config = Config(kAgents);
   Play(config, "whole");
-  int kills = 0;
-  for (int delay_ms = 20;; delay_ms += 35) {
-    const pid_t child = ::fork();
-    ASSERT_GE(child, 0);
-    if (child == 0) {
-      RunBenchmark(config, folder("killed"), {.episodes = {}, .workers = 2, .require_all = false});
-      std::_Exit(0);
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(delay_ms));
-    ::kill(child, SIGKILL);
-    int status = 0;
-    ::waitpid(child, &status, 0);
-    if (WIFEXITED(status)) break;
-    ++kills;
-  }
+  const int kills = tests::KillUntilDone(
+      [&] {
+        RunBenchmark(config, folder("killed"),
+                     {.episodes = {}, .workers = 2, .require_all = false});
+      },
+      std::chrono::milliseconds(20),
+      [](tests::Delay delay) {
+        return delay + std::chrono::milliseconds(35);
+      });
   EXPECT_GT(kills, 2);
   EXPECT_EQ(Bytes("killed"), Bytes("whole"));
 }

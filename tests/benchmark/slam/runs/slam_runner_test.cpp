@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/slam/runs/slam_runner.h"
 
-#include <csignal>
 #include <map>
 #include <sstream>
-#include <thread>
 
 #include <Eigen/Geometry>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include "benchmark/slam/io/tum.h"
 #include "benchmark/slam/runs/drive_files.h"
@@ -18,6 +14,7 @@
 #include "benchmark/slam/traversal/tum_recorder.h"
 #include "sim/base/error.h"
 #include "sim/base/files.h"
+#include "tests/support/killed.h"
 #include "tests/support/temporary_folder.h"
 
 namespace bulletnav::bench {
@@ -114,21 +111,14 @@ TEST_F(SlamRunner, KilledAtAnyMomentItGoesOnToTheSameBytes) {
   RunSlam(config, path("whole"), one);
   SlamRunOptions two;
   two.workers = 2;
-  int kills = 0;
-  for (int delay_ms = 60;; delay_ms += delay_ms / 2) {
-    const pid_t child = ::fork();
-    ASSERT_GE(child, 0);
-    if (child == 0) {
-      RunSlam(config, path("killed"), two);
-      std::_Exit(0);
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(delay_ms));
-    ::kill(child, SIGKILL);
-    int status = 0;
-    ::waitpid(child, &status, 0);
-    if (WIFEXITED(status)) break;
-    ++kills;
-  }
+  const int kills = tests::KillUntilDone(
+      [&] {
+        RunSlam(config, path("killed"), two);
+      },
+      std::chrono::milliseconds(60),
+      [](tests::Delay delay) {
+        return delay + delay / 2;
+      });
   EXPECT_GT(kills, 1);
   const auto whole = BytesOf(path("whole"));
   const auto killed = BytesOf(path("killed"));
