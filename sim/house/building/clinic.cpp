@@ -129,9 +129,7 @@ void FurnishTreatment(RoomFurnisher* room) {
 void FurnishExamRoom(RoomFurnisher* room) {
   if (room->area() > 18.0f && room->Chance(0.7)) return FurnishTreatment(room);
   const Placed* couch = room->AgainstWall("exam_couch", {.anchor = placing::Anchor::kEnd});
-  const Placed* desk =
-      room->AgainstWall("desk", {.width = 1.6f, .min_width = 1.1f, .seat = "office_chair"});
-  if (desk != nullptr) room->SeatAt(*desk, "office_chair");
+  room->AgainstWallWithSeat("desk", "office_chair", {.width = 1.6f, .min_width = 1.1f});
   if (couch != nullptr && room->Chance(0.5)) {
     room->At(*couch, "bed_curtain", {0.0f, couch->size.z() + 0.5f, 0.0f}, {.width = 1.6f});
   }

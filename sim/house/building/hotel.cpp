@@ -115,11 +115,8 @@ void FurnishGuestRoom(RoomFurnisher* room) {
   room->SetAlike(true);
   PlaceGuestBed(guest, room);
   const Placed* desk =
-      room->AgainstWall("desk", {.width = 1.4f, .min_width = 1.0f, .seat = "office_chair"});
-  if (desk != nullptr) {
-    room->SeatAt(*desk, "office_chair");
-    room->Over(*desk, guest.has_mirror ? "mirror" : "wall_tv", 0.4f);
-  }
+      room->AgainstWallWithSeat("desk", "office_chair", {.width = 1.4f, .min_width = 1.0f});
+  if (desk != nullptr) room->Over(*desk, guest.has_mirror ? "mirror" : "wall_tv", 0.4f);
   room->AgainstWall("wardrobe",
                     {.width = 1.2f, .min_width = 0.8f, .anchor = placing::Anchor::kEnd});
   room->AgainstWall("minibar");

@@ -152,9 +152,8 @@ void HobbyZone(Hall* hall) {
       break;
   }
   const Placed* desk =
-      room.AgainstWall("desk", {.width = 1.6f, .min_width = 1.1f, .seat = "office_chair"});
+      room.AgainstWallWithSeat("desk", "office_chair", {.width = 1.6f, .min_width = 1.1f});
   if (desk != nullptr) {
-    room.SeatAt(*desk, "office_chair");
     static constexpr std::array<std::string_view, 2> kThings = {"laptop", "desk_lamp"};
     room.OnTops(*desk, kThings, 2);
   }

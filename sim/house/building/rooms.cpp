@@ -139,11 +139,8 @@ void FurnishOffice(RoomFurnisher* room) {
   const int desks = std::max(1, static_cast<int>(room->area() / 9.0f));
   room->SetAlike(room->Chance(0.6));
   for (int i = 0; i < desks; ++i) {
-    const placing::Wish wish{
-        .width = 1.6f, .min_width = 1.1f, .squeeze = i == 0, .seat = "office_chair"};
-    const Placed* desk = room->AgainstWall("desk", wish);
-    if (desk == nullptr) break;
-    room->SeatAt(*desk, "office_chair");
+    const placing::Wish wish{.width = 1.6f, .min_width = 1.1f, .squeeze = i == 0};
+    if (room->AgainstWallWithSeat("desk", "office_chair", wish) == nullptr) break;
   }
   room->SetAlike(false);
   room->AgainstWall(room->Chance(0.6) ? "credenza" : "bookshelf",

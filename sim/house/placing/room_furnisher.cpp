@@ -207,6 +207,14 @@ const Placed* RoomFurnisher::Alongside(std::string_view kind) {
   return PlaceBest(draft, std::move(candidates), false);
 }
 
+const Placed* RoomFurnisher::AgainstWallWithSeat(std::string_view kind, std::string_view chair,
+                                                 Wish wish) {
+  wish.seat = chair;
+  const Placed* piece = AgainstWall(kind, wish);
+  if (piece != nullptr) SeatAt(*piece, chair);
+  return piece;
+}
+
 const Placed* RoomFurnisher::AtWall(const shell::Side& side, float x, std::string_view kind,
                                     const Wish& wish) {
   const Draft draft = Build(kind, {wish.width, wish.height});

@@ -54,6 +54,8 @@ class RoomFurnisher {
       : space_(*space), style_(style), rng_(rng), common_rng_(rng), builder_(builder) {}
 
   const Placed* AgainstWall(std::string_view kind, const Wish& wish = {});
+  /// With a chair before it, see SeatAt.
+  const Placed* AgainstWallWithSeat(std::string_view kind, std::string_view chair, Wish wish = {});
   /// At one place of one wall, `x` metres from its left end.
   const Placed* AtWall(const shell::Side& side, float x, std::string_view kind, const Wish& wish);
   /// Against a wall with its left or right side, its head towards a corner: beds in small rooms.

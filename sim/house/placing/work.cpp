@@ -6,16 +6,9 @@
 namespace bulletnav::sim::placing {
 
 void FurnishStudy(RoomFurnisher* room) {
-  const Wish wish{.width = 1.8f,
-                  .min_width = 1.0f,
-                  .anchor = Anchor::kCentre,
-                  .squeeze = true,
-                  .seat = "office_chair"};
-  const Placed* desk = room->AgainstWall("desk", wish);
-  if (desk != nullptr) {
-    room->SeatAt(*desk, "office_chair");
-    room->Beside(*desk, "filing_cabinet", room->Chance(0.5));
-  }
+  const Wish wish{.width = 1.8f, .min_width = 1.0f, .anchor = Anchor::kCentre, .squeeze = true};
+  const Placed* desk = room->AgainstWallWithSeat("desk", "office_chair", wish);
+  if (desk != nullptr) room->Beside(*desk, "filing_cabinet", room->Chance(0.5));
   const int shelves = room->area() > 9.0f ? 3 : 2;
   for (int i = 0; i < shelves; ++i) {
     room->AgainstWall("bookshelf", {.width = 1.8f, .min_width = 0.7f, .far_from_doors = true});
