@@ -89,13 +89,14 @@ std::vector<PolicyEvaluationRow> EvaluatePolicy(const PolicyEvaluationConfig& co
   const Task task = TaskOf(config, limit);
   NavigationScenes scenes = LoadNavigationScenes(config.data, context, "loading scenes", workers);
   const PolicyValidation validation(&scenes, task, config.episodes);
+  const agent::PolicyAgent::Config acting = config.agent ? *config.agent : UsualAgent(weights);
   sim::WorkerPool pool(workers);
   std::vector<PolicyEvaluationRow> rows;
   for (const std::string& setting : settings) {
     for (auto [trial, way] : WaysOf(trials)) {
       way.with_depth = setting == "rgbd";
       way.pool = &pool;
-      way.agent = config.agent ? *config.agent : UsualAgent(weights);
+      way.agent = acting;
       Measures measures;
       validation.Measure(
           [&, has_depth = way.with_depth] {
