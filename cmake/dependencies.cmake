@@ -47,6 +47,9 @@ if(BULLETNAV_SLAM)
   target_link_libraries(bulletnav_ceres INTERFACE
     -Wl,--push-state,--no-as-needed ${BULLETNAV_BLAS_LIBRARY} -Wl,--pop-state
     ${BULLETNAV_CERES_LIBRARY} ${BULLETNAV_GLOG_LIBRARY})
+  find_library(BULLETNAV_CHOLMOD_LIBRARY cholmod REQUIRED)
+  add_library(bulletnav_cholmod INTERFACE)
+  target_link_libraries(bulletnav_cholmod INTERFACE ${BULLETNAV_CHOLMOD_LIBRARY})
 
   find_package(OpenCV 4 REQUIRED COMPONENTS calib3d core features2d imgproc)
   add_library(bulletnav_opencv INTERFACE)

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/cli/learning.h"
 
-#include <cstdlib>
-
 #include "benchmark/cli/library.h"
+#include "benchmark/cli/open_blas.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -11,21 +10,9 @@ namespace {
 constexpr ProgramLibrary kLibrary = {"bulletnav-learning.so", "learning", "BULLETNAV_LEARNING",
                                      "train", RTLD_GLOBAL};
 
-/// OpenBLAS reads these when it is loaded. Its threads only get in the way of ours. Debian 12's
-/// takes processors that are newer than it for ones without AVX-512.
-void SetUpOpenBlas() {
-  constexpr int kKeep = 0;  // what the user has set
-  ::setenv("OPENBLAS_NUM_THREADS", "1", kKeep);
-#if defined(__x86_64__)
-  const bool has_avx512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
-                          __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq");
-  if (has_avx512) ::setenv("OPENBLAS_CORETYPE", "SkylakeX", kKeep);
-#endif
-}
-
 void* Library() {
   static void* const library = [] {
-    SetUpOpenBlas();
+    SetUpOpenBlas(BlasKernels::kFastest);
     return OpenLibrary(kLibrary);
   }();
   return library;

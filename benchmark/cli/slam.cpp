@@ -2,6 +2,7 @@
 #include "benchmark/cli/slam.h"
 
 #include "benchmark/cli/library.h"
+#include "benchmark/cli/open_blas.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -13,6 +14,7 @@ constexpr ProgramLibrary kLibrary = {"bulletnav-slam.so", "SLAM", "BULLETNAV_SLA
 
 int RunSlamCommand(int argc, char** argv) {
   using Run = int(int, char**);
+  SetUpOpenBlas(BlasKernels::kCommon);
   return FindFunction<Run>(kLibrary, OpenLibrary(kLibrary), "BulletnavRunSlamCommand")(argc, argv);
 }
 

@@ -61,8 +61,9 @@ void YamlWriter::WriteScalar(const T& value) {
 template <class T>
 void YamlWriter::WriteList(const T& values) {
   using Item = typename T::value_type;
-  if constexpr (std::is_arithmetic_v<Item> || std::is_enum_v<Item>) emitter_ << YAML::Flow;
-  if (values.empty()) emitter_ << YAML::Flow;
+  constexpr bool kIsShort = std::is_arithmetic_v<Item> || std::is_enum_v<Item>;
+  // Said twice, all that follows would be in one line.
+  if (kIsShort || values.empty()) emitter_ << YAML::Flow;
   emitter_ << YAML::BeginSeq;
   for (const auto& item : values) Write(static_cast<const Item&>(item));
   emitter_ << YAML::EndSeq;

@@ -15,13 +15,17 @@
 #include <ceres/rotation.h>
 
 #include "agent/slam/pose_graph/check_pose_graph.h"
+#include "agent/slam/pose_graph/elimination_order.h"
 #include "sim/base/error.h"
 
-// OpenBLAS' own; not there with another BLAS.
+// OpenBLAS' and OpenMP's own; not there with another BLAS, and a CHOLMOD without threads.
 extern "C" {
-__attribute__((weak)) int openblas_get_num_threads();  // NOLINT(readability-identifier-naming)
-__attribute__((weak)) void openblas_set_num_threads(   // NOLINT(readability-identifier-naming)
-    int threads);
+// NOLINTBEGIN(readability-identifier-naming)
+__attribute__((weak)) int openblas_get_num_threads();
+__attribute__((weak)) void openblas_set_num_threads(int threads);
+__attribute__((weak)) int omp_get_max_active_levels();
+__attribute__((weak)) void omp_set_max_active_levels(int levels);
+// NOLINTEND(readability-identifier-naming)
 }
 
 namespace bulletnav::agent {
@@ -168,7 +172,9 @@ class GraphProblem {
     Fix(graph, links);
   }
 
-  ceres::Solver::Summary Solve(const ceres::Solver::Options& options) {
+  /// The vertices are eliminated in `order`, or if that is empty in one of Ceres' choice.
+  ceres::Solver::Summary Solve(ceres::Solver::Options options, const std::vector<int>& order) {
+    if (!order.empty()) options.linear_solver_ordering = GroupsOf(order);
     ceres::Solver::Summary summary;
     ceres::Solve(options, &problem_, &summary);
     return summary;
@@ -183,6 +189,16 @@ class GraphProblem {
     options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
     options.manifold_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
     return options;
+  }
+
+  /// Each vertex is a group of its own, so that Ceres has nothing left to choose.
+  std::shared_ptr<ceres::ParameterBlockOrdering> GroupsOf(const std::vector<int>& order) {
+    auto groups = std::make_shared<ceres::ParameterBlockOrdering>();
+    int group = 0;
+    for (const int vertex : order) {
+      groups->AddElementToGroup(numbers_[static_cast<std::size_t>(vertex)].data(), group++);
+    }
+    return groups;
   }
 
   void AddEdge(const PoseEdge<Pose>& edge, std::pair<int, int> ends) {
@@ -214,27 +230,36 @@ class GraphProblem {
 };
 
 /// From so many vertices on the supernodes of CHOLMOD, which works with BLAS, are faster. Its last
-/// bits are those of a kind of processor; Eigen's are the same on all.
+/// bits are those of BLAS' kernels; Eigen's are the same on all processors.
 constexpr std::size_t kManyVertices = 2000;
 
-/// One thread of OpenBLAS while it lives, if that is the BLAS there is: more would change the order
-/// of sums, and wait for each other where processors are shared.
-class OneBlasThread {
+/// One thread of OpenBLAS and of CHOLMOD while it lives: more would change the order of sums, and
+/// wait for each other where processors are shared. CHOLMOD asks for four, whatever the user says;
+/// no active level of OpenMP leaves it one.
+class OneThread {
  public:
-  OneBlasThread() : before_(openblas_get_num_threads != nullptr ? openblas_get_num_threads() : 1) {
-    Set(1);
+  OneThread() {
+    SetBlas(1);
+    SetLevels(0);
   }
-  ~OneBlasThread() { Set(before_); }
-  OneBlasThread(const OneBlasThread&) = delete;
-  OneBlasThread& operator=(const OneBlasThread&) = delete;
-  OneBlasThread(OneBlasThread&&) = delete;
-  OneBlasThread& operator=(OneBlasThread&&) = delete;
+  ~OneThread() {
+    SetBlas(blas_before_);
+    SetLevels(levels_before_);
+  }
+  OneThread(const OneThread&) = delete;
+  OneThread& operator=(const OneThread&) = delete;
+  OneThread(OneThread&&) = delete;
+  OneThread& operator=(OneThread&&) = delete;
 
  private:
-  static void Set(int threads) {
+  static void SetBlas(int threads) {
     if (openblas_set_num_threads != nullptr) openblas_set_num_threads(threads);
   }
-  int before_;
+  static void SetLevels(int levels) {
+    if (omp_set_max_active_levels != nullptr) omp_set_max_active_levels(levels);
+  }
+  int blas_before_ = openblas_get_num_threads != nullptr ? openblas_get_num_threads() : 1;
+  int levels_before_ = omp_get_max_active_levels != nullptr ? omp_get_max_active_levels() : 1;
 };
 
 ceres::Solver::Options SolverOptions(int max_iterations, std::size_t vertices) {
@@ -266,9 +291,12 @@ OptimizeSummary Optimize(const OptimizeOptions& options, PoseGraph<Pose>* graph)
   const PoseGraphLinks links = LinksOf(*graph);
   if (!options.allow_pieces) CheckOnePiece(*graph, links);
   GraphProblem<Pose> problem(*graph, links, options);
-  const OneBlasThread one_thread;
+  const OneThread one_thread;
+  const std::size_t vertices = graph->vertices.size();
+  std::vector<int> order;
+  if (vertices >= kManyVertices) order = EliminationOrder(static_cast<int>(vertices), links.ends);
   const ceres::Solver::Summary summary =
-      problem.Solve(SolverOptions(options.max_iterations, graph->vertices.size()));
+      problem.Solve(SolverOptions(options.max_iterations, vertices), order);
   if (!summary.IsSolutionUsable()) {
     throw sim::Error("the pose graph cannot be optimised: " + summary.message +
                      "; look for information of extreme size");

@@ -19,18 +19,34 @@ struct Chosen {
   }
 };
 
-/// Part of each of the two functions below, so that it is compiled for the processors of both.
+// What is inlined always is part of functions for several kinds of processors, and compiled for
+// each.
+
+[[gnu::always_inline]] inline int CountOne(const BinaryDescriptor& a, const BinaryDescriptor& b) {
+  int distance = 0;
+  for (std::size_t word = 0; word < a.size(); ++word) {
+    distance += __builtin_popcountll(a[word] ^ b[word]);
+  }
+  return distance;
+}
+
 template <class To>
 [[gnu::always_inline]] inline void Count(const BinaryDescriptor& from, const To& to,
                                          std::span<int> bits) {
-  for (std::size_t i = 0; i < bits.size(); ++i) {
-    const BinaryDescriptor& other = to[i];
-    int distance = 0;
-    for (std::size_t word = 0; word < from.size(); ++word) {
-      distance += __builtin_popcountll(from[word] ^ other[word]);
-    }
-    bits[i] = distance;
+  for (std::size_t i = 0; i < bits.size(); ++i) bits[i] = CountOne(from, to[i]);
+}
+
+[[gnu::always_inline]] inline std::size_t Nearest(const BinaryDescriptor& from,
+                                                  std::span<const BinaryDescriptor> to) {
+  std::size_t nearest = 0;
+  int least = kDescriptorBits + 1;
+  for (std::size_t i = 0; i < to.size(); ++i) {
+    const int bits = CountOne(from, to[i]);
+    if (bits >= least) continue;
+    least = bits;
+    nearest = i;
   }
+  return nearest;
 }
 
 template <class To>
@@ -44,10 +60,23 @@ void CountByHand(const BinaryDescriptor& from, const To& to, std::span<int> bits
   Count(from, to, bits);
 }
 
+[[gnu::target("popcnt")]] std::size_t NearestByInstruction(const BinaryDescriptor& from,
+                                                           std::span<const BinaryDescriptor> to) {
+  return Nearest(from, to);
+}
+
+std::size_t NearestByHand(const BinaryDescriptor& from, std::span<const BinaryDescriptor> to) {
+  return Nearest(from, to);
+}
+
+bool HasInstruction() {
+  static const bool has_instruction = __builtin_cpu_supports("popcnt") != 0;
+  return has_instruction;
+}
+
 template <class To>
 void CountAny(const BinaryDescriptor& from, const To& to, std::span<int> bits) {
-  static const bool has_instruction = __builtin_cpu_supports("popcnt") != 0;
-  has_instruction ? CountByInstruction(from, to, bits) : CountByHand(from, to, bits);
+  HasInstruction() ? CountByInstruction(from, to, bits) : CountByHand(from, to, bits);
 }
 
 }  // namespace
@@ -62,6 +91,11 @@ void CountDistances(const BinaryDescriptor& from, std::span<const BinaryDescript
                     std::span<const int> which, std::span<int> bits) {
   BULLETNAV_CHECK_EQ(which.size(), bits.size());
   CountAny(from, Chosen{all, which}, bits);
+}
+
+std::size_t NearestTo(const BinaryDescriptor& from, std::span<const BinaryDescriptor> to) {
+  BULLETNAV_CHECK(!to.empty());
+  return HasInstruction() ? NearestByInstruction(from, to) : NearestByHand(from, to);
 }
 
 }  // namespace bulletnav::agent

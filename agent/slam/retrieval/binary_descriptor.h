@@ -28,5 +28,7 @@ void CountDistances(const BinaryDescriptor& from, std::span<const BinaryDescript
 /// The same of those of `all` that are numbered by `which`.
 void CountDistances(const BinaryDescriptor& from, std::span<const BinaryDescriptor> all,
                     std::span<const int> which, std::span<int> bits);
+/// Which of `to` differs in the fewest bits, the first of several. Expects: one at least (checked).
+std::size_t NearestTo(const BinaryDescriptor& from, std::span<const BinaryDescriptor> to);
 
 }  // namespace bulletnav::agent

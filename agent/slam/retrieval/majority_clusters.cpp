@@ -13,12 +13,6 @@ constexpr int kRounds = 100;
 
 using Descriptors = std::span<const BinaryDescriptor>;
 
-int Nearest(const BinaryDescriptor& descriptor, Descriptors centres) {
-  std::vector<int> bits(centres.size());
-  CountDistances(descriptor, centres, bits);
-  return static_cast<int>(std::min_element(bits.begin(), bits.end()) - bits.begin());
-}
-
 /// Fewer than k where all descriptors are one of those drawn.
 std::vector<BinaryDescriptor> Seeds(Descriptors descriptors, int k, sim::Rng* rng) {
   std::vector<BinaryDescriptor> seeds = {rng->Pick(descriptors)};
@@ -91,7 +85,7 @@ MajorityClusters ClusterByMajority(Descriptors descriptors, int k, sim::Rng* rng
     std::vector<int> group;
     group.reserve(descriptors.size());
     for (const BinaryDescriptor& descriptor : descriptors) {
-      group.push_back(Nearest(descriptor, clusters.centres));
+      group.push_back(static_cast<int>(NearestTo(descriptor, clusters.centres)));
     }
     const bool is_same = group == clusters.group;
     clusters.group = std::move(group);

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "agent/slam/retrieval/majority_clusters.h"
+#include "sim/base/check.h"
 #include "sim/base/error.h"
 #include "sim/math/rng.h"
 
@@ -36,7 +37,8 @@ class Vocabulary::Grower {
     const int first = static_cast<int>(tree_.nodes_.size());
     At(node).first_child = first;
     At(node).children = static_cast<int>(members.size());
-    for (const BinaryDescriptor& centre : clusters.centres) tree_.nodes_.push_back({centre});
+    tree_.nodes_.resize(tree_.nodes_.size() + clusters.centres.size());
+    tree_.centres_.insert(tree_.centres_.end(), clusters.centres.begin(), clusters.centres.end());
     for (std::size_t i = 0; i < members.size(); ++i) {
       Grow(first + static_cast<int>(i), members[i], level + 1);
     }
@@ -67,6 +69,24 @@ double Similarity(const WordVector& a, const WordVector& b) {
   return common / 2.0;
 }
 
+WordLookup::WordLookup(const WordVector& picture, int words)
+    : weight_(static_cast<std::size_t>(words), 0.0) {
+  for (const auto& [word, weight] : picture) {
+    BULLETNAV_CHECK(word >= 0 && word < words);
+    weight_[static_cast<std::size_t>(word)] = weight;
+  }
+}
+
+double WordLookup::SimilarityTo(const WordVector& other) const {
+  // In the order of Similarity's sum; words that are not in both add exactly 0.
+  double common = 0.0;
+  for (const auto& [word, weight] : other) {
+    const double mine = weight_[static_cast<std::size_t>(word)];
+    common += std::abs(mine) + std::abs(weight) - std::abs(mine - weight);
+  }
+  return common / 2.0;
+}
+
 void VocabularySpec::Validate() const {
   if (branches < 2 || levels < 1) throw sim::Error("expected branches >= 2 and levels >= 1");
 }
@@ -80,6 +100,7 @@ Vocabulary::Vocabulary(std::span<const std::vector<BinaryDescriptor>> pictures,
     throw sim::Error("a vocabulary needs descriptors, and no picture has any; give others");
   }
   nodes_.emplace_back();
+  centres_.emplace_back();
   Grower grower(spec, this);
   grower.Grow(0, all, 0);
   std::vector<int> pictures_with(static_cast<std::size_t>(grower.words()), 0);
@@ -98,17 +119,9 @@ Vocabulary::Vocabulary(std::span<const std::vector<BinaryDescriptor>> pictures,
 
 const Vocabulary::Node* Vocabulary::NearestChild(const Node& node,
                                                  const BinaryDescriptor& descriptor) const {
-  const auto children = std::span(nodes_).subspan(static_cast<std::size_t>(node.first_child),
-                                                  static_cast<std::size_t>(node.children));
-  const Node* nearest = nullptr;
-  int least = kDescriptorBits + 1;
-  for (const Node& child : children) {
-    const int bits = Distance(descriptor, child.centre);
-    if (bits >= least) continue;
-    least = bits;
-    nearest = &child;
-  }
-  return nearest;
+  const auto first = static_cast<std::size_t>(node.first_child);
+  const auto children = std::span(centres_).subspan(first, static_cast<std::size_t>(node.children));
+  return &nodes_[first + NearestTo(descriptor, children)];
 }
 
 int Vocabulary::WordOf(const BinaryDescriptor& descriptor) const {

@@ -315,5 +315,22 @@ TEST_F(CommandsTest, HousesAndEpisodesAreTheSameOnEveryInstructionSet) {
   }
 }
 
+/// OpenCV's, OpenBLAS' and our own kernels for AVX-512 must not show: AVX2 is what all have.
+TEST_F(CommandsTest, SlamRunsAreTheSameOnEveryProcessorWithAvx2) {
+  if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma")) GTEST_SKIP();
+  Output("scenes generate --count 1 --out houses");
+  Write("slam.yaml",
+        "scenes: [houses/house_000.glb]\nactions: [500]\n"
+        "vocabulary: {houses: {folder: houses, count: 1}, actions: 100}\n"
+        "detectors: [{detector: bow}]\n");
+  Output("slam run slam.yaml --out widest");
+  Output("slam run slam.yaml --out avx2",
+         "BULLETNAV_ISA=avx2 OPENCV_CPU_DISABLE=AVX512-SKX "
+         "GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX512F,-AVX512VL,-AVX512BW");
+  const std::string result = Read("widest/drives/house_000_500_0/result.yaml");
+  EXPECT_EQ(Read("avx2/drives/house_000_500_0/result.yaml"), result);
+  EXPECT_THAT(result, Not(HasSubstr("accepted: 0")));
+}
+
 }  // namespace
 }  // namespace bulletnav::bench

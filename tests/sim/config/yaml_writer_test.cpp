@@ -119,6 +119,15 @@ TEST(YamlWriter, TextIsPlain) {
             "      - a b\n");
 }
 
+TEST(YamlWriter, AfterAnEmptyListLinesGoOn) {
+  Whole whole;
+  whole.list = {{2.5, {"a b"}}};
+  EXPECT_EQ(ToYaml(whole),
+            "count: 3\nsmall: 0\nsingle: 0.1\nflag: false\nname: none\nmode: slow\n"
+            "modes: []\npair: [0, 0]\nparts:\n  {}\nlist:\n  - width: 2.5\n    words:\n"
+            "      - a b\n");
+}
+
 struct Open {
   std::optional<YamlNode> anything;
   template <class V>

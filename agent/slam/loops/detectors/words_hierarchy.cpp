@@ -154,12 +154,12 @@ class WordsHierarchy final : public LoopDetector {
     const double neighbour =
         Similarity(frame.words, frames_[static_cast<std::size_t>(number) - 1].words);
     if (neighbour < config_.least_neighbour || neighbour <= 0.0) return;
+    const WordLookup words(frame.words, vocabulary_->words());
     const std::size_t first = candidates->size();
     for (const Sequence& sequence : joined) {
       const int end = std::min(sequence.last + 1, frame.comparable);
       for (int earlier = sequence.first; earlier < end; ++earlier) {
-        const double alike =
-            Similarity(frame.words, frames_[static_cast<std::size_t>(earlier)].words);
+        const double alike = words.SimilarityTo(frames_[static_cast<std::size_t>(earlier)].words);
         if (alike > 0.0) candidates->push_back({number, earlier, alike / neighbour, false});
       }
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "agent/slam/retrieval/binary_descriptor.h"
 
+#include <algorithm>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -38,6 +39,20 @@ TEST(CountDistances, AreTheBitsThatDiffer) {
     for (std::size_t i = 0; i < which.size(); ++i) {
       EXPECT_EQ(chosen[i], bits[static_cast<std::size_t>(which[i])]);
     }
+  }
+}
+
+TEST(NearestTo, IsTheFirstOfThoseWithFewestBits) {
+  sim::Rng rng(2, "descriptors");
+  for (int trial = 0; trial < 100; ++trial) {
+    std::vector<BinaryDescriptor> all;
+    for (int i = rng.Between(1, 12); i > 0; --i) all.push_back(tests::RandomDescriptor(&rng));
+    all.push_back(all.front());
+    const BinaryDescriptor from = rng.Chance(0.3) ? all.front() : tests::RandomDescriptor(&rng);
+    std::vector<int> bits(all.size());
+    CountDistances(from, all, bits);
+    const auto least = std::min_element(bits.begin(), bits.end());
+    EXPECT_EQ(NearestTo(from, all), static_cast<std::size_t>(least - bits.begin()));
   }
 }
 

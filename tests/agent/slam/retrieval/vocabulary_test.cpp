@@ -117,6 +117,18 @@ TEST(Vocabulary, TellsWhatIsWrong) {
   EXPECT_TRUE(vocabulary.Describe(one[0]).empty());  // every picture has the word
 }
 
+TEST(WordLookup, AgreesToTheBitWithSimilarity) {
+  sim::Rng rng(5, "lookup");
+  const Pictures pictures = RandomPictures(30, 40, 30, &rng);
+  const Vocabulary vocabulary(pictures, {.branches = 4, .levels = 3});
+  std::vector<WordVector> all = {{}};
+  for (const auto& picture : pictures) all.push_back(vocabulary.Describe(picture));
+  for (const WordVector& a : all) {
+    const WordLookup lookup(a, vocabulary.words());
+    for (const WordVector& b : all) EXPECT_EQ(lookup.SimilarityTo(b), Similarity(a, b));
+  }
+}
+
 TEST(WordIndex, AgreesWithComparingAll) {
   sim::Rng rng(5, "pictures");
   const Pictures pictures = RandomPictures(60, 25, 40, &rng);
