@@ -3,6 +3,7 @@
 #include <exception>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -18,6 +19,7 @@
 #include "benchmark/training/core/checkpoint.h"
 #include "benchmark/training/core/registry.h"
 #include "benchmark/training/core/training_log.h"
+#include "sim/base/error.h"
 #include "sim/config/override.h"
 
 namespace bulletnav::bench {
@@ -58,18 +60,56 @@ std::filesystem::path CheckpointOf(const sim::YamlNode& config) {
   return std::filesystem::path(out.Scalar()) / kCheckpointFile;
 }
 
-void Train(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  const sim::YamlNode config = sim::ReadWithOverrides(file, overrides);
-  const StopNote note([checkpoint = CheckpointOf(config)] {
-    return std::filesystem::exists(checkpoint)
-               ? std::string("the same command goes on from what was saved last")
-               : std::string("nothing is saved yet; the same command begins anew");
-  });
+struct TrainWords {
+  std::vector<std::filesystem::path> configs;  // one at least
+  std::vector<std::string> overrides;
+};
+
+/// The first word is a config, others with "=" are set in each.
+TrainWords Sorted(const std::vector<std::string>& words) {
+  TrainWords sorted;
+  for (const std::string& word : words) {
+    const bool is_override = !sorted.configs.empty() && word.find('=') != std::string::npos;
+    if (is_override) {
+      sorted.overrides.push_back(word);
+    } else {
+      sorted.configs.push_back(ShippedConfig(word));
+    }
+  }
+  return sorted;
+}
+
+/// All are read before the first begins, so that what is wrong in the last is not told hours later.
+std::vector<sim::YamlNode> ReadAll(const TrainWords& words) {
+  std::vector<sim::YamlNode> configs;
+  std::map<std::filesystem::path, std::filesystem::path> config_of;  // by checkpoint
+  configs.reserve(words.configs.size());
+  for (const std::filesystem::path& file : words.configs) {
+    configs.push_back(sim::ReadWithOverrides(file, words.overrides));
+    const std::filesystem::path checkpoint = CheckpointOf(configs.back());
+    const auto [other, is_new] = config_of.emplace(checkpoint, file);
+    if (is_new || checkpoint.empty()) continue;
+    throw sim::FileError(file, "",
+                         fmt::format("trains into {}, as {} does; give each an 'out' of its own",
+                                     checkpoint.parent_path().string(), other->second.string()));
+  }
+  return configs;
+}
+
+void Train(const TrainWords& words) {
+  const std::vector<sim::YamlNode> configs = ReadAll(words);
   const auto peers = std::make_shared<Peers>(PeerPlaceOf([](const char* name) {
     return static_cast<const char*>(std::getenv(name));
   }));
   try {
-    TrainTogether(config, peers);
+    for (const sim::YamlNode& config : configs) {
+      const StopNote note([checkpoint = CheckpointOf(config)] {
+        return std::filesystem::exists(checkpoint)
+                   ? std::string("the same command goes on from what was saved last")
+                   : std::string("nothing is saved yet; the same command begins anew");
+      });
+      TrainTogether(config, peers);
+    }
   } catch (const std::exception& error) {
     peers->Leave(error.what());
     throw;
@@ -79,17 +119,18 @@ void Train(const std::filesystem::path& file, const std::vector<std::string>& ov
 }  // namespace
 
 void AddTrainCommand(CLI::App* program) {
-  auto file = std::make_shared<std::filesystem::path>();
-  auto overrides = std::make_shared<std::vector<std::string>>();
-  CLI::App* command = program->add_subcommand(
-      "train",
-      "Train the networks that agents use, each by the task that its config names; goes on after a "
-      "kill");
-  command->add_option("config", *file, "YAML file, as configs/train/nts_rgbd.yaml")->required();
-  command->add_option("overrides", *overrides,
-                      "KEY=VALUE ...: set in the config, as steps=100 or data.seed=2");
-  command->callback([file, overrides] {
-    Train(ShippedConfig(*file), *overrides);
+  auto words = std::make_shared<std::vector<std::string>>();
+  CLI::App* command = program->add_subcommand("train",
+                                              "Train the networks that agents use, each by the "
+                                              "task that its config names, one config after "
+                                              "the other; goes on after a kill");
+  command
+      ->add_option("config", *words,
+                   "YAML files, as configs/train/nts_rgbd.yaml, and KEY=VALUE ..., set in each, as "
+                   "steps=100 or data.seed=2")
+      ->required();
+  command->callback([words] {
+    Train(Sorted(*words));
   });
 }
 

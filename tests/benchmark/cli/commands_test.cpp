@@ -274,6 +274,26 @@ TEST_F(CommandsTest, ShardsOfASlurmArrayAreMergedIntoOneRun) {
   EXPECT_EQ(CountFiles("parts/trajectories", ".json"), 8);
 }
 
+/// All are read before the first begins, and what is done is not done again.
+TEST_F(CommandsTest, TrainsOneConfigAfterTheOther) {
+  for (const char* name : {"first", "second", "twin"}) {
+    const std::string out = name == std::string("twin") ? "first" : name;
+    Write(name + std::string(".yaml"),
+          "task: four_rooms\nout: " + out +
+              "\nppo: {lanes: 4, rollout: 8, epochs: 1, minibatches: 1}\nmodel: {width: 16}\n"
+              "steps: 2\nvalidate_every: 1\n");
+  }
+  ExpectError("train first.yaml none.yaml", kFailed, "none.yaml: ");
+  ExpectError("train first.yaml twin.yaml", kFailed, "twin.yaml: trains into first, as first.yaml");
+  EXPECT_FALSE(Has("first"));
+  Output("train first.yaml second.yaml steps=1");
+  EXPECT_TRUE(Has("first/weights.safetensors"));
+  const std::string weights = Read("second/weights.safetensors");
+  EXPECT_THAT(Output("train first.yaml second.yaml steps=1"),
+              HasSubstr("weights and curves: first\nweights and curves: second\n"));
+  EXPECT_EQ(Read("second/weights.safetensors"), weights);
+}
+
 /// One processor plays the parts of others: what is made, drawn, seen, answered and decided is the
 /// same to the bit, with and without fused multiply-add in the C library, for any number of workers
 /// and lanes, and after a kill.
