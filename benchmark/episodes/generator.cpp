@@ -17,6 +17,7 @@
 #include "benchmark/episodes/scene_cache.h"
 #include "sim/base/error.h"
 #include "sim/base/files.h"
+#include "sim/base/lower_case.h"
 #include "sim/threads/worker_pool.h"
 
 namespace bulletnav::bench {
@@ -140,7 +141,7 @@ std::vector<std::string> MeshesBelow(const fs::path& folder) {
       at.disable_recursion_pending();
       continue;
     }
-    const std::string extension = entry.path().extension().string();
+    const std::string extension = sim::LowerCase(entry.path().extension().string());
     const bool is_mesh = std::find(kMeshes.begin(), kMeshes.end(), extension) != kMeshes.end();
     if (!is_mesh && !IsSceneInstance(entry.path().string())) continue;
     if (IsOtherForm(entry.path())) continue;

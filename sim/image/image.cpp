@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <string>
 #include <string_view>
 
 #include "sim/base/error.h"
 #include "sim/base/files.h"
+#include "sim/base/lower_case.h"
 #include "sim/image/codecs.h"
 #include "sim/image/decode.h"
 
@@ -112,8 +112,7 @@ std::string_view UnreadFormat(std::span<const std::uint8_t> bytes) {
 }
 
 std::string_view UnreadFormat(const std::filesystem::path& file) {
-  std::string ending = file.extension().string();
-  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string ending = LowerCase(file.extension().string());
   for (const Unread& format : kUnread) {
     if (ending == format.ending) return format.name;
   }

@@ -2,9 +2,9 @@
 #include "sim/import/door_joint.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
+#include "sim/base/lower_case.h"
 #include "sim/math/pose.h"
 
 namespace bulletnav::sim {
@@ -36,9 +36,8 @@ std::optional<DoorLeaf> LeafOn(const TurningJoint& joint, const Eigen::Vector3f&
   return door;
 }
 
-bool NamesDoor(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text.find("door") != std::string::npos;
+bool NamesDoor(const std::string& text) {
+  return LowerCase(text).find("door") != std::string::npos;
 }
 
 }  // namespace bulletnav::sim

@@ -28,6 +28,6 @@ struct TurningJoint {
 std::optional<DoorLeaf> LeafOn(const TurningJoint& joint, const Eigen::Vector3f& up);
 
 /// Whether a text has the word door in it, in any letter case.
-bool NamesDoor(std::string text);
+bool NamesDoor(const std::string& text);
 
 }  // namespace bulletnav::sim

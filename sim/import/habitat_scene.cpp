@@ -2,13 +2,13 @@
 #include "sim/import/habitat_scene.h"
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "sim/base/error.h"
 #include "sim/base/files.h"
+#include "sim/base/lower_case.h"
 #include "sim/base/nearest_word.h"
 #include "sim/config/json_node.h"
 #include "sim/import/articulated_object.h"
@@ -81,10 +81,7 @@ Vec ReadScale(const Node& instance) {
 bool IsAssetLocal(const Node& node, bool otherwise) {
   if (!node.Has("translation_origin")) return otherwise;
   const Node origin = node.At("translation_origin");
-  std::string text = origin.Text();
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) {
-    return static_cast<char>(std::tolower(c));
-  });
+  const std::string text = LowerCase(origin.Text());
   if (text == "asset_local") return true;
   if (text == "com" || text == "unknown" || text == "default") return false;
   origin.Fail("'" + text + "' is not one of: asset_local, COM");

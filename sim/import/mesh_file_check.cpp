@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,19 +10,12 @@
 
 #include "sim/base/error.h"
 #include "sim/base/files.h"
+#include "sim/base/lower_case.h"
 #include "sim/import/gltf_check.h"
 #include "sim/import/ply_check.h"
 
 namespace bulletnav::sim {
 namespace {
-
-std::string LowerExtension(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) {
-    return static_cast<char>(std::tolower(c));
-  });
-  return extension;
-}
 
 /// Material libraries that an .obj names and that are not there: it is all grey without them.
 std::vector<std::string> MissingLibraries(const std::filesystem::path& file,
@@ -48,13 +40,13 @@ std::vector<std::string> MissingLibraries(const std::filesystem::path& file,
 }  // namespace
 
 bool IsGltfFile(const std::filesystem::path& file) {
-  const std::string extension = LowerExtension(file);
+  const std::string extension = LowerCase(file.extension().string());
   return extension == ".glb" || extension == ".gltf";
 }
 
 CheckedMeshFile CheckMeshFile(const std::filesystem::path& file) {
   const std::vector<std::uint8_t> bytes = ReadFile(file);
-  const std::string extension = LowerExtension(file);
+  const std::string extension = LowerCase(file.extension().string());
   constexpr std::array kKnown = {".glb", ".gltf", ".obj", ".ply", ".dae"};
   if (std::find(kKnown.begin(), kKnown.end(), extension) == kKnown.end()) {
     throw FileError(file, "",

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
+#include "sim/base/lower_case.h"
 #include "sim/import/uri.h"
 
 namespace bulletnav::sim {
@@ -17,16 +17,11 @@ bool IsFile(const fs::path& path) {
   return fs::is_regular_file(path, ignored);
 }
 
-bool SameIgnoringCase(const std::string& a, const std::string& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char x, unsigned char y) {
-    return std::tolower(x) == std::tolower(y);
-  });
-}
-
 std::optional<fs::path> FindIgnoringCase(const fs::path& folder, const std::string& file_name) {
+  const std::string lower = LowerCase(file_name);
   std::error_code ignored;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
-    if (SameIgnoringCase(entry.path().filename().string(), file_name)) return entry.path();
+    if (LowerCase(entry.path().filename().string()) == lower) return entry.path();
   }
   return std::nullopt;
 }

@@ -187,7 +187,7 @@ TEST_F(GeneratorTest, ShippedConfigsLoad) {
 
 TEST(ScenesOf, TakesAllMeshesBelowAFolder) {
   const tests::TemporaryFolder folder;
-  for (const char* file : {"shop/scene.obj", "shop/scene.mtl", "a.glb", "house/deep/b.ply"}) {
+  for (const char* file : {"shop/scene.obj", "shop/scene.mtl", "a.glb", "house/deep/B.PLY"}) {
     std::filesystem::create_directories((folder.path() / file).parent_path());
     sim::WriteFileAtomically(folder.path() / file, "x");
   }
@@ -197,7 +197,7 @@ TEST(ScenesOf, TakesAllMeshesBelowAFolder) {
     return (folder.path() / file).string();
   };
   EXPECT_EQ(ScenesOf(spec),
-            (std::vector<std::string>{"first.glb", at("a.glb"), at("house/deep/b.ply"),
+            (std::vector<std::string>{"first.glb", at("a.glb"), at("house/deep/B.PLY"),
                                       at("shop/scene.obj")}));
   std::filesystem::create_directories(folder.path() / "empty");
   const auto error_of = [&](const char* scenes) -> std::string {
