@@ -96,20 +96,22 @@ std::vector<sim::YamlNode> ReadAll(const TrainWords& words) {
   return configs;
 }
 
+void TrainNoted(const sim::YamlNode& config, const std::shared_ptr<Peers>& peers) {
+  const StopNote note([checkpoint = CheckpointOf(config)] {
+    return std::filesystem::exists(checkpoint)
+               ? std::string("the same command goes on from what was saved last")
+               : std::string("nothing is saved yet; the same command begins anew");
+  });
+  TrainTogether(config, peers);
+}
+
 void Train(const TrainWords& words) {
   const std::vector<sim::YamlNode> configs = ReadAll(words);
   const auto peers = std::make_shared<Peers>(PeerPlaceOf([](const char* name) {
     return static_cast<const char*>(std::getenv(name));
   }));
   try {
-    for (const sim::YamlNode& config : configs) {
-      const StopNote note([checkpoint = CheckpointOf(config)] {
-        return std::filesystem::exists(checkpoint)
-                   ? std::string("the same command goes on from what was saved last")
-                   : std::string("nothing is saved yet; the same command begins anew");
-      });
-      TrainTogether(config, peers);
-    }
+    for (const sim::YamlNode& config : configs) TrainNoted(config, peers);
   } catch (const std::exception& error) {
     peers->Leave(error.what());
     throw;
