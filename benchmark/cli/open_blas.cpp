@@ -3,16 +3,18 @@
 
 #include <cstdlib>
 
+#include "sim/base/instruction_set.h"
+
 namespace bulletnav::bench {
 namespace {
 
 /// Null if OpenBLAS has to find out.
 const char* NameOf([[maybe_unused]] BlasKernels kernels) {
 #if defined(__x86_64__)
-  const bool has_avx512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
-                          __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq");
-  if (has_avx512 && kernels == BlasKernels::kFastest) return "SkylakeX";
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return "Haswell";
+  if (kernels == BlasKernels::kFastest && sim::MayUse(sim::InstructionSet::kAvx512)) {
+    return "SkylakeX";
+  }
+  if (sim::MayUse(sim::InstructionSet::kAvx2) && __builtin_cpu_supports("fma")) return "Haswell";
 #endif
   return nullptr;
 }

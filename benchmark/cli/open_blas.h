@@ -10,7 +10,8 @@ enum class BlasKernels {
 
 /// Says in the environment, where OpenBLAS reads it once it is loaded, which kernels it takes, and
 /// that it has one thread, since more only get in the way of ours. Debian 12's takes processors
-/// newer than itself for ones of 2004, with a quarter of the speed. What the user has set stays.
+/// newer than itself for ones of 2004, with a quarter of the speed. What the user has set stays;
+/// BULLETNAV_ISA narrows these kernels, too. Throws sim::Error if that says what it may not.
 void SetUpOpenBlas(BlasKernels kernels);
 
 }  // namespace bulletnav::bench

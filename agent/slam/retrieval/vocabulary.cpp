@@ -56,15 +56,12 @@ class Vocabulary::Grower {
 };
 
 double Similarity(const WordVector& a, const WordVector& b) {
-  // |a - b|_1 = 2 + sum over common words of |a - b| - |a| - |b|, as both sum to 1.
   double common = 0.0;
   auto it = b.begin();
   for (const auto& [word, weight] : a) {
     while (it != b.end() && it->first < word) ++it;
     if (it == b.end()) break;
-    if (it->first == word) {
-      common += std::abs(weight) + std::abs(it->second) - std::abs(weight - it->second);
-    }
+    if (it->first == word) common += CommonWeight(weight, it->second);
   }
   return common / 2.0;
 }
@@ -81,8 +78,7 @@ double WordLookup::SimilarityTo(const WordVector& other) const {
   // In the order of Similarity's sum; words that are not in both add exactly 0.
   double common = 0.0;
   for (const auto& [word, weight] : other) {
-    const double mine = weight_[static_cast<std::size_t>(word)];
-    common += std::abs(mine) + std::abs(weight) - std::abs(mine - weight);
+    common += CommonWeight(weight_[static_cast<std::size_t>(word)], weight);
   }
   return common / 2.0;
 }

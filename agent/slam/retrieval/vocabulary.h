@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -11,6 +12,13 @@ namespace bulletnav::agent {
 
 /// A picture as weights of words, by rising word; absolute values sum to 1, or there are none.
 using WordVector = std::vector<std::pair<int, double>>;
+
+/// What a word that two pictures have adds to twice their similarity, by its weights in them: of
+/// |a - b|_1 = 2 - sum over common words of |a| + |b| - |a - b|, as both sum to 1. 0 if one has
+/// none.
+inline double CommonWeight(double a, double b) {
+  return std::abs(a) + std::abs(b) - std::abs(a - b);
+}
 
 /// How alike: 1 - |a - b|_1 / 2, from 0 to 1.
 double Similarity(const WordVector& a, const WordVector& b);

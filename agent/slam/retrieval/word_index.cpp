@@ -2,7 +2,6 @@
 #include "agent/slam/retrieval/word_index.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 #include "sim/base/check.h"
@@ -29,7 +28,7 @@ std::vector<Likeness> WordIndex::MostLike(const WordVector& query, int count, in
     for (const auto& [picture, other] : pictures_[static_cast<std::size_t>(word)]) {
       if (picture >= static_cast<int>(common.size())) break;  // they were added in order
       Common& shared = common[static_cast<std::size_t>(picture)];
-      shared.weight += std::abs(weight) + std::abs(other) - std::abs(weight - other);
+      shared.weight += CommonWeight(weight, other);
       ++shared.words;
     }
   }
