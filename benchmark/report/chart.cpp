@@ -36,11 +36,10 @@ constexpr Paint kReference = {0.45, 0.45, 0.45};
 /// How the line of a series is drawn; `number` is its place in the chart.
 Stroke StrokeOf(const Chart::Series& series, std::size_t number) {
   if (series.is_reference) return {1.2, kReference, {2.0, 3.0}};
-  Stroke stroke{1.8, kLineColors[number % kLineColors.size()], {}};
+  static const std::array<std::vector<double>, 4> dashes = {
+      {{}, {7.0, 3.0}, {1.8, 2.6}, {7.0, 2.2, 1.8, 2.2}}};
   const std::size_t round = number / kLineColors.size();
-  if (round == 1) stroke.dashes = {7.0, 3.0};
-  if (round >= 2) stroke.dashes = {1.8, 2.6};
-  return stroke;
+  return {1.8, kLineColors[number % kLineColors.size()], dashes[round % dashes.size()]};
 }
 
 /// Shapes tell lines apart in print without colour.

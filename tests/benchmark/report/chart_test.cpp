@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/report/chart.h"
 
+#include <regex>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include <gmock/gmock.h>
 
 #include "benchmark/report/palette.h"
@@ -57,6 +63,21 @@ TEST(Chart, SeriesHaveColoursOfTheirOwn) {
   EXPECT_TRUE(Shows(image, kLineColors[0]));
   EXPECT_TRUE(Shows(image, kLineColors[1]));
   EXPECT_FALSE(Shows(image, kLineColors[2]));
+}
+
+/// 28 lines; a grid's and axes' strokes are not dashed.
+TEST(Chart, ManySeriesCanBeToldApart) {
+  Chart chart{"recall", "precision", {}};
+  for (int i = 0; i < 28; ++i) {
+    chart.series.push_back({std::to_string(i), {{0, 0.5, {0.5, 0.5}}, {1, 0.5, {0.5, 0.5}}}});
+  }
+  const std::string svg = ToSvg(ChartFigure(std::vector{chart}));
+  const std::regex line("stroke:(rgb[^;]*);[^\"]*stroke-dasharray:([^;]*);");
+  std::set<std::pair<std::string, std::string>> strokes;
+  for (std::sregex_iterator at(svg.begin(), svg.end(), line), end; at != end; ++at) {
+    strokes.emplace((*at)[1], (*at)[2]);
+  }
+  EXPECT_EQ(strokes.size(), 28U - kLineColors.size());
 }
 
 TEST(Chart, ValuesLieWhereTheAxesSay) {
