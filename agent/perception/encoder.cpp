@@ -183,8 +183,8 @@ torch::Tensor PrepareInput(const ModelConfig& config, const Panorama& panorama) 
 torch::ScalarType ComputeType(const ModelConfig& config) {
   if (config.precision == Precision::kFloat32) return torch::kFloat32;
 #if defined(__x86_64__)
-  // oneDNN has no bfloat16 convolution below this; ATen's own is far slower than float32.
-  if (!__builtin_cpu_supports("avx512bw")) return torch::kFloat32;
+  // Without its instructions oneDNN converts, and learns in bfloat16 at a third of float32's speed.
+  if (!__builtin_cpu_supports("avx512bf16")) return torch::kFloat32;
 #endif
   return torch::kBFloat16;
 }

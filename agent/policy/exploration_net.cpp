@@ -38,7 +38,7 @@ PlainConv::PlainConv(int in, int out, sim::Rng* rng) {
 torch::Tensor PlainConv::forward(const torch::Tensor& x) {
   const torch::Tensor weight =
       weight_.to(x.scalar_type()).contiguous(at::MemoryFormat::ChannelsLast);
-  return at::conv2d(x, weight, bias_.to(x.scalar_type()), 1, 1).relu_();
+  return at::conv2d(x, weight, bias_.to(x.scalar_type()), 1, 1);
 }
 
 ExplorationNet::ExplorationNet(const ExplorationConfig& config, std::uint64_t seed)
@@ -75,6 +75,7 @@ torch::Tensor ExplorationNet::Encode(const torch::Tensor& views) {
   for (std::size_t i = 0; i < convs_.size(); ++i) {
     x = convs_[i]->forward(x);
     if (i < kExplorationPools) x = at::max_pool2d(x, {2, 2});
+    x.relu_();  // of the largest of four, which is the largest of four ReLUs
   }
   return x.permute({0, 2, 3, 1}).reshape({-1, kExplorationCodes}).to(torch::kFloat32);
 }

@@ -14,7 +14,7 @@
 
 namespace bulletnav::agent {
 
-/// A convolution of 3 x 3 with a bias and ReLU, in the type of its input.
+/// A convolution of 3 x 3 with a bias, in the type of its input.
 class PlainConv : public torch::nn::Module {
  public:
   PlainConv(int in, int out, sim::Rng* rng);
