@@ -17,7 +17,8 @@ enum class DepthFusion { kNone, kChannel, kSeparate };
 /// kBatch: by the batch in training, by running means after it. kFixed: by means and variances that
 /// stay as they are, 0 and 1 if nothing else was loaded: a scale and a shift.
 enum class Norm { kBatch, kFixed };
-/// What the trunk computes in; all else is float32. Processors without AVX-512 take float32.
+/// What the trunk computes in; all else is float32. Processors without bfloat16's instructions take
+/// float32.
 enum class Precision { kFloat32, kBfloat16 };
 
 }  // namespace bulletnav::agent
