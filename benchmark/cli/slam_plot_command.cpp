@@ -34,24 +34,26 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a drive's folder holds.
+/// Whether a drive's folder has a file of each detector: .csv, the pairs that it took for loops, or
+/// .tum, the trajectory with them.
+bool KeepsAll(const SlamConfig& config, const fs::path& place, const std::string& ending) {
+  return std::all_of(config.detectors.begin(), config.detectors.end(),
+                     [&](const DetectorEntry& detector) {
+                       return fs::exists(place / (detector.name + ending));
+                     });
+}
+
+/// What a drive's folder holds: results that were copied or committed may lack trajectories.
 DrivePicture PictureOf(const SlamConfig& config, const fs::path& folder) {
   DrivePicture picture;
   picture.truth = ReadTruth(folder);
   picture.panels.push_back({"odometry alone", ReadPoses(folder, "odometry"), {}});
   for (const DetectorEntry& detector : config.detectors) {
+    if (!fs::exists(folder / (detector.name + ".tum"))) continue;
     picture.panels.push_back(
         {detector.name, ReadPoses(folder, detector.name), ReadLoops(folder, detector.name)});
   }
   return picture;
-}
-
-/// Whether a drive has the lists of pairs that its detectors took for loops.
-bool KeepsLoops(const SlamConfig& config, const fs::path& place) {
-  return std::all_of(config.detectors.begin(), config.detectors.end(),
-                     [&](const DetectorEntry& detector) {
-                       return fs::exists(place / (detector.name + ".csv"));
-                     });
 }
 
 /// Counts a drive's accepted loops.
@@ -144,16 +146,15 @@ void DrawSlamRun(const fs::path& folder, SlamPictures pictures) {
   ScenePlans plans(config);
   for (const Drive& drive : DrivesDone(config, folder)) {
     const fs::path place = DriveFolder(folder, drive.name);
-    if (KeepsLoops(config, place)) {
+    if (KeepsAll(config, place, ".csv")) {
       CountHeadings(config, place, &headings);
     } else {
       ++without_loops;
     }
     if (pictures == SlamPictures::kCharts) continue;
-    if (!fs::exists(place / "odometry.tum")) {
-      ++bare;
-      continue;
-    }
+    const bool has_odometry = fs::exists(place / "odometry.tum");
+    if (!has_odometry || !KeepsAll(config, place, ".tum")) ++bare;
+    if (!has_odometry) continue;
     const std::optional<SceneMap>& map = plans.Of(drive);
     WriteFigure(DriveFigure(PictureOf(config, place), map), plots / drive.name);
     drawn += 1 + DrawFrames(config, place, plots / drive.name, map);
@@ -169,8 +170,8 @@ void DrawSlamRun(const fs::path& folder, SlamPictures pictures) {
   }
   if (bare > 0) {
     fmt::print(stderr,
-               "note: {} of {} drives do not keep their trajectories, so that these are "
-               "not drawn\n",
+               "note: {} of {} drives do not keep all their trajectories, so that those they "
+               "lack are not drawn\n",
                bare, results.size());
   }
   fmt::print(stderr, "{} in {}\n", Counted(drawn, "picture"), plots.string());

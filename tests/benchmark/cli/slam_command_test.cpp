@@ -130,5 +130,36 @@ TEST(SlamRun, PlaysDrawsAndGoesOn) {
   EXPECT_THAT(RunSlam({"run", config, "nosuch=1", "--out", out}).err, HasSubstr("nosuch"));
 }
 
+/// As where results are committed without them: what is there is drawn, also of detectors that are
+/// added later.
+TEST(SlamRun, DrawsWhatADriveStillHas) {
+  const tests::TemporaryFolder folder;
+  const std::string scene = folder.Write("floor.obj", kFloor).string();
+  const auto config = [&](const std::string& detectors) {
+    return folder
+        .Write("c.yaml", "scenes: [" + scene +
+                             "]\nactions: [30]\ncamera: {rows: 24, cols: 32}\napart_m: 1\n"
+                             "detectors: [" +
+                             detectors + "]\n")
+        .string();
+  };
+  const std::filesystem::path out = folder.path() / "run";
+  const std::string first = "{detector: seqslam}";
+  ASSERT_EQ(RunSlam({"run", config(first), "--out", out.string(), "--workers", "1"}).status, 0);
+  const std::filesystem::path drive = out / "drives" / "floor_30_0";
+  ASSERT_TRUE(std::filesystem::remove(drive / "seqslam.tum"));
+  std::filesystem::remove_all(out / "plots");
+  const std::string more =
+      first + ", {detector: seqslam, name: other, parameters: {contrast_window: 5}}";
+  const Ran ran = RunSlam({"run", config(more), "--out", out.string(), "--workers", "1"});
+  EXPECT_EQ(ran.status, 0) << ran.err;
+  EXPECT_THAT(ran.err, HasSubstr("1 of 1 drives do not keep all their trajectories"));
+  EXPECT_TRUE(std::filesystem::exists(out / "plots" / "floor_30_0.svg"));
+  ASSERT_TRUE(std::filesystem::remove(drive / "odometry.tum"));
+  const Ran bare = RunSlam({"plot", out.string()});
+  EXPECT_EQ(bare.status, 0) << bare.err;
+  EXPECT_THAT(bare.err, HasSubstr("3 pictures"));
+}
+
 }  // namespace
 }  // namespace bulletnav::bench
