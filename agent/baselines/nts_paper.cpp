@@ -24,7 +24,7 @@ class NtsPaper final : public Agent {
  public:
   static constexpr std::string_view kName = "nts_paper";
 
-  /// The paper names none of these; chosen on the validation houses (docs/agents.md).
+  /// The paper names none of these; chosen on the validation houses (docs/agents_results.md).
   struct Config {
     NavigatorSpec navigator;
     double same_node = 0.8;      // probability from which an observation belongs to a node
