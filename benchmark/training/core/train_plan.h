@@ -75,6 +75,9 @@ struct TrainPlan {
   }
   /// Throws Error.
   void Validate() const;
+  /// Whether what is learned in a step depends on how many steps there are. A plan of whose it does
+  /// not may say so: its training can be made longer in its folder, with other `steps` alone.
+  bool heeds_steps() const { return true; }
 };
 
 namespace internal {

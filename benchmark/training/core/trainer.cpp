@@ -56,6 +56,7 @@ class Trainer {
     agent::StayInThisThread();
     const std::optional<TrainState> found = checkpoints_->Read(training_, optimiser_.get());
     if (found) state_ = *found;
+    RequireNotBeyond();
     if (state_.step > 0) observer_->Resumed(state_.step);
     std::optional<Curves> curves;
     if (peers_->is_first()) curves.emplace(folder_ / "curves.csv", state_.step);
@@ -120,6 +121,13 @@ class Trainer {
     }
     observer_->Validated(state_.step, point.validation, training_->Describe(point.validation));
     return point;
+  }
+
+  void RequireNotBeyond() const {
+    if (state_.step <= plan_.steps) return;
+    throw sim::Error(
+        fmt::format("{}: is of step {}, beyond steps: {}; give as many or more, or change out",
+                    checkpoints_->newest().string(), state_.step, plan_.steps));
   }
 
   void RequireNumber(double loss, const std::string& which, std::int64_t step) const {

@@ -14,8 +14,10 @@ namespace bulletnav::bench {
 struct TrainJob {
   std::string task;  // its trainer's name
   TrainPlan plan;
-  std::string config;   // all that the user said, as YAML
-  std::string essence;  // the same without the folder: what the result follows from
+  std::string config;  // all that the user said, as YAML
+  /// The same without the folder, and without `steps` where no step heeds them: what each step
+  /// follows from.
+  std::string essence;
   std::unique_ptr<Training> training;
 
   template <class T>
@@ -25,6 +27,7 @@ struct TrainJob {
     job.plan = config;
     job.config = sim::ToYaml(config);
     config.out.clear();
+    if (!config.heeds_steps()) config.steps = 0;
     job.essence = sim::ToYaml(config);
     job.training = std::move(training);
     return job;
@@ -55,10 +58,10 @@ class TrainObserver {
 /// called again with a job made anew, and on the processor ends with the same bits as one that was
 /// not. Weights' metadata: `step`, `frames`, `task` and `training`, the config. Throws Error if the
 /// loss is no longer a number (the last good checkpoint stays), if a checkpoint is of another
-/// config, if another process trains there or if the device is missing; FileError if files cannot
-/// be written.
-/// `peers` (null: alone) train together; the first reads and writes the folder, and the result is
-/// that of one process. Throws Error if the task cannot be shared, and what Peers throws.
+/// config or of a later step than the plan's last, if another process trains there or if the device
+/// is missing; FileError if files cannot be written. `peers` (null: alone) train together; the
+/// first reads and writes the folder, and the result is that of one process. Throws Error if the
+/// task cannot be shared, and what Peers throws.
 void RunTraining(const TrainJob& job, TrainObserver* observer, Peers* peers = nullptr);
 
 /// Throws Error if torch has no such device here.

@@ -68,6 +68,9 @@ struct ExplorationPlan : PpoPlan {
     PpoPlan::Validate();
     internal::RequireAtLeast(1, validation_episodes, "validation_episodes");
   }
+  bool heeds_steps() const {
+    return optimiser.schedule != Schedule::kConstant || deviation.has_value();
+  }
 };
 
 ExplorationScenes LoadScenes(const NavigationData& data, const TrainContext& context,

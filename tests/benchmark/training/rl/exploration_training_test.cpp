@@ -119,6 +119,35 @@ TEST_F(ExplorationTrainingTest, GoesOnAfterAKillAsIfThereHadBeenNone) {
   EXPECT_NE(dynamic_cast<agent::ExplorationPolicy*>(model.get()), nullptr);
 }
 
+TEST_F(ExplorationTrainingTest, IsMadeLongerInItsFolderWhereNoStepHeedsTheirNumber) {
+  const std::string constant = "optimiser: {schedule: constant, warmup_steps: 0}\n";
+  const auto with_steps = [&](const std::string& out, int steps, const std::string& more) {
+    std::string config = Config(out, more);
+    config.replace(config.find("steps: 3"), 8, "steps: " + std::to_string(steps));
+    return config;
+  };
+  Watcher watcher;
+  RunTraining(Job(with_steps("at_once", 3, constant)), &watcher);
+  RunTraining(Job(with_steps("longer", 2, constant)), &watcher);
+  Watcher rest;
+  RunTraining(Job(with_steps("longer", 3, constant)), &rest);
+  EXPECT_EQ(rest.resumed(), 2);
+  const auto weights = [&](const char* name) {
+    return agent::ReadTensorFile(folder_->path() / name / "weights.safetensors");
+  };
+  EXPECT_EQ(weights("at_once").tensors, weights("longer").tensors);
+  const auto expect = [&](int steps, const std::string& more, const char* what) {
+    try {
+      RunTraining(Job(with_steps("longer", steps, more)), &rest);
+      FAIL() << what;
+    } catch (const sim::Error& e) {
+      EXPECT_THAT(e.what(), HasSubstr(what));
+    }
+  };
+  expect(2, constant, "checkpoint.safetensors: is of step 3, beyond steps: 2");
+  expect(4, "optimiser: {schedule: cosine, warmup_steps: 0}\n", "another config");
+}
+
 TEST_F(ExplorationTrainingTest, BadConfigsAreRefusedWhereTheyAreWrong) {
   const auto expect = [&](const std::string& more, const char* what) {
     try {
