@@ -62,11 +62,17 @@ std::optional<CurvePoint> PointOf(const std::vector<std::string>& names, const s
   return ok ? std::optional(point) : std::nullopt;
 }
 
-/// Steps a unit of the axis: 1, 10, 100... so that at most twenty are left.
-int UnitFor(int last_step) {
+/// Round numbers of steps from 0 on, at most eleven.
+std::vector<Chart::Tick> TicksFor(int last_step) {
   int unit = 1;
-  while (last_step / unit > 20) unit *= 10;
-  return unit;
+  for (const int factor = 10; last_step / unit > factor;) unit *= factor;
+  const int units = last_step / unit;
+  if (units <= 2) unit = std::max(1, unit / (units == 2 ? 2 : 5));
+  std::vector<Chart::Tick> ticks;
+  for (int step = 0; step <= last_step; step += unit) {
+    ticks.push_back({static_cast<double>(step), std::to_string(step)});
+  }
+  return ticks;
 }
 
 }  // namespace
@@ -99,16 +105,16 @@ void Curves::Append(const CurvePoint& point) {
 
 Figure CurvesFigure(const std::vector<CurvePoint>& points, const std::vector<CurveLine>& lines,
                     const std::string& label) {
-  const int unit = UnitFor(points.empty() ? 0 : points.back().step);
   Chart chart;
-  chart.x_label = unit == 1 ? "steps" : fmt::format("steps / {}", unit);
+  chart.x_label = "steps";
+  chart.ticks = TicksFor(points.empty() ? 0 : points.back().step);
   chart.y_label = label;
   for (const CurveLine& line : lines) {
     Chart::Series series{line.title, {}};
     for (const CurvePoint& point : points) {
       const double y = point.validation.at(line.measure);
       chart.top = std::max(chart.top, RoundTop(y));
-      series.values.push_back({static_cast<double>(point.step) / unit, y, {y, y}});
+      series.values.push_back({static_cast<double>(point.step), y, {y, y}});
     }
     chart.series.push_back(series);
   }
