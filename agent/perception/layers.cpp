@@ -12,21 +12,17 @@ namespace {
 constexpr double kNormEpsilon = 1e-5;
 constexpr double kNormMomentum = 0.1;
 
-torch::Tensor Wrapped(const torch::Tensor& x, std::int64_t count) {
-  // Rows of pixels are contiguous here, so that the copies are long.
-  const torch::Tensor pixels = x.permute({0, 2, 3, 1});
-  const std::int64_t cols = pixels.size(2);
-  return at::cat({pixels.narrow(2, cols - count, count), pixels, pixels.narrow(2, 0, count)}, 2)
-      .permute({0, 3, 1, 2});
-}
-
-/// Torch's own gradient of Wrapped fills and adds up three tensors of the whole picture's size;
-/// this copies the middle and adds the ends to it, which makes the same numbers.
+/// Torch's own gradient fills and adds up three tensors of the whole picture's size; this copies
+/// the middle and adds the ends to it, which makes the same numbers.
 struct WrapFunction : torch::autograd::Function<WrapFunction> {
   static torch::Tensor forward(torch::autograd::AutogradContext* context, const torch::Tensor& x,
                                std::int64_t count) {
     context->saved_data["count"] = count;
-    return Wrapped(x, count);
+    // Rows of pixels are contiguous here, so that the copies are long.
+    const torch::Tensor pixels = x.permute({0, 2, 3, 1});
+    const std::int64_t cols = pixels.size(2);
+    return at::cat({pixels.narrow(2, cols - count, count), pixels, pixels.narrow(2, 0, count)}, 2)
+        .permute({0, 3, 1, 2});
   }
   static torch::autograd::variable_list backward(torch::autograd::AutogradContext* context,
                                                  torch::autograd::variable_list of_wrapped) {
@@ -52,8 +48,7 @@ torch::Tensor NormalTensor(at::IntArrayRef shape, double deviation, sim::Rng* rn
 }
 
 torch::Tensor WrapColumns(const torch::Tensor& x, int count) {
-  const bool learns = at::GradMode::is_enabled() && x.requires_grad();
-  return learns ? WrapFunction::apply(x, count) : Wrapped(x, count);
+  return WrapFunction::apply(x, count);
 }
 
 torch::Tensor Dropout(const torch::Tensor& x, double probability,

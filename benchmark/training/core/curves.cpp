@@ -62,19 +62,6 @@ std::optional<CurvePoint> PointOf(const std::vector<std::string>& names, const s
   return ok ? std::optional(point) : std::nullopt;
 }
 
-/// Round numbers of steps from 0 on, at most eleven.
-std::vector<Chart::Tick> TicksFor(int last_step) {
-  int unit = 1;
-  for (const int factor = 10; last_step / unit > factor;) unit *= factor;
-  const int units = last_step / unit;
-  if (units <= 2) unit = std::max(1, unit / (units == 2 ? 2 : 5));
-  std::vector<Chart::Tick> ticks;
-  for (int step = 0; step <= last_step; step += unit) {
-    ticks.push_back({static_cast<double>(step), std::to_string(step)});
-  }
-  return ticks;
-}
-
 }  // namespace
 
 Curves::Curves(std::filesystem::path file, int last_step) : file_(std::move(file)) {
@@ -107,7 +94,6 @@ Figure CurvesFigure(const std::vector<CurvePoint>& points, const std::vector<Cur
                     const std::string& label) {
   Chart chart;
   chart.x_label = "steps";
-  chart.ticks = TicksFor(points.empty() ? 0 : points.back().step);
   chart.y_label = label;
   for (const CurveLine& line : lines) {
     Chart::Series series{line.title, {}};

@@ -75,8 +75,8 @@ struct TrainPlan {
   }
   /// Throws Error.
   void Validate() const;
-  /// Whether what is learned in a step depends on how many steps there are. A plan of whose it does
-  /// not may say so: its training can be made longer in its folder, with other `steps` alone.
+  /// Whether what is learned in a step depends on how many steps there are. A task's plan may say
+  /// that it does not: then a training can be made longer in its folder, by more `steps`.
   bool heeds_steps() const { return true; }
 };
 

@@ -59,9 +59,9 @@ class TrainObserver {
 /// not. Weights' metadata: `step`, `frames`, `task` and `training`, the config. Throws Error if the
 /// loss is no longer a number (the last good checkpoint stays), if a checkpoint is of another
 /// config or of a later step than the plan's last, if another process trains there or if the device
-/// is missing; FileError if files cannot be written. `peers` (null: alone) train together; the
-/// first reads and writes the folder, and the result is that of one process. Throws Error if the
-/// task cannot be shared, and what Peers throws.
+/// is missing; FileError if files cannot be written.
+/// `peers` (null: alone) train together; the first reads and writes the folder, and the result is
+/// that of one process. Throws Error if the task cannot be shared, and what Peers throws.
 void RunTraining(const TrainJob& job, TrainObserver* observer, Peers* peers = nullptr);
 
 /// Throws Error if torch has no such device here.
