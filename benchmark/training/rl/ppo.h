@@ -9,7 +9,7 @@
 namespace bulletnav::bench {
 
 /// Proximal policy optimisation. Sources: Schulman et al., 2017; values of habitat-lab's
-/// ddppo_imagenav_gibson.yaml.
+/// ddppo_imagenav_gibson.yaml, except that advantages and returns are normalised here.
 struct PpoSpec {
   int lanes = 32;
   int group = 4;     // lanes that are asked and learned from together
