@@ -50,10 +50,15 @@ void ShortestPathAgent::Reset(const GroundTruth& truth) {
 }
 
 Action ShortestPathAgent::Act(const GroundTruth& truth) {
+  return Advise(truth).value_or(Action::kStop);
+}
+
+std::optional<Action> ShortestPathAgent::Advise(const GroundTruth& truth) {
   const auto path =
       query_->FindPath(truth.pose.position.cast<float>(), truth.goal.position.cast<float>());
-  if (!path || path->length < config_.stop_distance) return Action::kStop;
-  if (const auto action = FollowWayOut(truth.pose)) return *action;
+  if (!path) return std::nullopt;
+  if (path->length < config_.stop_distance) return Action::kStop;
+  if (const auto action = FollowWayOut(truth.pose)) return action;
   const Action action = Towards(NextCorner(*path, truth.pose), truth.pose);
   if (pause_ > 0) --pause_;
   if (pause_ > 0 || action != Action::kMoveForward ||
@@ -81,7 +86,7 @@ std::optional<Action> ShortestPathAgent::FollowWayOut(const sim::BodyPose& pose)
     way_out_.pop_front();
   }
   if (way_out_.empty()) return std::nullopt;
-  if (--patience_ < 0) {
+  if (--patience_ < 0 || Level(way_out_.front() - pose.position) > config_.most_stray) {
     way_out_.clear();
     return std::nullopt;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <deque>
+#include <limits>
 #include <optional>
 
 #include "benchmark/privileged/privileged_agent.h"
@@ -19,9 +20,11 @@ class ShortestPathAgent final : public PrivilegedAgent {
     double stop_distance = 0.5;  // metres of geodesic left
     // Off by more, it turns. At 5, half a turn, noise makes it dither: SPL 0.73 instead of 0.98.
     double turn_tolerance_deg = 12.0;
-    // Actions before it searches for a way round again where it has found none. No key of configs:
-    // it is for teachers, whose bodies push at walls and do not go the way that is found.
+    // No keys of configs: for teachers, whose bodies push at walls and need not go the way round
+    // that is found. Actions before it searches again where it has found none, and metres from the
+    // next place of a way round beyond which it is given up.
     int search_pause = 0;
+    double most_stray = std::numeric_limits<double>::infinity();
 
     template <class V>
     void Visit(V& v) {
@@ -34,7 +37,10 @@ class ShortestPathAgent final : public PrivilegedAgent {
   explicit ShortestPathAgent(const Config& config) : config_(config) {}
 
   void Reset(const GroundTruth& truth) override;
+  /// Stops where Advise says nothing.
   sim::Action Act(const GroundTruth& truth) override;
+  /// Absent where no way leads to the goal.
+  std::optional<sim::Action> Advise(const GroundTruth& truth);
 
  private:
   /// Turns as near as turns get to the direction of a point, then goes.

@@ -7,6 +7,7 @@
 #include "agent/models/safetensors.h"
 #include "agent/perception/torch.h"
 #include "benchmark/training/core/optimiser.h"
+#include "benchmark/training/core/train_plan.h"
 
 namespace bulletnav::bench {
 
@@ -15,12 +16,12 @@ namespace bulletnav::bench {
 /// regularization", 2017.
 class Adam final : public Optimiser {
  public:
-  /// For the module's parameters; they must stay where they are.
-  Adam(const torch::nn::Module& module, double weight_decay);
+  /// For the module's parameters; they must stay where they are. The rate of the spec is not
+  /// looked at: Step is told it.
+  Adam(const torch::nn::Module& module, const OptimiserSpec& spec);
 
   void Step(double rate) override;
   void Append(agent::TensorFile* content) const override;
-  /// A file without a number of the optimiser's steps is an old one: it has the training's.
   void Set(const agent::TensorFile& content, const std::filesystem::path& file) override;
 
  private:
@@ -29,10 +30,11 @@ class Adam final : public Optimiser {
     torch::Tensor parameter;
     torch::Tensor mean;      // of gradients, decaying
     torch::Tensor variance;  // of gradients, around zero, as above
+    int steps = 0;           // in which it had a gradient: the two above know of so many
   };
   std::vector<Item> items_;
   double weight_decay_;
-  int steps_ = 0;
+  double epsilon_;
 };
 
 }  // namespace bulletnav::bench

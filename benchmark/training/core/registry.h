@@ -44,7 +44,7 @@ class TrainerRegistration {
       typename T::Config config;
       sim::YamlReader::Read(yaml, config);
       try {
-        RequireDevice(config);
+        RequireDevice(config, config.heeds_device());
         return TrainJob::Of<T>(config, std::make_unique<T>(config, context));
       } catch (const sim::KeyError& e) {
         yaml.FailAt(e.key(), e.what());

@@ -36,8 +36,9 @@ typename States::key_type KeyOf(const States& /*states*/, const torch::Tensor& p
 
 class TorchAdam final : public Optimiser {
  public:
-  TorchAdam(const torch::nn::Module& net, double weight_decay)
-      : adam_(net.parameters(), torch::optim::AdamOptions().weight_decay(weight_decay)) {
+  TorchAdam(const torch::nn::Module& net, const OptimiserSpec& spec)
+      : adam_(net.parameters(),
+              torch::optim::AdamOptions().weight_decay(spec.weight_decay).eps(spec.epsilon)) {
     for (const auto& item : net.named_parameters()) named_.emplace_back(item.key(), item.value());
   }
 
@@ -87,8 +88,8 @@ class TorchAdam final : public Optimiser {
 
 }  // namespace
 
-std::unique_ptr<Optimiser> MakeTorchAdam(const torch::nn::Module& net, double weight_decay) {
-  return std::make_unique<TorchAdam>(net, weight_decay);
+std::unique_ptr<Optimiser> MakeTorchAdam(const torch::nn::Module& net, const OptimiserSpec& spec) {
+  return std::make_unique<TorchAdam>(net, spec);
 }
 
 }  // namespace bulletnav::bench

@@ -26,6 +26,7 @@ void OptimiserSpec::Validate() const {
   if (!(weight_decay >= 0.0 && weight_decay < 1.0)) {
     throw sim::Error("weight_decay must be in [0, 1)");
   }
+  if (!(epsilon > 0.0 && epsilon < 1.0)) throw sim::Error("epsilon must be in (0, 1)");
   internal::RequireAtLeast(0, warmup_steps, "warmup_steps");
 }
 

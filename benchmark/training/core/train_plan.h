@@ -37,6 +37,7 @@ struct OptimiserSpec {
   Schedule schedule = Schedule::kCosine;
   int warmup_steps = 200;     // the rate rises to its full height over these
   double weight_decay = 0.0;  // of weights, not of their gradients
+  double epsilon = 1e-8;      // is added to the deviation of gradients that a step is divided by
 
   /// The rate of step 0, 1, ... of `steps`.
   double RateAt(int step, int steps) const;
@@ -47,6 +48,7 @@ struct OptimiserSpec {
     v("schedule", schedule);
     v("warmup_steps", warmup_steps);
     v("weight_decay", weight_decay);
+    v("epsilon", epsilon);
   }
   /// Throws Error.
   void Validate() const;
@@ -78,6 +80,8 @@ struct TrainPlan {
   /// Whether what is learned in a step depends on how many steps there are. A task's plan may say
   /// that it does not: then a training can be made longer in its folder, by more `steps`.
   bool heeds_steps() const { return true; }
+  /// Whether it can be trained on devices other than kCpu. A task's plan may say that it cannot.
+  bool heeds_device() const { return true; }
 };
 
 namespace internal {

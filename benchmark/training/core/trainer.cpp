@@ -35,7 +35,7 @@ std::unique_ptr<Optimiser> OptimiserOf(const TrainJob& job) {
   torch::nn::Module& net = job.training->net();
   if (job.plan.device == Device::kCuda) net.to(torch::kCUDA);
   std::unique_ptr<Optimiser> own = job.training->MakeOptimiser();
-  return own ? std::move(own) : std::make_unique<Adam>(net, job.plan.optimiser.weight_decay);
+  return own ? std::move(own) : std::make_unique<Adam>(net, job.plan.optimiser);
 }
 
 class Trainer {
@@ -166,7 +166,7 @@ class Trainer {
 }  // namespace
 
 void RunTraining(const TrainJob& job, TrainObserver* observer, Peers* peers) {
-  RequireDevice(job.plan);
+  RequireDevice(job.plan, job.heeds_device);
   Peers alone;
   if (peers == nullptr) peers = &alone;
   if (peers->size() > 1) {
@@ -180,7 +180,12 @@ void RunTraining(const TrainJob& job, TrainObserver* observer, Peers* peers) {
   Trainer(job, observer, peers).Run();
 }
 
-void RequireDevice(const TrainPlan& plan) {
+void RequireDevice(const TrainPlan& plan, bool heeds_device) {
+  if (plan.device == Device::kCuda && !heeds_device) {
+    throw sim::KeyError("device",
+                        "device is cuda, but this task is trained on processors alone so far; "
+                        "train with device: cpu");
+  }
   if (plan.device == Device::kCuda && !at::hasCUDA()) {
     throw sim::KeyError("device",
                         "device is cuda, but torch finds none here; train with device: cpu");

@@ -14,7 +14,8 @@ namespace bulletnav::bench {
 struct TrainJob {
   std::string task;  // its trainer's name
   TrainPlan plan;
-  std::string config;  // all that the user said, as YAML
+  bool heeds_device = true;  // see TrainPlan
+  std::string config;        // all that the user said, as YAML
   /// The same without the folder, and without `steps` where no step heeds them: what each step
   /// follows from.
   std::string essence;
@@ -25,6 +26,7 @@ struct TrainJob {
     TrainJob job;
     job.task = T::kName;
     job.plan = config;
+    job.heeds_device = config.heeds_device();
     job.config = sim::ToYaml(config);
     config.out.clear();
     if (!config.heeds_steps()) config.steps = 0;
@@ -64,7 +66,7 @@ class TrainObserver {
 /// that of one process. Throws Error if the task cannot be shared, and what Peers throws.
 void RunTraining(const TrainJob& job, TrainObserver* observer, Peers* peers = nullptr);
 
-/// Throws Error if torch has no such device here.
-void RequireDevice(const TrainPlan& plan);
+/// Throws KeyError if torch has no such device here, or the task no use for it.
+void RequireDevice(const TrainPlan& plan, bool heeds_device);
 
 }  // namespace bulletnav::bench

@@ -10,12 +10,21 @@ namespace bulletnav::bench {
 /// What came of one action in one lane.
 struct LaneOutcome {
   double reward = 0.0;
-  bool terminated = false;
-  bool truncated = false;
-  double score = 0.0;  // of an episode that is over: 1 is the best that can be had
+  bool terminated = false;  // nothing more was to be had
+  bool truncated = false;   // it was cut, and what is observed does not tell when it would be
+  double score = 0.0;       // of an episode that is over: 1 is the best that can be had
   bool success = false;
 
   bool is_over() const { return terminated || truncated; }
+};
+
+/// What a teacher who sees the truth does. `counts`: it is worth learning; not where the teacher
+/// knows no way.
+struct Lesson {
+  int action = 0;
+  bool counts = true;
+
+  bool operator==(const Lesson&) const = default;
 };
 
 /// Lanes that a policy acts in, with observations as plain numbers and, if there are any, pictures
@@ -45,8 +54,8 @@ class PolicyTask {
   virtual bool shows_goals() const { return true; }  // if there are pictures
   /// The picture of a lane's goal, [picture_bytes].
   virtual void ShowGoal(int /*lane*/, std::span<std::uint8_t> /*picture*/) const {}
-  /// What a teacher who sees the truth would do, [lanes]. False: there is none.
-  virtual bool Teach(std::span<int> /*actions*/) { return false; }
+  /// What a teacher would do, [lanes]. False: there is none.
+  virtual bool Teach(std::span<Lesson> /*lessons*/) { return false; }
   /// An action and an outcome for each lane. An episode that is over stays as it is until Begin.
   virtual void Step(std::span<const int> actions, std::span<LaneOutcome> outcomes) = 0;
 

@@ -89,11 +89,11 @@ torch::Tensor LossOf(const Rollout& rollout, const Targets& targets, const torch
   return -gain.mean() + spec.value * 0.5 * value_error - spec.entropy * entropy;
 }
 
-/// Without a gradient, parameters stay as they are.
+/// Without a gradient, parameters stay as they are, and the optimiser has not seen them yet.
 void KeepValueGradients(ActorCritic* net) {
   for (const auto& parameter : net->named_parameters()) {
     torch::Tensor& gradient = parameter.value().mutable_grad();
-    if (gradient.defined() && !ActorCritic::IsOfValue(parameter.key())) gradient.zero_();
+    if (gradient.defined() && !ActorCritic::IsOfValue(parameter.key())) gradient.reset();
   }
 }
 

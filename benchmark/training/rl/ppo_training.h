@@ -23,6 +23,9 @@ struct PpoPlan : TrainPlan {
   }
   /// Throws Error.
   void Validate() const { TrainPlan::Validate(); }
+  /// The rate of a step: the schedule's, and after ppo.value_first with a warm-up for the policy.
+  double RateOf(const TrainStep& step) const;
+  bool heeds_device() const { return false; }  // groups of lanes are on processors
 };
 
 /// Recurrent PPO on a task. The config, the number of the rollout and the checkpoint's state decide

@@ -214,12 +214,14 @@ std::vector<int> Actor::Choose(const PlaySpec& spec, Record* record, ActorCritic
   }
   starts_ = torch::zeros_like(starts_);
   if (spec.lessons) {
-    std::vector<int> taught(lanes());
+    std::vector<Lesson> taught(lanes());
     BULLETNAV_CHECK(task_->Teach(taught));
-    record->lessons.push_back(Indices({taught.begin(), taught.end()}));
+    std::vector<std::int64_t> lessons;
     for (std::size_t i = 0; i < lanes(); ++i) {
-      if (IsTaught(i, spec.taught_episodes)) actions[i] = taught[i];
+      lessons.push_back(taught[i].counts ? taught[i].action : kNoLesson);
+      if (IsTaught(i, spec.taught_episodes)) actions[i] = taught[i].action;
     }
+    record->lessons.push_back(Indices(lessons));
   }
   const torch::Tensor chosen = Indices({actions.begin(), actions.end()});
   record->actions.push_back(chosen);
@@ -287,7 +289,7 @@ void Actor::Act(const ActorCritic::Output& output, std::vector<int>* actions) co
   }
 }
 
-/// Decided once an episode.
+/// One draw an episode; a share that falls along the training can end the teacher's acting in it.
 bool Actor::IsTaught(std::size_t lane, double share) const {
   sim::Rng rng = sim::Rng(seed_, "taught")
                      .Fork("lane", static_cast<std::uint64_t>(task_->first_lane()) + lane)

@@ -20,6 +20,8 @@ struct EndedEpisode {
   std::uint64_t steps = 0;
 };
 
+inline constexpr int kNoLesson = -1;  // see Lesson::counts
+
 /// What was seen and done in all lanes; tensors [steps, lanes, ...].
 struct Rollout {
   torch::Tensor numbers;
@@ -29,9 +31,9 @@ struct Rollout {
   torch::Tensor goal_index;  // [steps, lanes], of goals
   torch::Tensor starts;
   torch::Tensor actions;
-  torch::Tensor lessons;                     // the teacher's actions; undefined without one
-  torch::Tensor log_probabilities;           // of the actions, when they were chosen
-  torch::Tensor hidden;                      // [lanes, width], before the first step
+  torch::Tensor lessons;            // the teacher's actions, or kNoLesson; undefined without one
+  torch::Tensor log_probabilities;  // of the actions, when they were chosen
+  torch::Tensor hidden;             // [lanes, width], before the first step
   std::vector<std::vector<LaneStep>> steps;  // [lanes][steps]
   std::vector<double> last_values;           // [lanes], after the last step
   std::vector<EndedEpisode> ended;

@@ -69,6 +69,32 @@ TEST(ShortestPath, StopsWhereThereIsNoWay) {
   ShortestPathAgent agent({});
   agent.Reset(truth);
   EXPECT_EQ(agent.Act(truth), sim::Action::kStop);
+  EXPECT_FALSE(agent.Advise(truth));
+  truth.goal = {{2.3, 0, -2}, 0.0};
+  EXPECT_EQ(agent.Advise(truth), sim::Action::kStop);  // where it is there, it does advise
+}
+
+/// A wall with two gaps; the body does not fit into the narrower one, which the navmesh's way
+/// takes.
+TEST(ShortestPath, ATeacherGivesUpAWayRoundThatTheBodyHasLeft) {
+  sim::SceneMesh mesh = tests::BoxRoom(6, 2.6f, 8);
+  for (const auto& [from, to] : {std::pair{0.0f, 2.9f}, {3.3f, 4.2f}, {5.4f, 6.0f}}) {
+    tests::AddBox({from, 0.0f, -4.05f}, {to, 2.6f, -3.95f}, {90, 90, 90}, &mesh);
+  }
+  GroundTruth truth;
+  truth.world = sim::World::FromMesh(std::move(mesh), "gaps");
+  truth.body.radius = 0.3f;
+  truth.goal = {{3.1, 0, -7}, 0.0};
+  const auto advice_beyond_the_wall = [&](const ShortestPathAgent::Config& config) {
+    ShortestPathAgent agent(config);
+    truth.pose = {{3.1, 0, -3.6}, 0.0};
+    agent.Reset(truth);
+    EXPECT_EQ(agent.Advise(truth), sim::Action::kTurnRight);  // to the wider gap
+    truth.pose.position.z() = -5.0;
+    return agent.Advise(truth);
+  };
+  EXPECT_EQ(advice_beyond_the_wall({.most_stray = 0.5}), sim::Action::kMoveForward);
+  EXPECT_NE(advice_beyond_the_wall({}), sim::Action::kMoveForward);  // back to that way
 }
 
 TEST(PrivilegedAgents, AreMadeByNameWithAConfig) {

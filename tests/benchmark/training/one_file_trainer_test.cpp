@@ -54,7 +54,7 @@ class LineTraining final : public bench::Training {
   torch::nn::Module& net() override { return net_; }
 
   std::unique_ptr<bench::Optimiser> MakeOptimiser() override {
-    return config_.torch_adam ? bench::MakeTorchAdam(net_, 0.0) : nullptr;
+    return config_.torch_adam ? bench::MakeTorchAdam(net_, config_.optimiser) : nullptr;
   }
 
   double Learn(const bench::TrainStep& step) override {

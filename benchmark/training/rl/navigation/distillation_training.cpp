@@ -31,6 +31,7 @@ struct DistillationConfig : TrainPlan {
     v("rollout", rollout);
     v("gradient_norm", gradient_norm);
   }
+  bool heeds_device() const { return false; }  // groups of lanes are on processors
   void Validate() const {
     TrainPlan::Validate();
     navigation.Validate();

@@ -3,6 +3,7 @@
 
 #include "benchmark/training/core/registry.h"
 #include "benchmark/training/rl/lane_groups.h"
+#include "benchmark/training/rl/navigation/imitation_loss.h"
 #include "benchmark/training/rl/navigation/lane_training.h"
 #include "benchmark/training/rl/navigation/navigation_plan.h"
 #include "benchmark/training/rl/rollout.h"
@@ -68,6 +69,7 @@ struct ImitationConfig : TrainPlan {
     v("gradient_norm", gradient_norm);
     v("dagger", dagger);
   }
+  bool heeds_device() const { return false; }  // groups of lanes are on processors
   void Validate() const {
     TrainPlan::Validate();
     navigation.Validate();
@@ -154,17 +156,10 @@ class ImitationTraining final : public LaneTraining {
     const ActorCritic::Output output = net->Run(rollout.SeenBy(net, lanes), of(rollout.starts),
                                                 rollout.hidden.index_select(0, lanes));
     *hidden = output.hidden.detach();
-    const torch::Tensor lessons = of(rollout.lessons);
-    *agreed =
-        (output.log_probabilities.argmax(-1) == lessons).to(torch::kFloat32).mean().item<double>();
-    const auto are = [&](sim::Action action) {
-      return (lessons == static_cast<int>(action)).to(torch::kFloat32);
-    };
-    const torch::Tensor weights = 1.0 + (config_.stop_weight - 1.0) * are(sim::Action::kStop) +
-                                  (config_.forward_weight - 1.0) * are(sim::Action::kMoveForward);
-    const torch::Tensor right =
-        output.log_probabilities.gather(-1, lessons.unsqueeze(-1)).squeeze(-1);
-    return -(right * weights).sum() / weights.sum();
+    const ImitationLoss found = ImitationLossOf(output.log_probabilities, of(rollout.lessons),
+                                                {config_.stop_weight, config_.forward_weight});
+    *agreed = found.agreement;
+    return found.loss;
   }
 
   Config config_;

@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::size_t kStateBefore = 3;  // numbers of a lane's state before its actions
 constexpr int kTeachersPause = 25;       // actions
+constexpr double kTeachersStray = 0.5;   // metres
 
 std::vector<GroundTruth*> PointersTo(std::vector<GroundTruth>* truths) {
   std::vector<GroundTruth*> pointers;
@@ -72,7 +73,7 @@ NavigationLanes::NavigationLanes(const NavigationSpec& spec, NavigationScenes* s
     Enter(lane, draw_);
     if (spec.teaches)
       at(lane).teacher = std::make_unique<ShortestPathAgent>(
-          ShortestPathAgent::Config{.search_pause = kTeachersPause});
+          ShortestPathAgent::Config{.search_pause = kTeachersPause, .most_stray = kTeachersStray});
   }
 }
 
@@ -175,21 +176,22 @@ void NavigationLanes::ShowGoal(int lane, std::span<std::uint8_t> picture) const 
 void NavigationLanes::AskTeacher(int lane) {
   Lane& own = at(lane);
   if (own.lesson) return;
-  own.lesson = own.teacher->Act(own.stage->truths[static_cast<std::size_t>(lane)]);
+  const auto action = own.teacher->Advise(own.stage->truths[static_cast<std::size_t>(lane)]);
+  own.lesson = {static_cast<int>(action.value_or(sim::Action::kStop)), action.has_value()};
 }
 
-bool NavigationLanes::Teach(std::span<int> actions) {
+bool NavigationLanes::Teach(std::span<Lesson> lessons) {
   if (!spec_.teaches) return false;
   pool_->ForEach(lanes(), [&](int lane, int) {
     AskTeacher(lane);
-    actions[static_cast<std::size_t>(lane)] = static_cast<int>(*at(lane).lesson);
+    lessons[static_cast<std::size_t>(lane)] = *at(lane).lesson;
   });
   return true;
 }
 
 LaneOutcome NavigationLanes::OutcomeOf(int lane, const StepOutcome& step) const {
   const Environment& environment = at(lane).stage->environment;
-  LaneOutcome outcome{step.reward, step.terminated, step.truncated, 0.0, false};
+  LaneOutcome outcome{step.reward, step.terminated || step.truncated, false, 0.0, false};
   if (!environment.is_over(lane)) return outcome;
   const EpisodeResult result = environment.Finish(lane, {}).result;
   outcome.score = result.goals.back().Value("spl");

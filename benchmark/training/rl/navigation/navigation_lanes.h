@@ -55,7 +55,9 @@ struct NavigationSpec {
 agent::Rig RigOf(const Task& task);
 
 /// Image-goal navigation for a policy: the task that runs are played in, with noise, shown as
-/// policies see it. An episode's score is its SPL.
+/// policies see it. An episode's score is its SPL. Policies are told how many of their steps are
+/// gone (agent::WritePolicyNumbers), so that one that ran out of them has terminated: nothing more
+/// was to be had. Source: Pardo et al., "Time limits in reinforcement learning", 2018, section 3.
 class NavigationLanes final : public PolicyTask {
  public:
   /// `scenes` and `pool` must outlive it.
@@ -72,7 +74,7 @@ class NavigationLanes final : public PolicyTask {
   void Begin(int lane, std::uint64_t episode) override;
   void Observe(std::span<float> numbers, std::span<std::uint8_t> pictures) override;
   void ShowGoal(int lane, std::span<std::uint8_t> picture) const override;
-  bool Teach(std::span<int> actions) override;
+  bool Teach(std::span<Lesson> lessons) override;
   void Step(std::span<const int> actions, std::span<LaneOutcome> outcomes) override;
   /// A lane's episode, how it is drawn, and its actions so far.
   std::vector<float> State() const override;
@@ -96,7 +98,7 @@ class NavigationLanes final : public PolicyTask {
     std::unique_ptr<agent::PolicyMap> map;
     std::optional<std::size_t> mapped;  // actions before what the map last saw
     std::unique_ptr<ShortestPathAgent> teacher;
-    std::optional<sim::Action> lesson;  // of where the body is now
+    std::optional<Lesson> lesson;  // of where the body is now
   };
   Lane& at(int lane) { return lanes_[static_cast<std::size_t>(lane)]; }
   const Lane& at(int lane) const { return lanes_[static_cast<std::size_t>(lane)]; }

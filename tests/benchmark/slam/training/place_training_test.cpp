@@ -120,7 +120,7 @@ TEST(PlaceTraining, LearnsToTellPlaces) {
   config.lanes = 1;
   PlaceTraining training(config, {RandomViews(6, 3, 1)}, {RandomViews(6, 3, 1)});
   training.net().train();
-  const auto adam = MakeTorchAdam(training.net(), 0.0);
+  const auto adam = MakeTorchAdam(training.net(), {});
   double first = 0.0;
   double last = 0.0;
   for (int step = 0; step < 12; ++step) {

@@ -18,6 +18,7 @@
 #include "agent/policy/policy_model.h"
 #include "benchmark/training/core/registry.h"
 #include "benchmark/training/rl/lane_groups.h"
+#include "benchmark/training/rl/navigation/imitation_loss.h"
 #include "benchmark/training/rl/navigation/navigation_lanes.h"
 #include "benchmark/training/rl/navigation/navigation_plan.h"
 #include "benchmark/training/rl/navigation/picture_net.h"
@@ -120,6 +121,18 @@ Shown Look(PolicyTask* task) {
   shown.pictures.resize(lanes * task->picture_bytes());
   task->Observe(shown.numbers, shown.pictures);
   return shown;
+}
+
+/// What the teacher does, in lanes where it knows a way.
+std::vector<int> Taught(PolicyTask* task) {
+  std::vector<Lesson> lessons(static_cast<std::size_t>(task->lanes()));
+  EXPECT_TRUE(task->Teach(lessons));
+  std::vector<int> actions;
+  for (const Lesson& lesson : lessons) {
+    EXPECT_TRUE(lesson.counts);
+    actions.push_back(lesson.action);
+  }
+  return actions;
 }
 
 TEST_F(NavigationTest, LooksChangeWhatIsDrawnAndNothingElse) {
@@ -255,7 +268,7 @@ TEST_F(NavigationTest, LanesWithMapsGoOnFromTheirStateAcrossWaysOfDrawing) {
       lanes.StartRollout(0.9);
       lanes.Begin(2, 2);
     }
-    lanes.Teach(actions);
+    actions = Taught(&lanes);
     Look(&lanes);
     for (int& action : actions) action = action == 0 ? 2 : action;
     lanes.Step(actions, outcomes);
@@ -287,8 +300,7 @@ TEST_F(NavigationTest, TheTeacherReachesTheGoalAndItsScoreIsSpl) {
   std::vector<LaneOutcome> outcomes(4);
   std::vector<LaneOutcome> ends(4);
   for (int step = 0; step < 200; ++step) {
-    ASSERT_TRUE(lanes.Teach(actions));
-    lanes.Step(actions, outcomes);
+    lanes.Step(Taught(&lanes), outcomes);
     for (int lane = 0; lane < 4; ++lane) {
       const auto i = static_cast<std::size_t>(lane);
       if (!outcomes[i].is_over()) continue;
@@ -304,6 +316,27 @@ TEST_F(NavigationTest, TheTeacherReachesTheGoalAndItsScoreIsSpl) {
   }
 }
 
+TEST_F(NavigationTest, WhoRunsOutOfStepsHasTerminatedSinceItKnewHowManyWereLeft) {
+  NavigationScenes scenes(Data(), {}, 1);
+  sim::WorkerPool pool(1);
+  NavigationSpec spec = Spec(false);
+  spec.task.max_steps = 5;
+  NavigationLanes lanes(spec, &scenes, &pool);
+  for (int lane = 0; lane < 4; ++lane) lanes.Begin(lane, 0);
+  const std::vector<int> turn(4, static_cast<int>(sim::Action::kTurnLeft));
+  std::vector<LaneOutcome> outcomes(4);
+  for (int step = 1; step <= 5; ++step) {
+    EXPECT_FLOAT_EQ(Look(&lanes).numbers[7], static_cast<float>(step - 1) / 5.0F);
+    lanes.Step(turn, outcomes);
+    for (const LaneOutcome& outcome : outcomes) {
+      EXPECT_EQ(outcome.terminated, step == 5);
+      EXPECT_FALSE(outcome.truncated);
+      EXPECT_FALSE(outcome.success);
+      EXPECT_LT(outcome.reward, 0.5);  // no share of what a success is worth
+    }
+  }
+}
+
 TEST_F(NavigationTest, LanesGoOnFromTheirStateInBothWorlds) {
   NavigationScenes scenes(Data(), {}, 1);
   sim::WorkerPool pool(1);
@@ -312,7 +345,7 @@ TEST_F(NavigationTest, LanesGoOnFromTheirStateInBothWorlds) {
   std::vector<int> actions(4);
   std::vector<LaneOutcome> outcomes(4);
   for (int step = 0; step < 6; ++step) {
-    lanes.Teach(actions);
+    actions = Taught(&lanes);
     for (int& action : actions) action = action == 0 ? 1 : action;
     lanes.Step(actions, outcomes);
   }
@@ -322,10 +355,7 @@ TEST_F(NavigationTest, LanesGoOnFromTheirStateInBothWorlds) {
   NavigationLanes again(Spec(true), &scenes, &threads);
   again.SetState(state);
   EXPECT_EQ(Look(&again), Look(&lanes));
-  std::vector<int> lessons(4);
-  again.Teach(lessons);
-  lanes.Teach(actions);
-  EXPECT_EQ(lessons, actions);
+  EXPECT_EQ(Taught(&again), Taught(&lanes));
   EXPECT_EQ(again.State(), state);
 }
 
@@ -479,6 +509,59 @@ TEST_F(NavigationTest, ShippedConfigsOfTrialsLoad) {
   EXPECT_NO_THROW(sim::LoadYaml<PolicyEvaluationConfig>(folder / "evaluate_policy.yaml"));
   EXPECT_NO_THROW(sim::LoadYaml<StitchConfig>(folder / "stitch.yaml"));
   EXPECT_NO_THROW(sim::LoadYaml<StitchConfig>(folder / "stitch_wide.yaml"));
+}
+
+TEST(ImitationLoss, IsTheWeightedMeanOverTheLessonsAlone) {
+  const torch::Tensor said =
+      torch::rand({3, 2, 4}, at::detail::createCPUGenerator(5)).log_softmax(-1);
+  const torch::Tensor lessons =
+      torch::tensor({0, 1, 2, kNoLesson, 1, 3}, torch::kInt64).view({3, 2});
+  const ImitationLoss found = ImitationLossOf(said, lessons, {5.0, 3.0});
+  const auto flat = said.reshape({6, 4});
+  double sum = 0.0;
+  double weights = 0.0;
+  double agreed = 0.0;
+  for (const int i : {0, 1, 2, 4, 5}) {
+    const auto lesson = lessons.view({6})[i].item<std::int64_t>();
+    const bool stops = lesson == static_cast<int>(sim::Action::kStop);
+    const bool goes = lesson == static_cast<int>(sim::Action::kMoveForward);
+    const double weight = stops ? 5.0 : goes ? 3.0 : 1.0;
+    sum -= weight * flat[i][lesson].item<double>();
+    weights += weight;
+    agreed += flat[i].argmax().item<std::int64_t>() == lesson ? 0.2 : 0.0;
+  }
+  EXPECT_NEAR(found.loss.item<double>(), sum / weights, 1e-6);
+  EXPECT_NEAR(found.agreement, agreed, 1e-6);
+}
+
+TEST(ImitationLoss, LearnsNothingWhereTheTeacherKnowsNoWay) {
+  torch::Tensor scores = torch::zeros({2, 3, 4}).requires_grad_(true);
+  torch::Tensor lessons = torch::full({2, 3}, kNoLesson, torch::kInt64);
+  const auto gradient_of = [&] {
+    const ImitationLoss found = ImitationLossOf(scores.log_softmax(-1), lessons, {5.0, 1.0});
+    found.loss.backward();
+    const torch::Tensor gradient = scores.grad().clone();
+    scores.mutable_grad().reset();
+    EXPECT_TRUE(std::isfinite(found.loss.item<double>()));
+    return gradient;
+  };
+  EXPECT_EQ(gradient_of().abs().sum().item<double>(), 0.0);
+  lessons[1][2] = 0;
+  const torch::Tensor of_one = gradient_of().abs().sum(-1);
+  EXPECT_GT(of_one[1][2].item<double>(), 0.0);
+  EXPECT_EQ(of_one.sum().item<double>(), of_one[1][2].item<double>());
+}
+
+TEST_F(NavigationTest, ADeviceThatPoliciesAreNotTrainedOnIsRefusedWhereverItIs) {
+  for (const char* task : {"ppo", "imitation"}) {
+    try {
+      Job(Config(task, folder_->path() / "device", "device: cuda\n"));
+      FAIL();
+    } catch (const sim::FileError& e) {
+      EXPECT_THAT(e.what(), HasSubstr("device is cuda, but this task is trained on processors"));
+      EXPECT_THAT(e.what(), HasSubstr("policy.yaml:"));
+    }
+  }
 }
 
 TEST_F(NavigationTest, ImitationResumesBitForBit) {

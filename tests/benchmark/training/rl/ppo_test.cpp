@@ -7,8 +7,10 @@
 #include <gmock/gmock.h>
 
 #include "agent/models/safetensors.h"
+#include "benchmark/training/core/adam.h"
 #include "benchmark/training/core/registry.h"
 #include "benchmark/training/rl/number_net.h"
+#include "benchmark/training/rl/ppo_training.h"
 #include "sim/base/error.h"
 #include "tests/benchmark/training/supervised/watchers.h"
 #include "tests/support/temporary_folder.h"
@@ -37,6 +39,10 @@ class Counting final : public PolicyTask {
       const bool cut = at_[i].second % 2 == 1;
       outcomes[i] = {static_cast<double>(actions[i]), over && !cut, over && cut, 0.0, over};
     }
+  }
+  bool Teach(std::span<Lesson> lessons) override {
+    for (std::size_t i = 0; i < 4; ++i) lessons[i] = {at_[i].first % 3, at_[i].first != 1};
+    return true;
   }
   std::vector<float> State() const override { return {}; }
   void SetState(std::span<const float> /*state*/) override {}
@@ -86,6 +92,19 @@ TEST(Rollout, ThatDoesNotFitIntoMemoryIsRefusedBeforeItIsPlayed) {
   } catch (const sim::Error& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("a rollout of 2000000000 steps in 4 lanes takes"));
   }
+}
+
+TEST(Rollout, ATeacherActsWhereItsLessonsDoNotCount) {
+  Played played;
+  PlaySpec play;
+  play.steps = 7;
+  play.lessons = true;
+  play.taught_episodes = 1.0;
+  const Rollout rollout = played.actor.Play(play, {});
+  const torch::Tensor at = rollout.numbers.squeeze(-1).to(torch::kInt64);  // steps of episodes
+  EXPECT_TRUE(at::equal(rollout.actions, at % 3));
+  EXPECT_TRUE(at::equal(rollout.lessons, at::where(at == 1, kNoLesson, at % 3)));
+  EXPECT_GT((at == 1).sum().item<std::int64_t>(), 4);
 }
 
 TEST(Rollout, KnowsTheReturnsOfEpisodesThatEnded) {
@@ -173,11 +192,37 @@ TEST(Ppo, ValueAloneLeavesThePolicyWithoutGradients) {
   LearnFrom(rollout, spec, {&optimiser, 0.0, 1, true}, &played.groups, &played.net, &moments);
   int of_value = 0;
   for (const auto& parameter : played.net.named_parameters()) {
-    const bool has_gradient = parameter.value().grad().abs().sum().item<double>() > 0.0;
+    const bool has_gradient = parameter.value().grad().defined();
     EXPECT_EQ(has_gradient, ActorCritic::IsOfValue(parameter.key())) << parameter.key();
     of_value += has_gradient ? 1 : 0;
   }
   EXPECT_EQ(of_value, 2);  // weight and bias
+}
+
+TEST(Ppo, ThePolicyWarmsUpAfterItsValue) {
+  PpoPlan plan;
+  plan.optimiser.warmup_steps = 4;
+  for (const int step : {0, 2, 3, 50}) EXPECT_EQ(plan.RateOf({step, 0.5}), 0.5);
+  plan.ppo.value_first = 3;
+  for (const int step : {0, 2, 6, 7, 50}) EXPECT_EQ(plan.RateOf({step, 0.5}), 0.5);
+  EXPECT_EQ(plan.RateOf({3, 0.5}), 0.125);
+  EXPECT_EQ(plan.RateOf({5, 0.5}), 0.375);
+}
+
+/// Without means of gradients from before, a first step of Adam is as long as the rate for all.
+TEST(Ppo, WhatBeginsToLearnLaterDoesSoAsIfFromTheStart) {
+  torch::nn::Linear net(3, 2);
+  OptimiserSpec spec;
+  spec.epsilon = 1e-12;
+  Adam adam(*net, spec);
+  for (int step = 0; step < 50; ++step) {
+    net->bias.mutable_grad() = torch::ones({2});
+    adam.Step(0.01);
+  }
+  const torch::Tensor before = net->weight.detach().clone();
+  net->weight.mutable_grad() = torch::full({2, 3}, -3.0);
+  adam.Step(0.01);
+  EXPECT_TRUE(at::allclose(net->weight.detach() - before, torch::full({2, 3}, 0.01), 1e-4, 1e-6));
 }
 
 TEST(Ppo, ActionsAreAFunctionOfTheirKeyWithTheProbabilitiesAsked) {
