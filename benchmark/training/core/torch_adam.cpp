@@ -10,6 +10,7 @@
 
 #include "agent/models/safetensors.h"
 #include "agent/perception/weights.h"
+#include "benchmark/training/core/train_plan.h"
 #include "benchmark/training/core/optimiser.h"
 #include "sim/base/error.h"
 
