@@ -60,7 +60,7 @@ class TrainBench {
               return plan.MakeNet(kSeed);
             },
             net_.get(), &pool_),
-        optimiser_(*net_, 0.0) {}
+        optimiser_(*net_, OptimiserSpec{}) {}
 
   int workers() const { return pool_.workers(); }
   double frames() const { return double{kSteps} * spec_.lanes; }
