@@ -87,7 +87,7 @@ TEST(ShortestPath, ATeacherGivesUpAWayRoundThatTheBodyHasLeft) {
   truth.goal = {{3.1, 0, -7}, 0.0};
   const auto advice_beyond_the_wall = [&](const ShortestPathAgent::Config& config) {
     ShortestPathAgent agent(config);
-    truth.pose = {{3.1, 0, -3.6}, 0.0};
+    truth.pose = {{3.1, 0, -3.7}, 0.0};
     agent.Reset(truth);
     EXPECT_EQ(agent.Advise(truth), sim::Action::kTurnRight);  // to the wider gap
     truth.pose.position.z() = -5.0;

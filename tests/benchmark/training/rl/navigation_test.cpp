@@ -30,6 +30,7 @@
 #include "sim/base/files.h"
 #include "tests/benchmark/training/supervised/watchers.h"
 #include "tests/support/houses.h"
+#include "tests/support/killed.h"
 #include "tests/support/temporary_folder.h"
 
 namespace bulletnav::bench {
@@ -568,6 +569,30 @@ TEST_F(NavigationTest, ImitationResumesBitForBit) {
   ExpectResumes(
       "imitation",
       "lanes: 4\ngroup: 2\nrollout: 4\ndagger: {from: 1, to: 4, least: 0.2, stop_from: 0.3}\n");
+}
+
+/// In processes of their own, whose files are all that is left of them.
+TEST_F(NavigationTest, KilledAtAnyMomentPpoEndsAsIfItHadNotBeen) {
+  const auto train = [](const std::string& name) {
+    Watcher watcher(0);
+    RunTraining(
+        Job(Config("ppo", folder_->path() / name, "ppo: {lanes: 4, group: 2, rollout: 4}\n")),
+        &watcher);
+  };
+  const int kills = tests::KillUntilDone(
+      [&] {
+        train("killed");
+      },
+      std::chrono::milliseconds(200),
+      [](tests::Delay delay) {
+        return delay * 3 / 2;
+      });
+  EXPECT_GE(kills, 1);
+  train("not_killed");
+  const auto weights = [](const char* name) {
+    return agent::ReadTensorFile(folder_->path() / name / "weights.safetensors").tensors;
+  };
+  EXPECT_EQ(weights("killed"), weights("not_killed"));
 }
 
 TEST_F(NavigationTest, APolicyThatImitatesMayStopAsItsAgentDoes) {
