@@ -50,6 +50,9 @@ void AddEvaluatePolicyCommand(CLI::App* program) {
                     "Also with goals of other episodes: it should lose most of its success");
   command->add_flag("--blank-images", options->trials.blank_images,
                     "Also with pictures that show nothing: it should lose nearly all");
+  command->add_flag("--direct-images", options->trials.direct_images,
+                    "Also with pictures drawn in the policy's size, as trainings with draw: direct "
+                    "show them: it should fare alike");
   command->add_option("--workers", options->workers, "Threads (default: one per processor)")
       ->check(CLI::Range(1, 1024));
   command->add_flag("--json", options->json, "Print JSON instead of a table");

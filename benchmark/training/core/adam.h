@@ -30,7 +30,7 @@ class Adam final : public Optimiser {
     torch::Tensor parameter;
     torch::Tensor mean;      // of gradients, decaying
     torch::Tensor variance;  // of gradients, around zero, as above
-    int steps = 0;           // in which it had a gradient: the two above know of so many
+    int steps = 0;           // with a gradient: how many are in the two above
   };
   std::vector<Item> items_;
   double weight_decay_;

@@ -33,8 +33,8 @@ class Optimiser {
   virtual void Set(const agent::TensorFile& content, const std::filesystem::path& file) = 0;
 };
 
-/// torch::optim::Adam, for whom its speed on an accelerator matters; with the spec's weight decay
-/// on the gradients, as torch has it. The net's parameters must stay where they are.
+/// torch::optim::Adam, for those to whom its speed on an accelerator matters; with the spec's
+/// weight decay on the gradients, as torch has it. The net's parameters must stay where they are.
 std::unique_ptr<Optimiser> MakeTorchAdam(const torch::nn::Module& net, const OptimiserSpec& spec);
 
 }  // namespace bulletnav::bench

@@ -10,8 +10,8 @@
 
 #include "agent/models/safetensors.h"
 #include "agent/perception/weights.h"
-#include "benchmark/training/core/train_plan.h"
 #include "benchmark/training/core/optimiser.h"
+#include "benchmark/training/core/train_plan.h"
 #include "sim/base/error.h"
 
 namespace bulletnav::bench {

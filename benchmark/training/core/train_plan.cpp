@@ -13,8 +13,8 @@ void internal::RequireAtLeast(int low, int value, const std::string& name) {
   if (value < low) throw sim::Error(name + " must be at least " + std::to_string(low));
 }
 
-double OptimiserSpec::RateAt(int step, int steps) const {
-  const double warm = warmup_steps > 0 ? std::min(1.0, (step + 1.0) / warmup_steps) : 1.0;
+double OptimiserSpec::RateAt(int step, int steps, int begin) const {
+  const double warm = warmup_steps > 0 ? std::min(1.0, (step - begin + 1.0) / warmup_steps) : 1.0;
   if (schedule == Schedule::kConstant) return learning_rate * warm;
   return learning_rate * warm * 0.5 * (1.0 + sim::Cos(sim::kPi * step / steps));
 }

@@ -39,8 +39,8 @@ struct OptimiserSpec {
   double weight_decay = 0.0;  // of weights, not of their gradients
   double epsilon = 1e-8;      // is added to the deviation of gradients that a step is divided by
 
-  /// The rate of step 0, 1, ... of `steps`.
-  double RateAt(int step, int steps) const;
+  /// The rate of step 0, 1, ... of `steps`, warming up from step `begin`, which is not after it.
+  double RateAt(int step, int steps, int begin = 0) const;
 
   template <class V>
   void Visit(V& v) {

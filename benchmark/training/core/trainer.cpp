@@ -95,10 +95,13 @@ class Trainer {
                 folder_ / "curves");
   }
 
+  double RateAt(int step) const {
+    return training_->RateAt(step).value_or(plan_.optimiser.RateAt(step, plan_.steps));
+  }
+
   double Step() {
     training_->net().train();
-    const double rate = plan_.optimiser.RateAt(state_.step, plan_.steps);
-    const double loss = training_->Learn({state_.step, rate, optimiser_.get()});
+    const double loss = training_->Learn({state_.step, RateAt(state_.step), optimiser_.get()});
     RequireNumber(loss, "training", state_.step + 1);
     ++state_.step;
     observer_->Stepped(state_.step, loss);
@@ -108,7 +111,7 @@ class Trainer {
   CurvePoint Validated(double train_loss) {
     CurvePoint point;
     point.step = state_.step;
-    point.rate = plan_.optimiser.RateAt(state_.step - 1, plan_.steps);
+    point.rate = RateAt(state_.step - 1);
     point.train_loss = train_loss;
     training_->net().eval();
     observer_->Validating(state_.step, "the net");

@@ -23,7 +23,7 @@ struct CurveLine {
 /// What one step of a training works with.
 struct TrainStep {
   int step = 0;                    // from 0
-  double rate = 0.0;               // of learning, by the schedule
+  double rate = 0.0;               // of learning
   Optimiser* optimiser = nullptr;  // of the net
 };
 
@@ -49,6 +49,8 @@ class Training {
   /// Absent: the project's own Adam, the same bits each time.
   virtual std::unique_ptr<Optimiser> MakeOptimiser() { return nullptr; }
 
+  /// The learning rate of step 0, 1, ...; absent: the plan's schedule says it.
+  virtual std::optional<double> RateAt(int /*step*/) const { return {}; }
   /// Learns once: gradients, and one or more steps of the optimiser. Returns the loss; one that is
   /// not finite ends the training. The net is in the state of training.
   virtual double Learn(const TrainStep& step) = 0;

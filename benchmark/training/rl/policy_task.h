@@ -10,8 +10,8 @@ namespace bulletnav::bench {
 /// What came of one action in one lane.
 struct LaneOutcome {
   double reward = 0.0;
-  bool terminated = false;  // nothing more was to be had
-  bool truncated = false;   // it was cut, and what is observed does not tell when it would be
+  bool terminated = false;  // the episode ended: what would have followed counts for nothing
+  bool truncated = false;   // it was cut: what is expected to follow counts
   double score = 0.0;       // of an episode that is over: 1 is the best that can be had
   bool success = false;
 

@@ -21,8 +21,8 @@ struct PpoSpec {
   double value = 0.5;
   double gradient_norm = 0.2;
   /// Rollouts at the beginning from which the value alone is learned: a policy that begins with the
-  /// weights of an imitator would else be spoilt by values that know nothing yet. The rate rises
-  /// over its warm-up again when the policy begins to learn.
+  /// weights of an imitator would else be spoilt by values that know nothing yet. The
+  /// rate's warm-up begins again with the policy's learning.
   int value_first = 0;
   GaeSpec gae;
 

@@ -75,11 +75,8 @@ LaneShare PpoTraining::Share(const PpoSpec& spec, const Peers* peers) {
   return ShareOf(spec.lanes, spec.group, spec.minibatches, peers);
 }
 
-double PpoPlan::RateOf(const TrainStep& step) const {
-  const int since = step.step - ppo.value_first;
-  const int warmup = optimiser.warmup_steps;
-  if (ppo.value_first == 0 || since < 0 || since >= warmup) return step.rate;
-  return step.rate * (since + 1.0) / warmup;
+double PpoPlan::RateAt(int step) const {
+  return optimiser.RateAt(step, steps, step < ppo.value_first ? 0 : ppo.value_first);
 }
 
 double PpoTraining::Learn(const TrainStep& step) {
@@ -88,8 +85,7 @@ double PpoTraining::Learn(const TrainStep& step) {
   task_->StartRollout(1.0 * step.step / plan_.steps);
   const Rollout rollout = actor_->Play(play, moments_);
   const std::uint64_t seed = sim::MixSeed(plan_.seed, static_cast<std::uint64_t>(step.step));
-  const PpoStep update = {step.optimiser, plan_.RateOf(step), seed,
-                          step.step < plan_.ppo.value_first};
+  const PpoStep update = {step.optimiser, step.rate, seed, step.step < plan_.ppo.value_first};
   report_ = LearnFrom(rollout, plan_.ppo, update, &groups_, net_.get(), &moments_);
   return report_.loss;
 }

@@ -23,8 +23,8 @@ struct PpoPlan : TrainPlan {
   }
   /// Throws Error.
   void Validate() const { TrainPlan::Validate(); }
-  /// The rate of a step: the schedule's, and after ppo.value_first with a warm-up for the policy.
-  double RateOf(const TrainStep& step) const;
+  /// By the schedule, whose warm-up begins again after ppo.value_first.
+  double RateAt(int step) const;
   bool heeds_device() const { return false; }  // groups of lanes are on processors
 };
 
@@ -42,6 +42,7 @@ class PpoTraining : public Training {
   static LaneShare Share(const PpoSpec& spec, const Peers* peers);
 
   torch::nn::Module& net() override { return *net_; }
+  std::optional<double> RateAt(int step) const override { return plan_.RateAt(step); }
   double Learn(const TrainStep& step) override;
   std::int64_t FramesAfter(int steps) const override;
   std::string frames_are() const override { return "steps of the task"; }

@@ -289,7 +289,7 @@ void Actor::Act(const ActorCritic::Output& output, std::vector<int>* actions) co
   }
 }
 
-/// One draw an episode; a share that falls along the training can end the teacher's acting in it.
+/// Drawn once an episode; if the share falls meanwhile, the teacher may stop acting within it.
 bool Actor::IsTaught(std::size_t lane, double share) const {
   sim::Rng rng = sim::Rng(seed_, "taught")
                      .Fork("lane", static_cast<std::uint64_t>(task_->first_lane()) + lane)

@@ -65,6 +65,7 @@ LaneOutcome ExplorationLanes::Walk(Lane* lane, const agent::GoalSteps& goal) con
   LaneOutcome outcome;
   outcome.reward = kRewardPerArea * lane->simulator->Walk(goal);
   lane->goals.push_back(goal);
+  // As in the released code of ANS: all episodes have the same length, and nothing follows.
   outcome.terminated = lane->simulator->is_over();
   outcome.score = lane->simulator->explored();
   return outcome;

@@ -16,7 +16,7 @@ struct ImitationLoss {
 };
 
 /// `log_probabilities` [steps, lanes, 4]; `lessons`: i64 [steps, lanes], the teacher's actions or
-/// kNoLesson, which counts for nothing. Without a single lesson both numbers are 0.
+/// kNoLesson, which counts for nothing. Without a single lesson both are 0.
 /// Source: Neural Topological SLAM, section 5.1; the weights are ours.
 ImitationLoss ImitationLossOf(const torch::Tensor& log_probabilities, const torch::Tensor& lessons,
                               const LessonWeights& weights);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/training/rl/navigation/policy_evaluation.h"
 
+#include <cmath>
 #include <memory>
 #include <string>
 #include <utility>
@@ -46,7 +47,8 @@ std::shared_ptr<agent::PolicyModel> Load(const std::filesystem::path& weights, c
   return policy;
 }
 
-std::vector<std::pair<std::string, PolicyValidation::Way>> WaysOf(const PolicyTrials& trials) {
+std::vector<std::pair<std::string, PolicyValidation::Way>> WaysOf(const PolicyTrials& trials,
+                                                                  int rows) {
   std::vector<std::pair<std::string, PolicyValidation::Way>> ways;
   ways.emplace_back(kAsItIs, PolicyValidation::Way{});
   if (trials.shuffle_goals) {
@@ -56,6 +58,10 @@ std::vector<std::pair<std::string, PolicyValidation::Way>> WaysOf(const PolicyTr
   if (trials.blank_images) {
     ways.emplace_back("blank images", PolicyValidation::Way{});
     ways.back().second.blank_images = true;
+  }
+  if (trials.direct_images) {
+    ways.emplace_back("direct images", PolicyValidation::Way{});
+    ways.back().second.direct_rows = rows;
   }
   return ways;
 }
@@ -90,10 +96,11 @@ std::vector<PolicyEvaluationRow> EvaluatePolicy(const PolicyEvaluationConfig& co
   NavigationScenes scenes = LoadNavigationScenes(config.data, context, "loading scenes", workers);
   const PolicyValidation validation(&scenes, task, config.episodes);
   const agent::PolicyAgent::Config acting = config.agent ? *config.agent : UsualAgent(weights);
+  const int rows = agent::PolicyConfigOf(agent::ReadTensorFile(weights), weights).rows;
   sim::WorkerPool pool(workers);
-  std::vector<PolicyEvaluationRow> rows;
+  std::vector<PolicyEvaluationRow> table;
   for (const std::string& setting : settings) {
-    for (auto [trial, way] : WaysOf(trials)) {
+    for (auto [trial, way] : WaysOf(trials, rows)) {
       way.with_depth = setting == "rgbd";
       way.pool = &pool;
       way.agent = acting;
@@ -103,10 +110,10 @@ std::vector<PolicyEvaluationRow> EvaluatePolicy(const PolicyEvaluationConfig& co
             return Load(weights, task, has_depth);
           },
           way, &measures);
-      rows.push_back({setting, trial, measures});
+      table.push_back({setting, trial, measures});
     }
   }
-  return rows;
+  return table;
 }
 
 std::string ToText(const std::vector<PolicyEvaluationRow>& rows) {
@@ -124,7 +131,8 @@ std::string ToText(const std::vector<PolicyEvaluationRow>& rows) {
     if (row.trial == kAsItIs) {
       success = of("success");
     } else if (success > 0.0) {
-      text += fmt::format("   loses {:.0f}%", 100.0 * (1.0 - of("success") / success));
+      const double lost = 100.0 * (1.0 - of("success") / success);
+      text += fmt::format("   {} {:.0f}%", lost < 0.0 ? "gains" : "loses", std::abs(lost));
     }
     text += '\n';
   }

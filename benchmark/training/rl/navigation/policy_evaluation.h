@@ -39,15 +39,16 @@ struct PolicyEvaluationConfig {
 /// FileError if they cannot be read.
 agent::PolicyAgent::Config UsualAgent(const std::filesystem::path& weights);
 
-/// Beside the episodes as they are: what a policy must fail at.
+/// Beside the episodes as they are: what a policy must fail at, and what it should not.
 struct PolicyTrials {
   bool shuffle_goals = false;  // of another episode
   bool blank_images = false;   // black, and of no depth
+  bool direct_images = false;  // drawn in the policy's size, see PolicyValidation::Way::direct_rows
 };
 
 struct PolicyEvaluationRow {
   std::string setting;  // "rgb" or "rgbd"
-  std::string trial;    // "as it is", "shuffled goals" or "blank images"
+  std::string trial;    // "as it is", "shuffled goals", "blank images" or "direct images"
   Measures measures;
 };
 

@@ -8,6 +8,7 @@
 #include "agent/policy/policy_agent.h"
 #include "benchmark/privileged/shortest_path.h"
 #include "benchmark/training/rl/navigation/navigation_lanes.h"
+#include "sim/base/check.h"
 
 namespace bulletnav::bench {
 
@@ -18,25 +19,62 @@ PolicyValidation::PolicyValidation(NavigationScenes* scenes, const Task& task, i
   }
 }
 
-/// A goal's panorama that outlives its episode.
-struct PolicyValidation::Goal {
-  explicit Goal(const agent::Panorama& seen)
-      : color(seen.color.begin(), seen.color.end()), depth(seen.depth.begin(), seen.depth.end()) {}
-  agent::Panorama view() const { return {color, depth}; }
+/// What a panorama showed, kept.
+class PolicyValidation::Picture {
+ public:
+  explicit Picture(const agent::Panorama& seen)
+      : color_(seen.color.begin(), seen.color.end()),
+        depth_(seen.depth.begin(), seen.depth.end()) {}
+  agent::Panorama view() const { return {color_, depth_}; }
   void Blank() {
-    std::fill(color.begin(), color.end(), std::uint8_t{0});
-    std::fill(depth.begin(), depth.end(), 0.0f);
+    std::fill(color_.begin(), color_.end(), std::uint8_t{0});
+    std::fill(depth_.begin(), depth_.end(), 0.0f);
+  }
+  /// Each pixel of rows of `cols` becomes a square of factor x factor.
+  void Enlarge(int cols, int factor) {
+    Enlarge<3>(cols, factor, &color_);
+    Enlarge<1>(cols, factor, &depth_);
   }
 
-  std::vector<std::uint8_t> color;
-  std::vector<float> depth;
+ private:
+  template <int kChannels, class T>
+  static void Enlarge(int cols, int factor, std::vector<T>* pixels) {
+    const std::size_t row = std::size_t{kChannels} * static_cast<std::size_t>(cols);
+    std::vector<T> large;
+    large.reserve(pixels->size() * static_cast<std::size_t>(factor) *
+                  static_cast<std::size_t>(factor));
+    for (std::size_t first = 0; first < pixels->size(); first += row) {
+      for (int copy = 0; copy < factor; ++copy) {
+        for (std::size_t at = first; at < first + row; at += kChannels) {
+          const auto pixel = pixels->begin() + static_cast<std::ptrdiff_t>(at);
+          for (int i = 0; i < factor; ++i) large.insert(large.end(), pixel, pixel + kChannels);
+        }
+      }
+    }
+    *pixels = std::move(large);
+  }
+
+  std::vector<std::uint8_t> color_;
+  std::vector<float> depth_;
 };
 
-PolicyValidation::Goal PolicyValidation::GoalOf(std::size_t number, const Task& task) const {
+/// A panorama as the policy is to see it; the size is the task's.
+PolicyValidation::Picture PolicyValidation::Shown(const agent::Panorama& panorama,
+                                                  const Way& way) const {
+  Picture picture(panorama);
+  if (way.blank_images) picture.Blank();
+  if (way.direct_rows > 0) {
+    const int factor = task_.panorama.rows / way.direct_rows;
+    picture.Enlarge(task_.panorama.cols / factor, factor);
+  }
+  return picture;
+}
+
+PolicyValidation::Picture PolicyValidation::GoalOf(std::size_t number, const Task& task) const {
   GroundTruth truth;
   Environment environment(task, {&truth}, 1);
   environment.Reset(0, episodes_[number].episode, episodes_[number].world);
-  return Goal(environment.goal(0));
+  return Picture(environment.goal(0));
 }
 
 PolicyValidation::Result PolicyValidation::Play(std::size_t number, const Way& way,
@@ -45,23 +83,27 @@ PolicyValidation::Result PolicyValidation::Play(std::size_t number, const Way& w
   Task task = task_;
   task.depth = way.with_depth;
   task.reward.reset();
+  const agent::Rig rig = RigOf(task);
+  if (way.direct_rows > 0) {
+    BULLETNAV_CHECK(task.panorama.rows % way.direct_rows == 0);
+    task.panorama.cols /= task.panorama.rows / way.direct_rows;
+    task.panorama.rows = way.direct_rows;
+  }
   GroundTruth truth;
   Environment environment(task, {&truth}, 1);
-  agent::PolicyAgent agent(way.agent, make(), RigOf(task));
+  agent::PolicyAgent agent(way.agent, make(), rig);
   constexpr int kLane = 0;
   environment.Reset(kLane, drawn.episode, drawn.world);
-  Goal goal(environment.goal(kLane));
-  if (way.shuffle_goals) goal = GoalOf((number + 1) % episodes_.size(), task);
-  if (way.blank_images) goal.Blank();
+  Picture drawn_goal(environment.goal(kLane));
+  if (way.shuffle_goals) drawn_goal = GoalOf((number + 1) % episodes_.size(), task);
+  const Picture goal = Shown(drawn_goal.view(), way);
   agent.Reset(goal.view(), environment.agent_seed(kLane));
+  const bool is_changed = way.blank_images || way.direct_rows > 0;
   while (!environment.is_over(kLane)) {
     environment.Observe({&kLane, 1});
     agent::Observation seen = environment.observation(kLane);
-    std::optional<Goal> blank;
-    if (way.blank_images) {
-      blank.emplace(seen.panorama).Blank();
-      seen.panorama = blank->view();
-    }
+    std::optional<Picture> shown;
+    if (is_changed) seen.panorama = shown.emplace(Shown(seen.panorama, way)).view();
     const std::array action = {agent.Act(seen)};
     environment.Step({&kLane, 1}, action);
   }

@@ -30,6 +30,11 @@ class PolicyValidation {
     Peers* peers = nullptr;      // share the episodes; null: alone
     bool shuffle_goals = false;  // the panorama of another episode's goal is shown
     bool blank_images = false;   // nothing is seen
+    /// Pictures are drawn at once with so many rows, and each pixel shown as a square of a whole
+    /// panorama's: what training by DrawMode::kDirect shows (but for maps, which
+    /// are made of the enlarged pictures here). 0: whole panoramas are drawn. Expects:
+    /// a divisor of the task's rows (checked).
+    int direct_rows = 0;
     agent::PolicyAgent::Config agent = {};
   };
   /// Success and SPL of all episodes and of each kind, steps of an episode, share of episodes that
@@ -50,8 +55,9 @@ class PolicyValidation {
     double steps = 0.0;
     double stopped = 0.0;
   };
-  struct Goal;
-  Goal GoalOf(std::size_t number, const Task& task) const;
+  class Picture;
+  Picture GoalOf(std::size_t number, const Task& task) const;
+  Picture Shown(const agent::Panorama& panorama, const Way& way) const;
   Result Play(std::size_t number, const Way& way, const PolicyMaker& make) const;
   std::vector<Result> PlayAll(const Way& way, const PolicyMaker& make) const;
 

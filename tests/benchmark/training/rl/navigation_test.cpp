@@ -5,6 +5,8 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -12,6 +14,8 @@
 #include <string>
 
 #include <gmock/gmock.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include "agent/models/model_registry.h"
 #include "agent/models/safetensors.h"
@@ -30,7 +34,6 @@
 #include "sim/base/files.h"
 #include "tests/benchmark/training/supervised/watchers.h"
 #include "tests/support/houses.h"
-#include "tests/support/killed.h"
 #include "tests/support/temporary_folder.h"
 
 namespace bulletnav::bench {
@@ -399,6 +402,7 @@ class Noting final : public agent::PolicyModel {
   struct Notes {
     std::vector<float> goals;  // sums of what is seen of them
     float seen = 0.0F;
+    int squares = 0;  // panoramas of squares of four by four equal pixels
   };
   explicit Noting(Notes* notes) : notes_(notes) {}
   int step_limit() const override { return 40; }
@@ -410,12 +414,23 @@ class Noting final : public agent::PolicyModel {
   std::array<float, 4> Act(const agent::PolicyQuestion& question,
                            std::vector<float>* memory) override {
     notes_->seen += SumOf(question.panorama);
+    notes_->squares += IsOfSquares(question.panorama) ? 1 : 0;
     memory->front() += 1.0F;
     if (memory->front() > 3.0F) return {1.0F, 0.0F, 0.0F, 0.0F};
     return {0.0F, 0.0F, 1.0F, 0.0F};
   }
 
  private:
+  static bool IsOfSquares(const agent::Panorama& panorama) {
+    for (std::size_t row = 0; row < 128; ++row) {
+      for (std::size_t col = 0; col < 512; ++col) {
+        const std::size_t corner = row / 4 * 4 * 512 + col / 4 * 4;
+        if (panorama.depth[row * 512 + col] != panorama.depth[corner]) return false;
+        if (panorama.color[3 * (row * 512 + col)] != panorama.color[3 * corner]) return false;
+      }
+    }
+    return true;
+  }
   static float SumOf(const agent::Panorama& panorama) {
     float sum = 0.0F;
     for (const std::uint8_t value : panorama.color) sum += static_cast<float>(value);
@@ -425,17 +440,18 @@ class Noting final : public agent::PolicyModel {
   Notes* notes_;
 };
 
-TEST_F(NavigationTest, PoliciesAreTriedWithOtherGoalsAndWithBlankImages) {
+TEST_F(NavigationTest, PoliciesAreTriedWithOtherGoalsAndWithOtherImages) {
   NavigationScenes scenes(Data(), {}, 1);
   const PolicyValidation validation(&scenes, Spec(false).task, 3);
   sim::WorkerPool pool(1);
-  const auto notes_of = [&](bool shuffles, bool blanks) {
+  const auto notes_of = [&](bool shuffles, bool blanks, int direct_rows) {
     Noting::Notes notes;
     PolicyValidation::Way way;
     way.with_depth = true;
     way.pool = &pool;
     way.shuffle_goals = shuffles;
     way.blank_images = blanks;
+    way.direct_rows = direct_rows;
     Measures measures;
     validation.Measure(
         [&] {
@@ -446,9 +462,10 @@ TEST_F(NavigationTest, PoliciesAreTriedWithOtherGoalsAndWithBlankImages) {
     EXPECT_EQ(measures.at("stopped"), 1.0);
     return notes;
   };
-  const Noting::Notes plain = notes_of(false, false);
-  const Noting::Notes shuffled = notes_of(true, false);
-  const Noting::Notes blank = notes_of(false, true);
+  const Noting::Notes plain = notes_of(false, false, 0);
+  const Noting::Notes shuffled = notes_of(true, false, 0);
+  const Noting::Notes blank = notes_of(false, true, 0);
+  const Noting::Notes direct = notes_of(false, false, 32);
   ASSERT_EQ(plain.goals.size(), 3U);
   EXPECT_GT(plain.seen, 0.0F);
   EXPECT_EQ(shuffled.seen, plain.seen);
@@ -456,6 +473,10 @@ TEST_F(NavigationTest, PoliciesAreTriedWithOtherGoalsAndWithBlankImages) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(shuffled.goals[i], plain.goals[(i + 1) % 3]);
   EXPECT_THAT(blank.goals, Each(0.0F));
   EXPECT_EQ(blank.seen, 0.0F);
+  EXPECT_EQ(plain.squares, 0);
+  EXPECT_EQ(direct.squares, 12);  // of three episodes, with the steps that stop
+  EXPECT_NEAR(direct.seen / plain.seen, 1.0, 0.02);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(direct.goals[i] / plain.goals[i], 1.0, 0.02);
 }
 
 TEST_F(NavigationTest, EvaluatesWhatAFileOfWeightsHolds) {
@@ -469,10 +490,11 @@ TEST_F(NavigationTest, EvaluatesWhatAFileOfWeightsHolds) {
       "weights: here\ndata: {houses: {index: " + (folder_->path() / "houses/index.json").string() +
           ", split: train}}\nepisodes: 2\nsetting: both\n",
       "evaluate.yaml");
-  const auto rows = EvaluatePolicy(config, file, {true, true}, 1, {});
-  ASSERT_EQ(rows.size(), 6U);
+  const auto rows = EvaluatePolicy(config, file, {true, true, true}, 1, {});
+  ASSERT_EQ(rows.size(), 8U);
   EXPECT_EQ(rows[1].trial, "shuffled goals");
-  EXPECT_EQ(rows[4].setting, "rgbd");
+  EXPECT_EQ(rows[3].trial, "direct images");
+  EXPECT_EQ(rows[5].setting, "rgbd");
   for (const PolicyEvaluationRow& row : rows) EXPECT_LE(row.measures.at("steps"), 20.0);
   EXPECT_THAT(ToText(rows), HasSubstr("blank images"));
   EXPECT_THAT(ToJson(rows), HasSubstr("\"trial\": \"as it is\""));
@@ -571,28 +593,43 @@ TEST_F(NavigationTest, ImitationResumesBitForBit) {
       "lanes: 4\ngroup: 2\nrollout: 4\ndagger: {from: 1, to: 4, least: 0.2, stop_from: 0.3}\n");
 }
 
-/// In processes of their own, whose files are all that is left of them.
-TEST_F(NavigationTest, KilledAtAnyMomentPpoEndsAsIfItHadNotBeen) {
-  const auto train = [](const std::string& name) {
-    Watcher watcher(0);
-    RunTraining(
-        Job(Config("ppo", folder_->path() / name, "ppo: {lanes: 4, group: 2, rollout: 4}\n")),
-        &watcher);
+/// Processes that are gone at once, in the rollouts of the value alone and after them.
+TEST_F(NavigationTest, KilledProcessesOfPpoGoOnBitForBit) {
+  const auto job = [](const char* name) {
+    return Job(Config("ppo", folder_->path() / name,
+                      "ppo: {lanes: 4, group: 2, rollout: 4, value_first: 3}\n"));
   };
-  const int kills = tests::KillUntilDone(
-      [&] {
-        train("killed");
-      },
-      std::chrono::milliseconds(200),
-      [](tests::Delay delay) {
-        return delay * 3 / 2;
-      });
-  EXPECT_GE(kills, 1);
-  train("not_killed");
+  class Killer final : public Watcher {
+   public:
+    explicit Killer(int kill_at) : Watcher(0), kill_at_(kill_at) {}
+    void Stepped(int step, double /*loss*/) override {
+      if (step == kill_at_) ::raise(SIGKILL);
+    }
+
+   private:
+    int kill_at_;
+  };
+  for (const int kill_at : {3, 5}) {
+    const pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+      Killer killer(kill_at);
+      RunTraining(job("killed"), &killer);
+      std::_Exit(0);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    ASSERT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL);
+  }
+  Watcher rest(0);
+  RunTraining(job("killed"), &rest);
+  EXPECT_EQ(rest.resumed(), 4);
+  Watcher whole(0);
+  RunTraining(job("whole"), &whole);
   const auto weights = [](const char* name) {
     return agent::ReadTensorFile(folder_->path() / name / "weights.safetensors").tensors;
   };
-  EXPECT_EQ(weights("killed"), weights("not_killed"));
+  EXPECT_EQ(weights("killed"), weights("whole"));
 }
 
 TEST_F(NavigationTest, APolicyThatImitatesMayStopAsItsAgentDoes) {
@@ -649,10 +686,6 @@ TEST_F(NavigationTest, PpoGoesOnWithTheReturnsThatItHasSeen) {
       trained("more_returns", "policy_start: " + first.string() + "\n");
   EXPECT_EQ(returns(first), 5 * 16);
   EXPECT_EQ(returns(second), 2 * 5 * 16);
-}
-
-TEST_F(NavigationTest, PpoResumesBitForBit) {
-  ExpectResumes("ppo", "ppo: {lanes: 4, group: 2, rollout: 4}\n");
 }
 
 TEST_F(NavigationTest, PpoWithAMapResumesBitForBit) {

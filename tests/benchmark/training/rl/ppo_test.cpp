@@ -202,12 +202,16 @@ TEST(Ppo, ValueAloneLeavesThePolicyWithoutGradients) {
 
 TEST(Ppo, ThePolicyWarmsUpAfterItsValue) {
   PpoPlan plan;
-  plan.optimiser.warmup_steps = 4;
-  for (const int step : {0, 2, 3, 50}) EXPECT_EQ(plan.RateOf({step, 0.5}), 0.5);
+  plan.optimiser = {1.0, Schedule::kConstant, 4};
+  for (const int step : {0, 2, 3, 50}) {
+    EXPECT_EQ(plan.RateAt(step), std::min(1.0, (step + 1) / 4.0));
+  }
   plan.ppo.value_first = 3;
-  for (const int step : {0, 2, 6, 7, 50}) EXPECT_EQ(plan.RateOf({step, 0.5}), 0.5);
-  EXPECT_EQ(plan.RateOf({3, 0.5}), 0.125);
-  EXPECT_EQ(plan.RateOf({5, 0.5}), 0.375);
+  EXPECT_EQ(plan.RateAt(0), 0.25);
+  EXPECT_EQ(plan.RateAt(2), 0.75);
+  EXPECT_EQ(plan.RateAt(3), 0.25);
+  EXPECT_EQ(plan.RateAt(5), 0.75);
+  for (const int step : {6, 7, 50}) EXPECT_EQ(plan.RateAt(step), 1.0);
 }
 
 /// Without means of gradients from before, a first step of Adam is as long as the rate for all.
