@@ -57,7 +57,7 @@ agent::Rig RigOf(const Task& task);
 /// Image-goal navigation for a policy: the task that runs are played in, with noise, shown as
 /// policies see it. An episode's score is its SPL. Policies are told how many of their steps are
 /// gone (agent::WritePolicyNumbers), so that one that ran out of them has terminated: nothing more
-/// was to be had. Source: Pardo et al., "Time limits in reinforcement learning", 2018, section 3.
+/// was to be had. Source: Pardo et al., "Time limits in reinforcement learning", 2018.
 class NavigationLanes final : public PolicyTask {
  public:
   /// `scenes` and `pool` must outlive it.
