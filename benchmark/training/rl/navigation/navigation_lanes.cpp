@@ -25,13 +25,6 @@ std::vector<GroundTruth*> PointersTo(std::vector<GroundTruth>* truths) {
   return pointers;
 }
 
-Task Drawn(Task task, DrawMode draw, int rows) {
-  if (draw == DrawMode::kAveraged) return task;
-  task.panorama.rows = rows;
-  task.panorama.cols = 4 * rows;
-  return task;
-}
-
 /// Throws if so many bodies' panoramas do not fit into memory.
 std::size_t LanesThatFit(const NavigationSpec& spec) {
   constexpr double kPixelBytes = 2 * (3 + sizeof(float));  // what is seen and the goal
@@ -43,6 +36,13 @@ std::size_t LanesThatFit(const NavigationSpec& spec) {
 }
 
 }  // namespace
+
+Task Drawn(Task task, DrawMode draw, int rows) {
+  if (draw == DrawMode::kAveraged) return task;
+  task.panorama.rows = rows;
+  task.panorama.cols = 4 * rows;
+  return task;
+}
 
 agent::Rig RigOf(const Task& task) {
   agent::Rig rig;

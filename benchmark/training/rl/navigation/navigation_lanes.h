@@ -51,6 +51,9 @@ struct NavigationSpec {
   Task task;
 };
 
+/// The task with its panoramas drawn in that way for policies that see so many rows.
+Task Drawn(Task task, DrawMode draw, int rows);
+
 /// What a policy is told of the body that it steers in a task.
 agent::Rig RigOf(const Task& task);
 

@@ -23,8 +23,9 @@ namespace {
 constexpr const char* kAsItIs = "as it is";
 
 std::vector<std::string> SettingsOf(const PolicyEvaluationConfig& config,
+                                    const agent::TensorFile& content,
                                     const std::filesystem::path& weights) {
-  const std::string trained = agent::TrainedSetting(agent::ReadTensorFile(weights), weights);
+  const std::string trained = agent::TrainedSetting(content, weights);
   const std::string setting = config.setting ? std::string(sim::NameOf(*config.setting)) : trained;
   if (setting == sim::NameOf(LaneSetting::kBoth)) return {"rgb", "rgbd"};
   return {setting.empty() ? "rgbd" : setting};
@@ -87,7 +88,8 @@ std::vector<PolicyEvaluationRow> EvaluatePolicy(const PolicyEvaluationConfig& co
   if (trials.shuffle_goals && config.episodes < 2) {
     throw sim::Error("goals of one episode alone cannot be shuffled; play more episodes");
   }
-  const std::vector<std::string> settings = SettingsOf(config, weights);
+  const agent::TensorFile content = agent::ReadTensorFile(weights);
+  const std::vector<std::string> settings = SettingsOf(config, content, weights);
   int limit = 0;
   for (const std::string& setting : settings) {
     limit = Load(weights, Task{}, setting == "rgbd")->step_limit();
@@ -96,7 +98,7 @@ std::vector<PolicyEvaluationRow> EvaluatePolicy(const PolicyEvaluationConfig& co
   NavigationScenes scenes = LoadNavigationScenes(config.data, context, "loading scenes", workers);
   const PolicyValidation validation(&scenes, task, config.episodes);
   const agent::PolicyAgent::Config acting = config.agent ? *config.agent : UsualAgent(weights);
-  const int rows = agent::PolicyConfigOf(agent::ReadTensorFile(weights), weights).rows;
+  const int rows = agent::PolicyConfigOf(content, weights).rows;
   sim::WorkerPool pool(workers);
   std::vector<PolicyEvaluationRow> table;
   for (const std::string& setting : settings) {

@@ -86,8 +86,7 @@ PolicyValidation::Result PolicyValidation::Play(std::size_t number, const Way& w
   const agent::Rig rig = RigOf(task);
   if (way.direct_rows > 0) {
     BULLETNAV_CHECK(task.panorama.rows % way.direct_rows == 0);
-    task.panorama.cols /= task.panorama.rows / way.direct_rows;
-    task.panorama.rows = way.direct_rows;
+    task = Drawn(task, DrawMode::kDirect, way.direct_rows);
   }
   GroundTruth truth;
   Environment environment(task, {&truth}, 1);

@@ -31,9 +31,9 @@ class PolicyValidation {
     bool shuffle_goals = false;  // the panorama of another episode's goal is shown
     bool blank_images = false;   // nothing is seen
     /// Pictures are drawn at once with so many rows, and each pixel shown as a square of a whole
-    /// panorama's: what training by DrawMode::kDirect shows (but for maps, which
-    /// are made of the enlarged pictures here). 0: whole panoramas are drawn. Expects:
-    /// a divisor of the task's rows (checked).
+    /// panorama's: what training by DrawMode::kDirect shows (but for maps, which are made of the
+    /// enlarged pictures here). 0: whole panoramas are drawn. Expects: a divisor of the task's rows
+    /// (checked).
     int direct_rows = 0;
     agent::PolicyAgent::Config agent = {};
   };

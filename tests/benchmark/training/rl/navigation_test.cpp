@@ -85,21 +85,47 @@ class NavigationTest : public testing::Test {
   static TrainJob Job(const std::string& config) {
     return MakeTraining(sim::ParseYaml(config, "policy.yaml"), "nts", {});
   }
+  /// Trains until a step, after which that ends as a kill would end it.
+  static void Kill(const std::string& config, int step) {
+    Watcher killed(step);
+    EXPECT_THROW(RunTraining(Job(config), &killed), Killed);
+  }
+  /// Likewise in a process of its own, which is gone at once.
+  static void KillProcess(const std::string& config, int step) {
+    class Killer final : public Watcher {
+     public:
+      explicit Killer(int kill_at) : kill_at_(kill_at) {}
+      void Stepped(int at, double /*loss*/) override {
+        if (at == kill_at_) ::raise(SIGKILL);
+      }
+
+     private:
+      int kill_at_;
+    };
+    const pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+      Killer killer(step);
+      RunTraining(Job(config), &killer);
+      std::_Exit(0);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    ASSERT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL);
+  }
   /// Trains once in one go and once with kills, and tells whether the weights are the same.
   static void ExpectResumes(const std::string& task, const std::string& more,
-                            const std::string& kind = "") {
+                            const std::string& kind = "",
+                            void (*kill)(const std::string&, int) = Kill) {
     const auto out = [&](const char* name) {
       return folder_->path() / (task + kind + name);
     };
-    Watcher whole(0);
-    RunTraining(Job(Config(task, out("_whole"), more)), &whole);
-    for (const int kill_at : {3, 5}) {
-      Watcher killed(kill_at);
-      EXPECT_THROW(RunTraining(Job(Config(task, out("_parts"), more)), &killed), Killed);
-    }
+    for (const int kill_at : {3, 5}) kill(Config(task, out("_parts"), more), kill_at);
     Watcher rest(0);
     RunTraining(Job(Config(task, out("_parts"), more)), &rest);
     EXPECT_EQ(rest.resumed(), 4);
+    Watcher whole(0);  // after the kills: processes are forked before torch has threads
+    RunTraining(Job(Config(task, out("_whole"), more)), &whole);
     const auto weights = [&](const char* name) {
       return agent::ReadTensorFile(out(name) / "weights.safetensors");
     };
@@ -593,43 +619,10 @@ TEST_F(NavigationTest, ImitationResumesBitForBit) {
       "lanes: 4\ngroup: 2\nrollout: 4\ndagger: {from: 1, to: 4, least: 0.2, stop_from: 0.3}\n");
 }
 
-/// Processes that are gone at once, in the rollouts of the value alone and after them.
+/// Killed in the rollouts of the value alone and after them.
 TEST_F(NavigationTest, KilledProcessesOfPpoGoOnBitForBit) {
-  const auto job = [](const char* name) {
-    return Job(Config("ppo", folder_->path() / name,
-                      "ppo: {lanes: 4, group: 2, rollout: 4, value_first: 3}\n"));
-  };
-  class Killer final : public Watcher {
-   public:
-    explicit Killer(int kill_at) : Watcher(0), kill_at_(kill_at) {}
-    void Stepped(int step, double /*loss*/) override {
-      if (step == kill_at_) ::raise(SIGKILL);
-    }
-
-   private:
-    int kill_at_;
-  };
-  for (const int kill_at : {3, 5}) {
-    const pid_t child = ::fork();
-    ASSERT_GE(child, 0);
-    if (child == 0) {
-      Killer killer(kill_at);
-      RunTraining(job("killed"), &killer);
-      std::_Exit(0);
-    }
-    int status = 0;
-    ::waitpid(child, &status, 0);
-    ASSERT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL);
-  }
-  Watcher rest(0);
-  RunTraining(job("killed"), &rest);
-  EXPECT_EQ(rest.resumed(), 4);
-  Watcher whole(0);
-  RunTraining(job("whole"), &whole);
-  const auto weights = [](const char* name) {
-    return agent::ReadTensorFile(folder_->path() / name / "weights.safetensors").tensors;
-  };
-  EXPECT_EQ(weights("killed"), weights("whole"));
+  ExpectResumes("ppo", "ppo: {lanes: 4, group: 2, rollout: 4, value_first: 3}\n", "_processes",
+                KillProcess);
 }
 
 TEST_F(NavigationTest, APolicyThatImitatesMayStopAsItsAgentDoes) {

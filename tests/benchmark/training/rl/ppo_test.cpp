@@ -193,7 +193,9 @@ TEST(Ppo, ValueAloneLeavesThePolicyWithoutGradients) {
   LearnFrom(rollout, spec, {&optimiser, 0.0, 1, true}, &played.groups, &played.net, &moments);
   int of_value = 0;
   for (const auto& parameter : played.net.named_parameters()) {
-    const bool has_gradient = parameter.value().grad().defined();
+    const torch::Tensor gradient = parameter.value().grad();
+    const bool has_gradient = gradient.defined() && gradient.abs().sum().item<double>() > 0.0;
+    EXPECT_EQ(gradient.defined(), has_gradient) << parameter.key();
     EXPECT_EQ(has_gradient, ActorCritic::IsOfValue(parameter.key())) << parameter.key();
     of_value += has_gradient ? 1 : 0;
   }
