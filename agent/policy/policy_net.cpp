@@ -252,6 +252,12 @@ void TakePolicy(const std::filesystem::path& weights, PolicyNet* net) {
   }
 }
 
+torch::Tensor WithoutDepth(const torch::Tensor& pictures) {
+  torch::Tensor color = pictures.clone();
+  color.view({color.size(0), -1, kInputChannels}).select(2, kInputChannels - 1).zero_();
+  return color;
+}
+
 std::shared_ptr<IntegerSight> LoadSight(const std::filesystem::path& weights, int rows) {
   const TensorFile content = ReadTensorFile(weights);
   if (!HoldsIntegers(content) && !content.metadata.contains(kIntegerPart)) {

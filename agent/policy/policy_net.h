@@ -94,6 +94,8 @@ void TakePolicy(const std::filesystem::path& weights, PolicyNet* net);
 /// Takes the encoder of a semantic model of the same width and rows; one of colour alone does not
 /// heed depth at first. Throws FileError if it is of another shape.
 void TakeEncoder(const std::filesystem::path& weights, PolicyNet* net);
+/// What the setting rgb shows of pictures without a map, u8 [n, picture_bytes()]: no depth.
+torch::Tensor WithoutDepth(const torch::Tensor& pictures);
 /// The encoder in integers of a semantic model or a policy, for pictures of so many rows. Throws
 /// FileError if the file has none.
 std::shared_ptr<IntegerSight> LoadSight(const std::filesystem::path& weights, int rows);

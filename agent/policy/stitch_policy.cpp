@@ -62,13 +62,15 @@ void PutBefore(const CodeMap& codes, torch::Tensor weight, torch::Tensor bias) {
 
 }  // namespace
 
-double StitchPolicy(const torch::Tensor& pictures, std::shared_ptr<IntegerSight> other,
+double StitchPolicy(const StitchPictures& pictures, std::shared_ptr<IntegerSight> other,
                     PolicyNet* policy) {
-  if (pictures.size(0) < kCodeSize) throw sim::Error("too few pictures to stitch a policy by");
+  if (pictures.policys.size(0) < kCodeSize) {
+    throw sim::Error("too few pictures to stitch a policy by");
+  }
   const torch::NoGradGuard no_grad;
-  const torch::Tensor wanted = Patches(policy, pictures);
+  const torch::Tensor wanted = Patches(policy, pictures.policys);
   policy->SeeWith(std::move(other));
-  const CodeMap codes = Fit(Patches(policy, pictures), wanted);
+  const CodeMap codes = Fit(Patches(policy, pictures.others), wanted);
   const auto layers = policy->named_children();
   for (const std::string name : kReaders) {
     if (!layers.contains(name)) continue;

@@ -6,14 +6,21 @@
 
 namespace bulletnav::agent {
 
+/// The same panoramas, u8 [n, picture_bytes()], as each encoder was trained to be shown them: one
+/// of colour alone without depth.
+struct StitchPictures {
+  torch::Tensor policys;
+  torch::Tensor others;
+};
+
 /// Lets a trained policy see with another encoder in integers, as one of colour instead of one of
 /// colour and depth: the codes that it knows are replaced by the linear function of the other's
 /// codes that comes nearest to them, the same for all patches, which goes into the layers that read
-/// codes. `pictures`: u8 [n, picture_bytes()], with all that both encoders take; the function is
-/// fitted on them by least squares. Returns the share of the codes' variance that it explains.
-/// Throws Error if there are fewer pictures than a code has numbers. Source: Bansal, Nakkiran and
-/// Barak, "Revisiting model stitching to compare neural representations", NeurIPS 2021.
-double StitchPolicy(const torch::Tensor& pictures, std::shared_ptr<IntegerSight> other,
+/// codes. The function is fitted by least squares. Returns the share of the codes' variance that it
+/// explains. Throws Error if there are fewer pictures than a code has numbers. Source: Bansal,
+/// Nakkiran and Barak, "Revisiting model stitching to compare neural representations", NeurIPS
+/// 2021.
+double StitchPolicy(const StitchPictures& pictures, std::shared_ptr<IntegerSight> other,
                     PolicyNet* policy);
 
 }  // namespace bulletnav::agent

@@ -107,9 +107,14 @@ void TrainNoted(const sim::YamlNode& config, const std::shared_ptr<Peers>& peers
 
 void Train(const TrainWords& words) {
   const std::vector<sim::YamlNode> configs = ReadAll(words);
-  const auto peers = std::make_shared<Peers>(PeerPlaceOf([](const char* name) {
+  const PeerPlace place = PeerPlaceOf([](const char* name) {
     return static_cast<const char*>(std::getenv(name));
-  }));
+  });
+  if (place.size > 1) {
+    fmt::print(stderr, "process {} of {} waits for the others, {} s at most\n", place.rank,
+               place.size, place.timeout_s);
+  }
+  const auto peers = std::make_shared<Peers>(place);
   try {
     for (const sim::YamlNode& config : configs) TrainNoted(config, peers);
   } catch (const std::exception& error) {

@@ -50,26 +50,27 @@ void ShortestPathAgent::Reset(const GroundTruth& truth) {
 }
 
 Action ShortestPathAgent::Act(const GroundTruth& truth) {
-  return Advise(truth).value_or(Action::kStop);
+  return Advise(truth).action;
 }
 
-std::optional<Action> ShortestPathAgent::Advise(const GroundTruth& truth) {
+ShortestPathAgent::Advice ShortestPathAgent::Advise(const GroundTruth& truth) {
   const auto path =
       query_->FindPath(truth.pose.position.cast<float>(), truth.goal.position.cast<float>());
-  if (!path) return std::nullopt;
-  if (path->length < config_.stop_distance) return Action::kStop;
-  if (const auto action = FollowWayOut(truth.pose)) return action;
+  if (!path) return {Action::kStop, false};
+  if (path->length < config_.stop_distance) return {Action::kStop, true};
+  if (const auto action = FollowWayOut(truth.pose)) return {*action, true};
   const Action action = Towards(NextCorner(*path, truth.pose), truth.pose);
   if (pause_ > 0) --pause_;
-  if (pause_ > 0 || action != Action::kMoveForward ||
-      GainAhead(truth, path->length) >= kLeastGain) {
-    return action;
+  if (action != Action::kMoveForward || GainAhead(truth, path->length) >= kLeastGain) {
+    return {action, true};
   }
+  if (pause_ > 0) return {action, false};
   const auto way = FindWayOut(truth, *query_);
   if (way.empty()) pause_ = config_.search_pause;
   way_out_.assign(way.begin(), way.end());
   patience_ = kPatience * static_cast<int>(way.size()) + 18;
-  return FollowWayOut(truth.pose).value_or(action);
+  if (const auto out = FollowWayOut(truth.pose)) return {*out, true};
+  return {action, false};
 }
 
 Action ShortestPathAgent::Towards(const Eigen::Vector3d& point, const sim::BodyPose& pose) const {

@@ -34,13 +34,19 @@ class ShortestPathAgent final : public PrivilegedAgent {
     void Validate() const;
   };
 
+  struct Advice {
+    sim::Action action;
+    // Whether it is known to lead to the goal: not where it stops because no way leads there, nor
+    // where it pushes on because it has found no way round.
+    bool leads;
+  };
+
   explicit ShortestPathAgent(const Config& config) : config_(config) {}
 
   void Reset(const GroundTruth& truth) override;
-  /// Stops where Advise says nothing.
+  /// What is advised.
   sim::Action Act(const GroundTruth& truth) override;
-  /// Absent where no way leads to the goal.
-  std::optional<sim::Action> Advise(const GroundTruth& truth);
+  Advice Advise(const GroundTruth& truth);
 
  private:
   /// Turns as near as turns get to the direction of a point, then goes.

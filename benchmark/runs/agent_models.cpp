@@ -144,7 +144,7 @@ bool ActsInFloats(const RunConfig& config) {
 fs::path FindWeights(const std::string& weights) {
   if (const auto file = FindShipped(weights)) return *file;
   throw sim::FileError(weights, "",
-                       "does not exist; train it: ./bulletnav train configs/train/...");
+                       "does not exist; docs/training.md says which command trains it");
 }
 
 std::vector<agent::AgentContext> ContextsOf(const AgentEntry& entry,

@@ -12,6 +12,7 @@
 #include <fmt/ranges.h>
 
 #include "benchmark/base/file_hash.h"
+#include "benchmark/base/first_difference.h"
 #include "benchmark/episodes/episode_file.h"
 #include "benchmark/play/belief_log.h"
 #include "benchmark/play/trajectory.h"

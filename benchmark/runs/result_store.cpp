@@ -11,6 +11,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "benchmark/base/first_difference.h"
 #include "sim/base/check.h"
 #include "sim/base/error.h"
 #include "sim/base/files.h"
@@ -270,20 +271,6 @@ ReadableResults ReadReadableResults(const fs::path& folder) {
 ResultLines ReadResultLines(const fs::path& folder) {
   const fs::path file = folder / kEpisodesFile;
   return fs::exists(file) ? ReadLines(file).texts : ResultLines();
-}
-
-std::string FirstDifference(const std::string& there, const std::string& here) {
-  std::istringstream old_lines(there);
-  std::istringstream new_lines(here);
-  for (int number = 1;; ++number) {
-    std::string old_line;
-    std::string new_line;
-    std::getline(old_lines, old_line);
-    std::getline(new_lines, new_line);
-    if (old_line != new_line || !old_lines || !new_lines) {
-      return fmt::format("line {} is '{}' there and '{}' here", number, old_line, new_line);
-    }
-  }
 }
 
 }  // namespace bulletnav::bench

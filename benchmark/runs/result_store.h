@@ -84,7 +84,4 @@ ReadableResults ReadReadableResults(const std::filesystem::path& folder);
 /// As ReadResults, as they are written; none if there is no file.
 ResultLines ReadResultLines(const std::filesystem::path& folder);
 
-/// "line 3 is 'seed: 1' there and 'seed: 2' here", of the first lines that differ.
-std::string FirstDifference(const std::string& there, const std::string& here);
-
 }  // namespace bulletnav::bench

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "agent/perception/weights.h"
+#include "benchmark/base/first_difference.h"
 #include "benchmark/base/warn_line.h"
 #include "sim/base/error.h"
 #include "sim/base/files.h"
@@ -108,8 +109,11 @@ std::optional<TrainState> Checkpoints::Read(Training* training, Optimiser* optim
 TrainState Checkpoints::Restore(const fs::path& file, const agent::TensorFile& content,
                                 Training* training, Optimiser* optimiser) const {
   const auto config = content.metadata.find("config");
-  if (config == content.metadata.end() || config->second != essence_) {
-    throw sim::FileError(file, "", "is of a training by another config; change out or remove it");
+  const std::string before = config == content.metadata.end() ? "" : config->second;
+  if (before != essence_) {
+    throw sim::FileError(file, "",
+                         "is of a training by another config: " +
+                             FirstDifference(before, essence_) + "; change out or remove it");
   }
   TrainState state;
   state.step = Number<int>(content, "step", file);

@@ -224,12 +224,25 @@ TEST(StitchPolicy, ActsAsBeforeThroughAnEncoderOfTheSameCodesInAnotherOrder) {
   };
   const torch::Tensor before = logits();
   const auto turned = std::make_shared<IntegerSight>(TurnedChannels(encoder, 5), config.rows);
-  EXPECT_GT(StitchPolicy(pictures, turned, &net), 0.99);
+  EXPECT_GT(StitchPolicy({pictures, pictures}, turned, &net), 0.99);
   const torch::Tensor after = logits();
   const float spread = (before - before.mean(1, true)).abs().max().item<float>();
   EXPECT_LT((after - before).abs().max().item<float>(), 0.1f * spread);
   EXPECT_EQ(net.sight(), turned);
-  EXPECT_THROW(StitchPolicy(pictures.narrow(0, 0, 20), turned, &net), sim::Error);
+  const torch::Tensor few = pictures.narrow(0, 0, 20);
+  EXPECT_THROW(StitchPolicy({few, few}, turned, &net), sim::Error);
+}
+
+TEST(WithoutDepth, IsWhatAPanoramaOfColourAloneIs) {
+  const std::vector<tests::RandomPanorama> panoramas = SomePanoramas(3, 2);
+  const torch::Tensor color = WithoutDepth(BytesOf(panoramas, 32));
+  PolicyPictures pictures(32);
+  for (std::int64_t i = 0; i < 2; ++i) {
+    torch::Tensor alone = torch::ones_like(color[i]);
+    pictures.Write({panoramas[static_cast<std::size_t>(i)].color, {}},
+                   {alone.data_ptr<std::uint8_t>(), pictures.bytes()});
+    EXPECT_TRUE(at::equal(color[i], alone));
+  }
 }
 
 TEST(TakePolicy, APolicyWithAMapBeginsAsOneWithout) {

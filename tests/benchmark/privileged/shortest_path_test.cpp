@@ -69,32 +69,56 @@ TEST(ShortestPath, StopsWhereThereIsNoWay) {
   ShortestPathAgent agent({});
   agent.Reset(truth);
   EXPECT_EQ(agent.Act(truth), sim::Action::kStop);
-  EXPECT_FALSE(agent.Advise(truth));
+  EXPECT_FALSE(agent.Advise(truth).leads);
   truth.goal = {{2.3, 0, -2}, 0.0};
-  EXPECT_EQ(agent.Advise(truth), sim::Action::kStop);  // where it is there, it does advise
+  EXPECT_EQ(agent.Advise(truth).action, sim::Action::kStop);
+  EXPECT_TRUE(agent.Advise(truth).leads);
 }
 
-/// A wall with two gaps; the body does not fit into the narrower one, which the navmesh's way
-/// takes.
-TEST(ShortestPath, ATeacherGivesUpAWayRoundThatTheBodyHasLeft) {
+/// A room with a wall across it with gaps; the body does not fit into the narrower one, which the
+/// navmesh's way takes.
+GroundTruth BeforeAWall(const std::vector<std::pair<float, float>>& walls) {
   sim::SceneMesh mesh = tests::BoxRoom(6, 2.6f, 8);
-  for (const auto& [from, to] : {std::pair{0.0f, 2.9f}, {3.3f, 4.2f}, {5.4f, 6.0f}}) {
+  for (const auto& [from, to] : walls) {
     tests::AddBox({from, 0.0f, -4.05f}, {to, 2.6f, -3.95f}, {90, 90, 90}, &mesh);
   }
   GroundTruth truth;
   truth.world = sim::World::FromMesh(std::move(mesh), "gaps");
   truth.body.radius = 0.3f;
+  truth.pose = {{3.1, 0, -3.7}, 0.0};
   truth.goal = {{3.1, 0, -7}, 0.0};
+  return truth;
+}
+
+TEST(ShortestPath, ATeacherGivesUpAWayRoundThatTheBodyHasLeft) {
+  GroundTruth truth = BeforeAWall({{0.0f, 2.9f}, {3.3f, 4.2f}, {5.4f, 6.0f}});
   const auto advice_beyond_the_wall = [&](const ShortestPathAgent::Config& config) {
     ShortestPathAgent agent(config);
     truth.pose = {{3.1, 0, -3.7}, 0.0};
     agent.Reset(truth);
-    EXPECT_EQ(agent.Advise(truth), sim::Action::kTurnRight);  // to the wider gap
+    EXPECT_EQ(agent.Advise(truth).action, sim::Action::kTurnRight);  // to the wider gap
     truth.pose.position.z() = -5.0;
-    return agent.Advise(truth);
+    return agent.Advise(truth).action;
   };
   EXPECT_EQ(advice_beyond_the_wall({.most_stray = 0.5}), sim::Action::kMoveForward);
   EXPECT_NE(advice_beyond_the_wall({}), sim::Action::kMoveForward);  // back to that way
+}
+
+TEST(ShortestPath, SaysThatPushingOnLeadsNowhereWhereThereIsNoWayRound) {
+  GroundTruth truth = BeforeAWall({{0.0f, 2.9f}, {3.3f, 6.0f}});
+  ShortestPathAgent agent({.search_pause = 3});
+  agent.Reset(truth);
+  for (int i = 0; i < 6; ++i) {
+    const ShortestPathAgent::Advice advice = agent.Advise(truth);
+    EXPECT_EQ(advice.action, sim::Action::kMoveForward);
+    EXPECT_FALSE(advice.leads) << i;
+  }
+  truth.pose.yaw = 1.0;
+  EXPECT_EQ(agent.Advise(truth).action, sim::Action::kTurnRight);
+  EXPECT_TRUE(agent.Advise(truth).leads);
+  truth.pose = {{3.1, 0, -1}, 0.0};  // where forward brings it nearer
+  EXPECT_EQ(agent.Advise(truth).action, sim::Action::kMoveForward);
+  EXPECT_TRUE(agent.Advise(truth).leads);
 }
 
 TEST(PrivilegedAgents, AreMadeByNameWithAConfig) {

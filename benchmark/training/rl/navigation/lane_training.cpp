@@ -10,7 +10,7 @@ LaneTraining::LaneTraining(const NavigationPlan& plan, const Shape& shape,
     : setting_(plan.setting),
       shape_(shape),
       peers_(context.peers),
-      world_(plan, context),
+      world_(plan, {Share().lanes, shape.rollout}, context),
       pool_(peers_ ? peers_->threads() : 0) {}
 
 void LaneTraining::TakeNet(const std::function<std::unique_ptr<PictureNet>()>& make) {

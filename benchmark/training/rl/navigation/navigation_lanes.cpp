@@ -176,8 +176,8 @@ void NavigationLanes::ShowGoal(int lane, std::span<std::uint8_t> picture) const 
 void NavigationLanes::AskTeacher(int lane) {
   Lane& own = at(lane);
   if (own.lesson) return;
-  const auto action = own.teacher->Advise(own.stage->truths[static_cast<std::size_t>(lane)]);
-  own.lesson = {static_cast<int>(action.value_or(sim::Action::kStop)), action.has_value()};
+  const auto advice = own.teacher->Advise(own.stage->truths[static_cast<std::size_t>(lane)]);
+  own.lesson = {static_cast<int>(advice.action), advice.leads};
 }
 
 bool NavigationLanes::Teach(std::span<Lesson> lessons) {

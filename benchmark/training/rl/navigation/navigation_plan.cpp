@@ -80,14 +80,14 @@ NavigationSpec NavigationPlan::Lanes(const LaneShare& share, bool teaches) const
   return spec;
 }
 
-void NavigationPlan::RequireRollout(int lanes, int steps) const {
-  constexpr double kColor = 3.0;  // bytes a pixel of what a net that learns to see is shown
-  constexpr double kCodes = 4e3;  // bytes of what another one has made of it, at least
+void NavigationPlan::RequireRollout(const RolloutSize& size) const {
   constexpr double kTwice = 2.0;  // while steps are put together
-  const double pixels = 4.0 * model.rows * model.rows;
-  const double step = model.own_encoder ? kColor * pixels : kCodes;
-  RequireMemory(kTwice * step * steps * lanes,
-                fmt::format("a rollout of {} steps in {} lanes", steps, lanes),
+  const double map = model.map ? agent::kPolicyMapBytes : 0.0;
+  const double pictures = 1.0 * agent::kInputChannels * 4.0 * model.rows * model.rows;
+  const double codes = agent::PolicyNet::kCodes;
+  const double step = model.own_encoder ? pictures + map : sizeof(float) * (codes + map);
+  RequireMemory(kTwice * step * size.steps * size.lanes,
+                fmt::format("a rollout of {} steps in {} lanes", size.steps, size.lanes),
                 "take a shorter rollout or fewer lanes");
 }
 
@@ -99,14 +99,18 @@ std::unique_ptr<PictureNet> NavigationPlan::MakeNet(std::uint64_t seed) const {
   return net;
 }
 
-NavigationWorld::NavigationWorld(const NavigationPlan& plan, const TrainContext& context)
+NavigationWorld::NavigationWorld(const NavigationPlan& plan, const RolloutSize& rollout,
+                                 const TrainContext& context)
     : setting_(plan.setting),
       validation_episodes_(plan.validation_episodes),
       agent_(plan.agent),
       frames_before_(
           plan.policy_start ? agent::FramesTrained(ShippedOr(*plan.policy_start)).value_or(0) : 0),
       peers_(context.peers),
-      scenes_(LoadNavigationScenes(plan.data, context, "loading scenes")),
+      scenes_([&] {
+        plan.RequireRollout(rollout);
+        return LoadNavigationScenes(plan.data, context, "loading scenes");
+      }()),
       validation_scenes_(LoadNavigationScenes(ValidationOf(plan.validation, plan.data), context,
                                               "loading validation scenes")),
       validation_(&validation_scenes_, plan.task(), plan.validation_episodes) {}
@@ -125,7 +129,7 @@ std::optional<Measures> NavigationWorld::Quantise(agent::PolicyNet* net,
                                                   sim::WorkerPool* pool) const {
   if (!net->sight() && !agent::HasIntegerForm(net->config().seeing())) return std::nullopt;
   const agent::QuantisedNet quantised =
-      agent::Quantise(net, validation_.Calibration(net->config(), setting_ != LaneSetting::kRgb));
+      agent::Quantise(net, validation_.Calibration(net->config(), setting_));
   if (!peers_ || peers_->is_first()) {
     agent::AddQuantised(quantised, file, file, agent::RestoredNumbers(quantised));
   }

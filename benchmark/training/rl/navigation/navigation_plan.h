@@ -17,6 +17,12 @@
 
 namespace bulletnav::bench {
 
+/// What one process plays before it learns from it.
+struct RolloutSize {
+  int lanes = 0;
+  int steps = 0;
+};
+
 /// What trainings of policies are told about the world and the net, beside how they learn.
 struct NavigationPlan {
   NavigationData data;
@@ -52,9 +58,8 @@ struct NavigationPlan {
 
   Task task() const;  // as runs play it
   NavigationSpec Lanes(const LaneShare& share, bool teaches) const;
-  /// Throws sim::Error if rollouts of so many lanes and steps certainly do not fit into memory;
-  /// before lanes are made, which takes long.
-  void RequireRollout(int lanes, int steps) const;
+  /// Throws sim::Error if a rollout of that size certainly does not fit into memory.
+  void RequireRollout(const RolloutSize& size) const;
   std::unique_ptr<PictureNet> MakeNet(std::uint64_t seed) const;
 };
 
@@ -66,8 +71,10 @@ NavigationScenes LoadNavigationScenes(const NavigationData& data, const TrainCon
 /// The scenes and episodes that a policy is trained and tried in.
 class NavigationWorld {
  public:
-  /// Makes houses that are not there, and loads all scenes. Throws Error.
-  NavigationWorld(const NavigationPlan& plan, const TrainContext& context);
+  /// Makes houses that are not there, and loads all scenes. Throws Error; first of all for a
+  /// rollout that does not fit.
+  NavigationWorld(const NavigationPlan& plan, const RolloutSize& rollout,
+                  const TrainContext& context);
 
   NavigationScenes* scenes() { return &scenes_; }
   /// "success" and all others of PolicyValidation; after "rgb_" and "rgbd_" if both are trained.

@@ -18,12 +18,7 @@ PictureNet::PictureNet(const agent::PolicyConfig& config, const std::optional<st
 }
 
 torch::Tensor PictureNet::Encode(const torch::Tensor& pictures) {
-  if (!hides_depth_) return policy_->Encode(pictures);
-  const torch::Tensor color = pictures.clone();
-  color.view({color.size(0), -1, agent::kInputChannels})
-      .select(2, agent::kInputChannels - 1)
-      .zero_();
-  return policy_->Encode(color);
+  return policy_->Encode(hides_depth_ ? agent::WithoutDepth(pictures) : pictures);
 }
 
 ActorCritic::Output PictureNet::Run(const Seen& seen, const torch::Tensor& starts,

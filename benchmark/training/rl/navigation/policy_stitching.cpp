@@ -39,6 +39,11 @@ torch::Tensor Pictures(NavigationScenes* scenes, int rows, int count) {
   return at::stack(seen);
 }
 
+/// As runs show them to an encoder that was trained in that setting.
+torch::Tensor ShownIn(const std::string& setting, const torch::Tensor& pictures) {
+  return setting == sim::NameOf(LaneSetting::kRgb) ? agent::WithoutDepth(pictures) : pictures;
+}
+
 }  // namespace
 
 void StitchConfig::Validate() const {
@@ -54,11 +59,21 @@ double Stitch(const StitchConfig& config, const std::filesystem::path& out,
                          "is of a policy with an encoder of its own or a map; only those that see "
                          "with a semantic model's in integers alone are stitched");
   }
-  const auto other = agent::LoadSight(ShippedOr(config.encoder), policy->config().rows);
+  const agent::TensorFile content = agent::ReadTensorFile(weights);
+  if (content.metadata.contains(agent::kStitchedKey)) {
+    throw sim::FileError(weights, agent::kStitchedKey,
+                         "says that it was stitched already; train it first, or stitch the weights "
+                         "that it was made of");
+  }
+  const std::filesystem::path encoder = ShippedOr(config.encoder);
+  const auto other = agent::LoadSight(encoder, policy->config().rows);
   NavigationScenes scenes = LoadNavigationScenes(config.data, context, "loading scenes");
   const torch::Tensor pictures = Pictures(&scenes, policy->config().rows, config.pictures);
-  const double explained = agent::StitchPolicy(pictures, other, policy.get());
-  std::map<std::string, std::string> notes = agent::ReadTensorFile(weights).metadata;
+  const double explained = agent::StitchPolicy(
+      {ShownIn(agent::TrainedSetting(content, weights), pictures),
+       ShownIn(agent::TrainedSetting(agent::ReadTensorFile(encoder), encoder), pictures)},
+      other, policy.get());
+  std::map<std::string, std::string> notes = content.metadata;
   notes[agent::kStitchedKey] = config.weights + " to the encoder of " + config.encoder;
   agent::SavePolicy(*policy, std::move(notes), agent::StoredType::kBfloat16, out);
   return explained;

@@ -7,7 +7,6 @@
 
 #include "agent/policy/policy_agent.h"
 #include "benchmark/privileged/shortest_path.h"
-#include "benchmark/training/rl/navigation/navigation_lanes.h"
 #include "sim/base/check.h"
 
 namespace bulletnav::bench {
@@ -140,14 +139,21 @@ std::vector<PolicyValidation::Result> PolicyValidation::PlayAll(const Way& way,
 }
 
 agent::PolicyCalibration PolicyValidation::Calibration(const agent::PolicyConfig& config,
-                                                       bool with_depth) const {
+                                                       LaneSetting setting) const {
+  if (setting == LaneSetting::kBoth) {
+    const agent::PolicyCalibration color = Calibration(config, LaneSetting::kRgb);
+    const agent::PolicyCalibration depth = Calibration(config, LaneSetting::kRgbd);
+    return {at::cat({color.pictures, depth.pictures}),
+            at::cat({color.goal_pictures, depth.goal_pictures}),
+            at::cat({color.numbers, depth.numbers})};
+  }
   constexpr std::size_t kEpisodes = 24;
   constexpr int kSteps = 12;
   constexpr int kLane = 0;
   agent::PolicyPictures pictures(config.rows);
   std::vector<torch::Tensor> seen, goals, numbers;
   Task task = task_;
-  task.depth = with_depth;
+  task.depth = setting == LaneSetting::kRgbd;
   task.reward.reset();
   std::optional<agent::PolicyMap> map;
   if (config.map) map.emplace(RigOf(task));

@@ -10,6 +10,7 @@
 #include "benchmark/play/environment.h"
 #include "benchmark/training/core/measures.h"
 #include "benchmark/training/core/peers.h"
+#include "benchmark/training/rl/navigation/navigation_lanes.h"
 #include "benchmark/training/rl/navigation/navigation_scenes.h"
 #include "sim/threads/worker_pool.h"
 
@@ -44,8 +45,9 @@ class PolicyValidation {
   void Measure(const PolicyMaker& make, const Way& way, Measures* measures) const;
 
   /// What policies see at the starts of the episodes and on the shortest ways from there, for
-  /// scales of integers.
-  agent::PolicyCalibration Calibration(const agent::PolicyConfig& config, bool with_depth) const;
+  /// scales of integers; in both settings one after the other.
+  agent::PolicyCalibration Calibration(const agent::PolicyConfig& config,
+                                       LaneSetting setting) const;
 
  private:
   struct Result {

@@ -32,8 +32,13 @@ class PpoNavigationTraining final : public PpoTraining {
   using Config = PpoNavigationConfig;
 
   PpoNavigationTraining(const Config& config, const TrainContext& context)
-      : PpoNavigationTraining(config, std::make_shared<NavigationWorld>(config.navigation, context),
-                              context.peers) {}
+      : PpoNavigationTraining(
+            config,
+            std::make_shared<NavigationWorld>(
+                config.navigation,
+                RolloutSize{Share(config.ppo, context.peers.get()).lanes, config.ppo.rollout},
+                context),
+            context.peers) {}
 
   Measures Validate() override {
     Measures measures = world_->Validate(net_of_policy().policy(), pool());
@@ -76,7 +81,6 @@ class PpoNavigationTraining final : public PpoTraining {
             },
             [config, world, peers](sim::WorkerPool* pool) {
               const LaneShare share = Share(config.ppo, peers.get());
-              config.navigation.RequireRollout(share.lanes, config.ppo.rollout);
               return std::make_unique<NavigationLanes>(config.navigation.Lanes(share, false),
                                                        world->scenes(), pool);
             },

@@ -145,7 +145,8 @@ TEST_F(ExplorationTrainingTest, IsMadeLongerInItsFolderWhereNoStepHeedsTheirNumb
     }
   };
   expect(2, constant, "checkpoint.safetensors: is of step 3, beyond steps: 2");
-  expect(4, "optimiser: {schedule: cosine, warmup_steps: 0}\n", "another config");
+  expect(4, "optimiser: {schedule: cosine, warmup_steps: 0}\n",
+         "by another config: line 5 is '  schedule: constant' there and '  schedule: cosine' here");
 }
 
 TEST_F(ExplorationTrainingTest, BadConfigsAreRefusedWhereTheyAreWrong) {

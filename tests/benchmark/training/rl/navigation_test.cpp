@@ -505,6 +505,90 @@ TEST_F(NavigationTest, PoliciesAreTriedWithOtherGoalsAndWithOtherImages) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(direct.goals[i] / plain.goals[i], 1.0, 0.02);
 }
 
+TEST_F(NavigationTest, ScalesOfIntegersAreOfAllThatThePolicyIsShown) {
+  NavigationScenes scenes(Data(), {}, 1);
+  const PolicyValidation validation(&scenes, Spec(false).task, 2);
+  agent::PolicyConfig config;
+  config.rows = 32;
+  const auto depths = [&](const torch::Tensor& pictures) {
+    return pictures.view({pictures.size(0), -1, 4}).select(2, 3).to(torch::kFloat32).mean(1);
+  };
+  const auto both = validation.Calibration(config, LaneSetting::kBoth);
+  const std::int64_t half = both.pictures.size(0) / 2;
+  for (const torch::Tensor& pictures : {both.pictures, both.goal_pictures}) {
+    EXPECT_EQ(depths(pictures).narrow(0, 0, half).abs().max().item<float>(), 0.0F);
+    EXPECT_GT(depths(pictures).narrow(0, half, half).min().item<float>(), 0.0F);
+  }
+  const auto with_depth = validation.Calibration(config, LaneSetting::kRgbd);
+  EXPECT_TRUE(at::equal(both.pictures.narrow(0, half, half), with_depth.pictures));
+  EXPECT_EQ(both.numbers.size(0), 2 * half);
+}
+
+/// An encoder that was trained on colour alone gives other codes if it is shown depth.
+TEST_F(NavigationTest, StitchShowsEachEncoderWhatItWasTrainedOn) {
+  const torch::NoGradGuard no_grad;
+  agent::PolicyConfig config;
+  config.rows = config.features = config.memory = 32;
+  agent::PolicyNet encoder(config, 4);
+  torch::Tensor stem = encoder.named_parameters()["encoder.trunk.stem.weight"];
+  stem.select(1, agent::kInputChannels - 1).mul_(4.0);
+  const torch::Tensor some =
+      torch::randint(0, 255, {8, encoder.picture_bytes()}, torch::TensorOptions(torch::kUInt8));
+  const agent::QuantisedNet integers =
+      agent::Quantise(&encoder, {some, some, torch::zeros({8, agent::kPolicyNumbers})});
+  config.own_encoder = false;
+  agent::PolicyNet policy(config, 5);
+  policy.SeeWith(std::make_shared<agent::IntegerSight>(integers, config.rows));
+  const auto file = [&](const std::string& setting) {
+    return (folder_->path() / ("sees_" + setting + ".safetensors")).string();
+  };
+  for (const std::string setting : {"rgb", "rgbd"}) {
+    agent::SavePolicy(policy, {{"training", "setting: " + setting}}, agent::StoredType::kFloat32,
+                      file(setting));
+  }
+  const std::string out = (folder_->path() / "stitched.safetensors").string();
+  const auto explained = [&](const std::string& policys, const std::string& others) {
+    StitchConfig stitch;
+    stitch.weights = file(policys);
+    stitch.encoder = file(others);
+    stitch.data = Data();
+    stitch.pictures = agent::kCodeSize;
+    return Stitch(stitch, out, {});
+  };
+  EXPECT_GT(explained("rgbd", "rgbd"), 0.99);
+  EXPECT_GT(explained("rgb", "rgb"), 0.99);
+  const double between = explained("rgbd", "rgb");
+  EXPECT_GT(between, 0.0);
+  EXPECT_LT(between, 0.99);
+  StitchConfig again;
+  again.weights = out;
+  again.encoder = file("rgb");
+  EXPECT_THAT(
+      [&] {
+        Stitch(again, out, {});
+      },
+      testing::ThrowsMessage<sim::FileError>(HasSubstr("was stitched already")));
+}
+
+TEST_F(NavigationTest, RolloutsThatDoNotFitAreRefusedBeforeScenesAreLoaded) {
+  for (const auto& [task, more] :
+       {std::pair{"ppo", "ppo: {lanes: 4096, group: 4, rollout: 65536}\n"},
+        {"imitation", "lanes: 4096\ngroup: 4\nrollout: 65536\n"}}) {
+    TrainContext context;
+    context.start = [](const std::string& what, int) -> std::function<void()> {
+      ADD_FAILURE() << what;
+      return [] {};
+    };
+    try {
+      MakeTraining(sim::ParseYaml(Config(task, folder_->path() / "large", more), "policy.yaml"),
+                   "nts", context);
+      FAIL();
+    } catch (const sim::Error& e) {
+      EXPECT_THAT(e.what(), HasSubstr("a rollout of 65536 steps in 4096 lanes takes"));
+    }
+  }
+}
+
 TEST_F(NavigationTest, EvaluatesWhatAFileOfWeightsHolds) {
   const std::filesystem::path file = folder_->path() / "untrained.safetensors";
   agent::PolicyConfig policy;
