@@ -161,8 +161,8 @@ TEST_F(LearnedRunTest, SaysWhyNothingCanBePlayed) {
   RunOptions options;
   const RunConfig config = Config("{agent: nts}");
   fs::remove(weights());
-  EXPECT_THAT(Complaint(config, options),
-              AllOf(HasSubstr("no agent can run: nts"), HasSubstr("does not exist; train it")));
+  EXPECT_THAT(Complaint(config, options), AllOf(HasSubstr("no agent can run: nts"),
+                                                HasSubstr("does not exist; docs/training.md")));
   EXPECT_FALSE(fs::exists(folder_.path() / "complaint"));
 }
 

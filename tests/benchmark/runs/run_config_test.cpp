@@ -125,7 +125,7 @@ TEST(RunAgents, SayWhatIsMissing) {
   EXPECT_THAT(agents[1].row().note, StartsWith("oracle; not in rgb: "));
   EXPECT_EQ(agents[2].row().note, "privileged");
   EXPECT_TRUE(agents[3].settings.empty());
-  EXPECT_THAT(agents[3].row().note, HasSubstr("does not exist; train it"));
+  EXPECT_THAT(agents[3].row().note, HasSubstr("does not exist; docs/training.md"));
   try {
     RequireAll(agents);
     FAIL();
