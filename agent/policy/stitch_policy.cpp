@@ -64,13 +64,13 @@ void PutBefore(const CodeMap& codes, torch::Tensor weight, torch::Tensor bias) {
 
 double StitchPolicy(const StitchPictures& pictures, std::shared_ptr<IntegerSight> other,
                     PolicyNet* policy) {
-  if (pictures.policys.size(0) < kCodeSize) {
+  if (pictures.of_policy.size(0) < kCodeSize) {
     throw sim::Error("too few pictures to stitch a policy by");
   }
   const torch::NoGradGuard no_grad;
-  const torch::Tensor wanted = Patches(policy, pictures.policys);
+  const torch::Tensor wanted = Patches(policy, pictures.of_policy);
   policy->SeeWith(std::move(other));
-  const CodeMap codes = Fit(Patches(policy, pictures.others), wanted);
+  const CodeMap codes = Fit(Patches(policy, pictures.of_other), wanted);
   const auto layers = policy->named_children();
   for (const std::string name : kReaders) {
     if (!layers.contains(name)) continue;

@@ -9,8 +9,8 @@ namespace bulletnav::agent {
 /// The same panoramas, u8 [n, picture_bytes()], as each encoder was trained to be shown them: one
 /// of colour alone without depth.
 struct StitchPictures {
-  torch::Tensor policys;
-  torch::Tensor others;
+  torch::Tensor of_policy;
+  torch::Tensor of_other;
 };
 
 /// Lets a trained policy see with another encoder in integers, as one of colour instead of one of

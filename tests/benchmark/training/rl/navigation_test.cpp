@@ -547,10 +547,10 @@ TEST_F(NavigationTest, StitchShowsEachEncoderWhatItWasTrainedOn) {
                       file(setting));
   }
   const std::string out = (folder_->path() / "stitched.safetensors").string();
-  const auto explained = [&](const std::string& policys, const std::string& others) {
+  const auto explained = [&](const std::string& of_policy, const std::string& of_other) {
     StitchConfig stitch;
-    stitch.weights = file(policys);
-    stitch.encoder = file(others);
+    stitch.weights = file(of_policy);
+    stitch.encoder = file(of_other);
     stitch.data = Data();
     stitch.pictures = agent::kCodeSize;
     return Stitch(stitch, out, {});
