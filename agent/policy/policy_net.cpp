@@ -137,13 +137,13 @@ void PolicyNet::SeeWith(std::shared_ptr<IntegerSight> sight) {
   sight_ = std::move(sight);
 }
 
-std::int64_t PolicyNet::picture_bytes() const {
-  return 16 * std::int64_t{config_.rows} * config_.rows +
-         (config_.map ? std::int64_t{kPolicyMapBytes} : 0);
+std::int64_t PolicyNet::PictureBytes(const PolicyConfig& config) {
+  return 16 * std::int64_t{config.rows} * config.rows +
+         (config.map ? std::int64_t{kPolicyMapBytes} : 0);
 }
 
-std::int64_t PolicyNet::code_size() const {
-  return kCodes + (config_.map ? std::int64_t{kPolicyMapBytes} : 0);
+std::int64_t PolicyNet::CodeSize(const PolicyConfig& config) {
+  return kCodes + (config.map ? std::int64_t{kPolicyMapBytes} : 0);
 }
 
 torch::Tensor PolicyNet::EncodeInIntegers(const torch::Tensor& pictures) const {

@@ -37,9 +37,11 @@ class PolicyNet : public torch::nn::Module {
 
   const PolicyConfig& config() const { return config_; }
   /// Bytes of PolicyPictures and, if it is shown a map, of PolicyMap after them.
-  std::int64_t picture_bytes() const;
+  std::int64_t picture_bytes() const { return PictureBytes(config_); }
+  static std::int64_t PictureBytes(const PolicyConfig& config);
   /// Numbers that Encode makes of them: kCodes, and the map's bytes as they are.
-  std::int64_t code_size() const;
+  std::int64_t code_size() const { return CodeSize(config_); }
+  static std::int64_t CodeSize(const PolicyConfig& config);
   /// u8 [n, picture_bytes()] to [n, code_size()]. The map's part of a goal does not matter.
   torch::Tensor Encode(const torch::Tensor& pictures);
   /// `starts` [steps, lanes], 1 where an episode begins: the memory [lanes, memory] that comes in

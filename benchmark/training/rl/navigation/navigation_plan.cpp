@@ -82,10 +82,9 @@ NavigationSpec NavigationPlan::Lanes(const LaneShare& share, bool teaches) const
 
 void NavigationPlan::RequireRollout(const RolloutSize& size) const {
   constexpr double kTwice = 2.0;  // while steps are put together
-  const double map = model.map ? agent::kPolicyMapBytes : 0.0;
-  const double pictures = 1.0 * agent::kInputChannels * 4.0 * model.rows * model.rows;
-  const double codes = agent::PolicyNet::kCodes;
-  const double step = model.own_encoder ? pictures + map : sizeof(float) * (codes + map);
+  const double codes = sizeof(float) * static_cast<double>(agent::PolicyNet::CodeSize(model));
+  const double step =
+      model.own_encoder ? static_cast<double>(agent::PolicyNet::PictureBytes(model)) : codes;
   RequireMemory(kTwice * step * size.steps * size.lanes,
                 fmt::format("a rollout of {} steps in {} lanes", size.steps, size.lanes),
                 "take a shorter rollout or fewer lanes");
