@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numeric>
 
 #include <fmt/core.h>
 
@@ -11,6 +12,7 @@
 #include "benchmark/training/core/net_parts.h"
 #include "sim/base/check.h"
 #include "sim/base/error.h"
+#include "sim/config/yaml_reader.h"
 
 namespace bulletnav::bench {
 namespace {
@@ -60,6 +62,26 @@ LaneShare ShareOf(int lanes, int group, int minibatches, const Peers* peers) {
         size, lanes, group, minibatches));
   }
   return {lanes / size, peers->rank() * (lanes / size)};
+}
+
+void RequireGroups(int lanes, int group, int minibatches) {
+  if (group < 1 || lanes % group != 0) throw sim::KeyError("group", "group must divide lanes");
+  if (minibatches < 1 || lanes / group % minibatches != 0) {
+    throw sim::KeyError("minibatches",
+                        "minibatches must divide the number of groups, lanes / group");
+  }
+}
+
+std::vector<std::vector<int>> DrawMinibatches(int groups, int count, sim::Rng* rng) {
+  BULLETNAV_CHECK(count >= 1 && groups % count == 0);
+  std::vector<std::vector<int>> all(static_cast<std::size_t>(count));
+  for (int first = 0; first < groups; first += count) {
+    std::vector<int> neighbours(all.size());
+    std::iota(neighbours.begin(), neighbours.end(), first);
+    rng->Shuffle(neighbours);
+    for (std::size_t i = 0; i < all.size(); ++i) all[i].push_back(neighbours[i]);
+  }
+  return all;
 }
 
 LaneGroups::LaneGroups(int lanes, int group, const ActorCriticMaker& make, ActorCritic* net,

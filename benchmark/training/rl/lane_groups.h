@@ -7,6 +7,7 @@
 
 #include "benchmark/training/core/peers.h"
 #include "benchmark/training/rl/actor_critic.h"
+#include "sim/math/rng.h"
 #include "sim/threads/worker_pool.h"
 
 namespace bulletnav::bench {
@@ -25,6 +26,15 @@ struct LaneShare {
 /// each minibatch and processes are 1, 2, 4, 8 and so on: sums over groups are then the same for
 /// all.
 LaneShare ShareOf(int lanes, int group, int minibatches, const Peers* peers);
+
+/// The groups of each minibatch of an epoch, ascending, drawn so that of each `count` neighbours
+/// one is in each: processes that share the groups have as many of each. Expects: `count` divides
+/// `groups` (checked).
+std::vector<std::vector<int>> DrawMinibatches(int groups, int count, sim::Rng* rng);
+
+/// Throws KeyError of the key in question unless groups of `group` divide `lanes`, and
+/// `minibatches` the groups.
+void RequireGroups(int lanes, int group, int minibatches);
 
 /// Lanes are learned from in groups, which threads and processes take side by side. Each group has
 /// the parameters of the trained net and gradients of its own, which are added up as a binary tree

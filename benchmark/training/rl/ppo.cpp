@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <vector>
 
 #include <fmt/core.h>
@@ -117,19 +116,6 @@ PpoReport MeanOf(const std::vector<double>& numbers, const std::vector<double>& 
   return mean;
 }
 
-/// Groups in minibatches, ascending, of each `count` neighbours one: processes that share the
-/// groups have as many of each.
-std::vector<std::vector<int>> Minibatches(int groups, int count, sim::Rng* rng) {
-  std::vector<std::vector<int>> all(static_cast<std::size_t>(count));
-  for (int first = 0; first < groups; first += count) {
-    std::vector<int> neighbours(all.size());
-    std::iota(neighbours.begin(), neighbours.end(), first);
-    rng->Shuffle(neighbours);
-    for (std::size_t i = 0; i < all.size(); ++i) all[i].push_back(neighbours[i]);
-  }
-  return all;
-}
-
 }  // namespace
 
 void PpoSpec::Validate() const {
@@ -140,11 +126,7 @@ void PpoSpec::Validate() const {
     throw sim::KeyError("rollout", fmt::format("rollout must lie between 1 and {}", kMostSteps));
   }
   if (epochs < 1) throw sim::KeyError("epochs", "epochs must be at least 1");
-  if (group < 1 || lanes % group != 0) throw sim::KeyError("group", "group must divide lanes");
-  if (minibatches < 1 || lanes / group % minibatches != 0) {
-    throw sim::KeyError("minibatches",
-                        "minibatches must divide the number of groups, lanes / group");
-  }
+  RequireGroups(lanes, group, minibatches);
   if (!(clip > 0.0)) throw sim::KeyError("clip", "clip must be positive");
   constexpr double kMostWeight = 100.0;
   for (const auto& [key, weight] : {std::pair{"entropy", entropy}, std::pair{"value", value}}) {
@@ -168,7 +150,7 @@ PpoReport LearnFrom(const Rollout& rollout, const PpoSpec& spec, const PpoStep& 
     const int part = i % spec.minibatches;
     if (part == 0) {
       sim::Rng rng = sim::Rng(step.seed, "lanes").Fork("epoch", static_cast<std::uint64_t>(i));
-      minibatches = Minibatches(groups->groups(), spec.minibatches, &rng);
+      minibatches = DrawMinibatches(groups->groups(), spec.minibatches, &rng);
     }
     const std::vector<int>& chosen = minibatches[static_cast<std::size_t>(part)];
     std::vector<PpoReport> reports(static_cast<std::size_t>(groups->groups()));

@@ -37,7 +37,7 @@ struct DistillationConfig : TrainPlan {
     navigation.Validate();
     internal::RequireAtLeast(1, rollout, "rollout");
     internal::RequireAtLeast(1, lanes, "lanes");
-    if (group < 1 || lanes % group != 0) throw sim::KeyError("group", "group must divide lanes");
+    RequireGroups(lanes, group, 1);
     if (!(gradient_norm > 0.0)) {
       throw sim::KeyError("gradient_norm", "gradient_norm must be positive");
     }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <cstdint>
+#include <numeric>
 #include <vector>
 
 #include "benchmark/training/core/registry.h"
@@ -8,9 +10,14 @@
 #include "benchmark/training/rl/navigation/navigation_plan.h"
 #include "benchmark/training/rl/rollout.h"
 #include "sim/base/error.h"
+#include "sim/math/rng.h"
 
 namespace bulletnav::bench {
 namespace {
+
+double Sum(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0);
+}
 
 /// The share of episodes in which the teacher acts, along the training: 1 until `from`, then down
 /// in a line to `least` at `to`. In the others the policy acts, and the teacher says what it would
@@ -52,7 +59,8 @@ struct ImitationConfig : TrainPlan {
   /// Of steps in which the teacher goes forward. It turns until it looks along its path to within
   /// one turn, so that a policy that knows the way less exactly would turn to and fro.
   double forward_weight = 1.0;
-  int epochs = 1;  // updates from the same steps
+  int epochs = 1;       // over the same steps
+  int minibatches = 1;  // of an epoch, each of whole groups and with an update of its own
   double gradient_norm = 1.0;
   std::optional<DaggerSpec> dagger;  // absent: behavioural cloning, the teacher always acts
 
@@ -66,6 +74,7 @@ struct ImitationConfig : TrainPlan {
     v("stop_weight", stop_weight);
     v("forward_weight", forward_weight);
     v("epochs", epochs);
+    v("minibatches", minibatches);
     v("gradient_norm", gradient_norm);
     v("dagger", dagger);
   }
@@ -76,7 +85,7 @@ struct ImitationConfig : TrainPlan {
     internal::RequireAtLeast(1, rollout, "rollout");
     internal::RequireAtLeast(1, lanes, "lanes");
     internal::RequireAtLeast(1, epochs, "epochs");
-    if (group < 1 || lanes % group != 0) throw sim::KeyError("group", "group must divide lanes");
+    RequireGroups(lanes, group, minibatches);
     if (!(stop_weight > 0.0)) throw sim::KeyError("stop_weight", "stop_weight must be positive");
     if (!(forward_weight > 0.0)) {
       throw sim::KeyError("forward_weight", "forward_weight must be positive");
@@ -95,7 +104,8 @@ class ImitationTraining final : public LaneTraining {
   using Config = ImitationConfig;
 
   ImitationTraining(const Config& config, const TrainContext& context)
-      : LaneTraining(config.navigation, {config.lanes, config.group, config.rollout}, context),
+      : LaneTraining(config.navigation,
+                     {config.lanes, config.group, config.rollout, config.minibatches}, context),
         config_(config) {
     TakeNet([config] {
       return config.navigation.MakeNet(config.seed);
@@ -112,40 +122,51 @@ class ImitationTraining final : public LaneTraining {
     play.values = false;
     lanes()->StartRollout(1.0 * step.step / config_.steps);
     const Rollout rollout = actor()->Play(play, {});
-    double loss = 0.0;
+    const std::uint64_t seed = sim::MixSeed(config_.seed, static_cast<std::uint64_t>(step.step));
+    Learned learned;
     for (int epoch = 0; epoch < config_.epochs; ++epoch) {
-      loss = Update(rollout, play.taught_episodes >= 1.0 && epoch == 0);
-      LimitGradients(net(), config_.gradient_norm);
-      step.optimiser->Step(step.rate);
+      sim::Rng rng = sim::Rng(seed, "lanes").Fork("epoch", static_cast<std::uint64_t>(epoch));
+      learned = LearnOnce(rollout, &rng, step);
+      const bool takes_memory = epoch == 0 && play.taught_episodes >= 1.0;
+      if (takes_memory && picture_net()->learns_to_see()) {
+        actor()->SetHidden(at::cat(learned.hidden));
+      }
     }
-    return loss;
+    agreement_ = learned.agreement;
+    return learned.loss;
   }
 
   std::string title() const override { return "A policy that imitates the shortest path"; }
 
  private:
-  static double Mean(const std::vector<double>& values) {
-    double sum = 0.0;
-    for (const double value : values) sum += value;
-    return sum / static_cast<double>(values.size());
-  }
+  /// What an epoch comes to: means over all groups.
+  struct Learned {
+    double loss = 0.0;
+    double agreement = 0.0;
+    std::vector<torch::Tensor> hidden;  // of own groups, at the rollout's end
+  };
 
   void AppendLearned(Measures* measures) const override { (*measures)("agreement", agreement_); }
 
-  /// Gradients of a rollout. Returns the loss.
-  double Update(const Rollout& rollout, bool takes_memory) {
-    const std::vector<int> all = AllGroups();
-    const std::vector<int> own = groups()->Own(all);
-    std::vector<torch::Tensor> hidden(own.size());
+  /// Each of the rollout's groups once, with an update after each minibatch.
+  Learned LearnOnce(const Rollout& rollout, sim::Rng* rng, const TrainStep& step) {
+    const std::vector<int> own = groups()->Own(AllGroups());
+    Learned learned;
+    learned.hidden.resize(own.size());
     std::vector<double> agreed(own.size());
-    const std::vector<double> losses =
-        groups()->Differentiate(all, [&](int group, ActorCritic* net) {
-          const auto at = static_cast<std::size_t>(group - own.front());
-          return Loss(rollout, groups()->LanesOf(group), net, &hidden[at], &agreed[at]);
-        });
-    if (takes_memory && picture_net()->learns_to_see()) actor()->SetHidden(at::cat(hidden));
-    agreement_ = Mean(groups()->Gather(agreed));
-    return Mean(losses);
+    for (const std::vector<int>& minibatch :
+         DrawMinibatches(groups()->groups(), config_.minibatches, rng)) {
+      const std::vector<double> losses =
+          groups()->Differentiate(minibatch, [&](int group, ActorCritic* net) {
+            const auto at = static_cast<std::size_t>(group - own.front());
+            return Loss(rollout, groups()->LanesOf(group), net, &learned.hidden[at], &agreed[at]);
+          });
+      learned.loss += Sum(losses) / groups()->groups();
+      LimitGradients(net(), config_.gradient_norm);
+      step.optimiser->Step(step.rate);
+    }
+    learned.agreement = Sum(groups()->Gather(agreed)) / groups()->groups();
+    return learned;
   }
 
   torch::Tensor Loss(const Rollout& rollout, const torch::Tensor& lanes, ActorCritic* net,

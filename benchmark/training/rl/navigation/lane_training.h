@@ -47,6 +47,7 @@ class LaneTraining : public Training {
     int lanes = 0;    // of all processes
     int group = 0;    // lanes that are learned from together
     int rollout = 0;  // steps of each lane in a step of the training
+    int minibatches = 1;
   };
   LaneTraining(const NavigationPlan& plan, const Shape& shape, const TrainContext& context);
 
@@ -54,7 +55,9 @@ class LaneTraining : public Training {
   void TakeNet(const std::function<std::unique_ptr<PictureNet>()>& make);
   /// `player`: who acts; must be there as long as something is learned.
   void TakeLanes(const NavigationSpec& spec, ActorCritic* player, std::uint64_t seed);
-  LaneShare Share() const { return ShareOf(shape_.lanes, shape_.group, 1, peers_.get()); }
+  LaneShare Share() const {
+    return ShareOf(shape_.lanes, shape_.group, shape_.minibatches, peers_.get());
+  }
   std::vector<int> AllGroups() const;
   /// What it has learned of late, after what Validate and Quantise say.
   virtual void AppendLearned(Measures* measures) const = 0;

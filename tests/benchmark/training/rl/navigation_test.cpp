@@ -698,9 +698,9 @@ TEST_F(NavigationTest, ADeviceThatPoliciesAreNotTrainedOnIsRefusedWhereverItIs) 
 }
 
 TEST_F(NavigationTest, ImitationResumesBitForBit) {
-  ExpectResumes(
-      "imitation",
-      "lanes: 4\ngroup: 2\nrollout: 4\ndagger: {from: 1, to: 4, least: 0.2, stop_from: 0.3}\n");
+  ExpectResumes("imitation",
+                "lanes: 4\ngroup: 2\nrollout: 4\nepochs: 2\nminibatches: 2\n"
+                "dagger: {from: 1, to: 4, least: 0.2, stop_from: 0.3}\n");
 }
 
 /// Killed in the rollouts of the value alone and after them.
@@ -837,6 +837,8 @@ TEST_F(NavigationTest, BadConfigsAreNamed) {
     return std::string("none");
   };
   EXPECT_THAT(complaint("imitation", "lanes: 6\ngroup: 4\n"), HasSubstr("group must divide lanes"));
+  EXPECT_THAT(complaint("imitation", "lanes: 8\ngroup: 4\nminibatches: 3\n"),
+              HasSubstr("minibatches must divide"));
   EXPECT_THAT(complaint("imitation", "dagger: {from: 5, to: 1}\n"),
               HasSubstr("to must not be before from"));
   EXPECT_THAT(complaint("imitation", "dagger: {from: 1, to: 5, stop_from: 1}\n"),

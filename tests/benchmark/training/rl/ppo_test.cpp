@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "benchmark/training/rl/ppo.h"
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
+#include <set>
+#include <vector>
 
 #include <gmock/gmock.h>
 
@@ -261,6 +264,29 @@ TEST(Ppo, LanesThatCannotBeSharedOutAreRefused) {
   PpoSpec value;
   value.value = 1e38;
   EXPECT_THROW(value.Validate(), sim::Error);
+}
+
+TEST(LaneGroups, EachMinibatchHasOneOfEachNeighbours) {
+  constexpr int kGroups = 12;
+  constexpr int kCount = 3;
+  sim::Rng rng(5, "minibatches");
+  std::set<std::vector<int>> drawn;
+  for (int epoch = 0; epoch < 20; ++epoch) {
+    std::vector<int> all;
+    for (const std::vector<int>& minibatch : DrawMinibatches(kGroups, kCount, &rng)) {
+      ASSERT_EQ(minibatch.size(), kGroups / kCount);
+      for (int i = 0; i < kGroups / kCount; ++i) {
+        EXPECT_EQ(minibatch[static_cast<std::size_t>(i)] / kCount, i);
+      }
+      all.insert(all.end(), minibatch.begin(), minibatch.end());
+      drawn.insert(minibatch);
+    }
+    std::ranges::sort(all);
+    for (int i = 0; i < kGroups; ++i) EXPECT_EQ(all[static_cast<std::size_t>(i)], i);
+  }
+  EXPECT_GT(drawn.size(), 20U);  // epochs differ
+  const std::vector<std::vector<int>> whole = {{0, 1, 2, 3}};
+  EXPECT_EQ(DrawMinibatches(4, 1, &rng), whole);
 }
 
 TEST(Ppo, EpisodesThatEndAreTold) {
