@@ -243,7 +243,8 @@ TEST_F(SharedTraining, OfPoliciesTooIsTheSame) {
   for (const auto& [task, more] :
        {std::pair{"ppo", "ppo: {lanes: 4, group: 1, rollout: 4}\n"},
         std::pair{"imitation",
-                  "lanes: 4\ngroup: 1\nrollout: 4\ndagger: {from: 0, to: 2, least: 0.2}\n"}}) {
+                  "lanes: 4\ngroup: 1\nrollout: 4\nepochs: 2\nminibatches: 2\n"
+                  "dagger: {from: 0, to: 2, least: 0.2}\n"}}) {
     for (const int size : {1, 2}) {
       EXPECT_THAT(Train(size, config(task, std::to_string(size), more)), Well());
     }
