@@ -52,7 +52,7 @@ class StillTask final : public PolicyTask {
 class TrainBench {
  public:
   TrainBench(const NavigationPlan& plan, NavigationScenes* scenes)
-      : lanes_(plan.Lanes({spec_.lanes, 0}, false), scenes, &pool_),
+      : lanes_(plan.Lanes({spec_.lanes, 0}), scenes, &pool_),
         net_(plan.MakeNet(kSeed)),
         groups_(
             spec_.lanes, spec_.group,

@@ -134,7 +134,7 @@ class DistillationTraining final : public LaneTraining {
   }
 
   NavigationSpec Lanes() const {
-    NavigationSpec spec = config_.navigation.Lanes(Share(), false);
+    NavigationSpec spec = config_.navigation.Lanes(Share());
     spec.setting = LaneSetting::kRgbd;  // for the guide
     spec.task.depth = true;
     return spec;

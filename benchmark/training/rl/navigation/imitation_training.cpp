@@ -53,8 +53,11 @@ struct DaggerSpec {
 struct ImitationConfig : TrainPlan {
   NavigationPlan navigation;
   int lanes = 32;
-  int group = 4;             // lanes that are learned from together
-  int rollout = 32;          // steps of each lane in a step of the training
+  int group = 4;     // lanes that are learned from together
+  int rollout = 32;  // steps of each lane in a step of the training
+  /// Metres of way left at which the teacher stops. Nearer ones are fewer lessons, and go on where
+  /// a stop would be right already.
+  double stop_distance = 0.5;
   double stop_weight = 1.0;  // of steps in which the teacher stops; they are rare
   /// Of steps in which the teacher goes forward. It turns until it looks along its path to within
   /// one turn, so that a policy that knows the way less exactly would turn to and fro.
@@ -71,6 +74,7 @@ struct ImitationConfig : TrainPlan {
     v("lanes", lanes);
     v("group", group);
     v("rollout", rollout);
+    v("stop_distance", stop_distance);
     v("stop_weight", stop_weight);
     v("forward_weight", forward_weight);
     v("epochs", epochs);
@@ -86,6 +90,10 @@ struct ImitationConfig : TrainPlan {
     internal::RequireAtLeast(1, lanes, "lanes");
     internal::RequireAtLeast(1, epochs, "epochs");
     RequireGroups(lanes, group, minibatches);
+    if (!(stop_distance > 0.0 && stop_distance < navigation.task().success.distance)) {
+      throw sim::KeyError("stop_distance",
+                          "stop_distance must be positive and less than a success takes, 1 m");
+    }
     if (!(stop_weight > 0.0)) throw sim::KeyError("stop_weight", "stop_weight must be positive");
     if (!(forward_weight > 0.0)) {
       throw sim::KeyError("forward_weight", "forward_weight must be positive");
@@ -110,7 +118,9 @@ class ImitationTraining final : public LaneTraining {
     TakeNet([config] {
       return config.navigation.MakeNet(config.seed);
     });
-    TakeLanes(config.navigation.Lanes(Share(), true), picture_net(), config.seed);
+    NavigationSpec spec = config.navigation.Lanes(Share());
+    spec.teacher_stops = config.stop_distance;
+    TakeLanes(spec, picture_net(), config.seed);
     if (config.dagger) picture_net()->StopFrom(config.dagger->stop_from);
   }
 

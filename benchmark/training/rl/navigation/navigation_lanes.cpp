@@ -71,9 +71,11 @@ NavigationLanes::NavigationLanes(const NavigationSpec& spec, NavigationScenes* s
   std::iota(all_.begin(), all_.end(), 0);
   for (const int lane : all_) {
     Enter(lane, draw_);
-    if (spec.teaches)
-      at(lane).teacher = std::make_unique<ShortestPathAgent>(
-          ShortestPathAgent::Config{.search_pause = kTeachersPause, .most_stray = kTeachersStray});
+    if (!spec.teacher_stops) continue;
+    at(lane).teacher = std::make_unique<ShortestPathAgent>(
+        ShortestPathAgent::Config{.stop_distance = *spec.teacher_stops,
+                                  .search_pause = kTeachersPause,
+                                  .most_stray = kTeachersStray});
   }
 }
 
@@ -181,7 +183,7 @@ void NavigationLanes::AskTeacher(int lane) {
 }
 
 bool NavigationLanes::Teach(std::span<Lesson> lessons) {
-  if (!spec_.teaches) return false;
+  if (!spec_.teacher_stops) return false;
   pool_->ForEach(lanes(), [&](int lane, int) {
     AskTeacher(lane);
     lessons[static_cast<std::size_t>(lane)] = *at(lane).lesson;
@@ -270,7 +272,7 @@ void NavigationLanes::SetState(std::span<const float> state) {
     pool_->ForEach(static_cast<int>(moving.size()), [&](int i, int) {
       const int lane = moving[static_cast<std::size_t>(i)];
       Map(lane);
-      if (spec_.teaches) AskTeacher(lane);  // it remembers, too
+      if (spec_.teacher_stops) AskTeacher(lane);  // it remembers, too
     });
     Move(moving, actions, {});
   }

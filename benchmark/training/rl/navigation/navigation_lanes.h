@@ -44,8 +44,10 @@ struct NavigationSpec {
   int first_lane = 0;  // of all lanes that are trained in, see PolicyTask
   int rows = 64;       // of the pictures that policies see
   LaneSetting setting = LaneSetting::kBoth;
-  bool teaches = false;  // the shortest path's follower acts along, as a teacher
-  bool map = false;      // policies are shown a metric map; the setting must be kRgbd
+  /// Metres of way left at which a teacher stops, the shortest path's follower, who acts along;
+  /// absent: no teacher.
+  std::optional<double> teacher_stops;
+  bool map = false;  // policies are shown a metric map; the setting must be kRgbd
   DrawMode draw = DrawMode::kAveraged;
   double averaged_from = 0.9;  // of a training by kDirect: episodes that begin later are kAveraged
   Task task;

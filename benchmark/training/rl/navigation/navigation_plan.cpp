@@ -66,13 +66,12 @@ Task NavigationPlan::task() const {
   return task;
 }
 
-NavigationSpec NavigationPlan::Lanes(const LaneShare& share, bool teaches) const {
+NavigationSpec NavigationPlan::Lanes(const LaneShare& share) const {
   NavigationSpec spec;
   spec.lanes = share.lanes;
   spec.first_lane = share.first;
   spec.rows = model.rows;
   spec.setting = setting;
-  spec.teaches = teaches;
   spec.map = model.map;
   spec.draw = draw;
   spec.averaged_from = averaged_from;

@@ -56,8 +56,8 @@ struct NavigationPlan {
   /// Throws Error.
   void Validate() const;
 
-  Task task() const;  // as runs play it
-  NavigationSpec Lanes(const LaneShare& share, bool teaches) const;
+  Task task() const;                                   // as runs play it
+  NavigationSpec Lanes(const LaneShare& share) const;  // without a teacher
   /// Throws sim::Error if a rollout of that size certainly does not fit into memory.
   void RequireRollout(const RolloutSize& size) const;
   std::unique_ptr<PictureNet> MakeNet(std::uint64_t seed) const;

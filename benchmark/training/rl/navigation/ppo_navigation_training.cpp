@@ -81,7 +81,7 @@ class PpoNavigationTraining final : public PpoTraining {
             },
             [config, world, peers](sim::WorkerPool* pool) {
               const LaneShare share = Share(config.ppo, peers.get());
-              return std::make_unique<NavigationLanes>(config.navigation.Lanes(share, false),
+              return std::make_unique<NavigationLanes>(config.navigation.Lanes(share),
                                                        world->scenes(), pool);
             },
             peers),

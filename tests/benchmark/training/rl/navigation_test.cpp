@@ -64,7 +64,7 @@ class NavigationTest : public testing::Test {
     NavigationSpec spec;
     spec.lanes = 4;
     spec.rows = 32;
-    spec.teaches = teaches;
+    if (teaches) spec.teacher_stops = 0.5;
     spec.task.noise = sim::NoiseMode::kAnsReleased;
     spec.task.reward = RewardSpec{};
     spec.task.max_steps = 60;
@@ -343,6 +343,40 @@ TEST_F(NavigationTest, TheTeacherReachesTheGoalAndItsScoreIsSpl) {
     EXPECT_TRUE(end.success);
     EXPECT_GT(end.score, 0.7);
     EXPECT_GT(end.reward, 5.0);  // ten times SPL, and the last step's gain
+  }
+}
+
+TEST_F(NavigationTest, TheTeacherStopsWhereItIsTold) {
+  NavigationScenes scenes(Data(), {}, 1);
+  sim::WorkerPool pool(2);
+  const auto steps_of = [&](double stops) {
+    NavigationSpec spec = Spec(true);
+    spec.teacher_stops = stops;
+    spec.task.max_steps = 500;
+    NavigationLanes lanes(spec, &scenes, &pool);
+    for (int lane = 0; lane < 4; ++lane) lanes.Begin(lane, 7);
+    std::array<int, 4> steps{};
+    std::vector<LaneOutcome> outcomes(4);
+    for (int step = 1; step <= 200; ++step) {
+      lanes.Step(Taught(&lanes), outcomes);
+      for (int lane = 0; lane < 4; ++lane) {
+        const LaneOutcome& outcome = outcomes.at(static_cast<std::size_t>(lane));
+        if (!outcome.is_over()) continue;
+        int& own = steps.at(static_cast<std::size_t>(lane));
+        if (own == 0) {
+          EXPECT_TRUE(outcome.success);
+          own = step;
+        }
+        lanes.Begin(lane, 8);
+      }
+    }
+    return steps;
+  };
+  const std::array<int, 4> near = steps_of(0.3);
+  const std::array<int, 4> far = steps_of(0.9);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_GT(far.at(i), 0);
+    EXPECT_LT(far.at(i), near.at(i));  // the same way, of which it leaves off more
   }
 }
 
@@ -839,6 +873,8 @@ TEST_F(NavigationTest, BadConfigsAreNamed) {
   EXPECT_THAT(complaint("imitation", "lanes: 6\ngroup: 4\n"), HasSubstr("group must divide lanes"));
   EXPECT_THAT(complaint("imitation", "lanes: 8\ngroup: 4\nminibatches: 3\n"),
               HasSubstr("minibatches must divide"));
+  EXPECT_THAT(complaint("imitation", "stop_distance: 1\n"),
+              HasSubstr("stop_distance must be positive and less than"));
   EXPECT_THAT(complaint("imitation", "dagger: {from: 5, to: 1}\n"),
               HasSubstr("to must not be before from"));
   EXPECT_THAT(complaint("imitation", "dagger: {from: 1, to: 5, stop_from: 1}\n"),
