@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <numeric>
 #include <utility>
 
 #include "agent/models/semantic_model.h"
 #include "agent/policy/policy_file.h"
 #include "benchmark/base/shipped_file.h"
+#include "benchmark/base/statistics.h"
 #include "benchmark/training/core/registry.h"
 #include "benchmark/training/rl/lane_groups.h"
 #include "benchmark/training/rl/navigation/lane_training.h"
@@ -100,8 +100,7 @@ class DistillationTraining final : public LaneTraining {
         });
     LimitGradients(net(), config_.gradient_norm);
     step.optimiser->Step(step.rate);
-    const double loss = std::accumulate(missed.begin(), missed.end(), 0.0);
-    missed_ = loss / static_cast<double>(missed.size());
+    missed_ = Mean(missed);
     return missed_;
   }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <cstdint>
-#include <numeric>
 #include <vector>
 
+#include "benchmark/base/statistics.h"
 #include "benchmark/training/core/registry.h"
 #include "benchmark/training/rl/lane_groups.h"
 #include "benchmark/training/rl/navigation/imitation_loss.h"
@@ -14,10 +14,6 @@
 
 namespace bulletnav::bench {
 namespace {
-
-double Sum(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0);
-}
 
 /// The share of episodes in which the teacher acts, along the training: 1 until `from`, then down
 /// in a line to `least` at `to`. In the others the policy acts, and the teacher says what it would
@@ -133,14 +129,12 @@ class ImitationTraining final : public LaneTraining {
     lanes()->StartRollout(1.0 * step.step / config_.steps);
     const Rollout rollout = actor()->Play(play, {});
     const std::uint64_t seed = sim::MixSeed(config_.seed, static_cast<std::uint64_t>(step.step));
+    const bool takes_memory = play.taught_episodes >= 1.0 && picture_net()->learns_to_see();
     Learned learned;
     for (int epoch = 0; epoch < config_.epochs; ++epoch) {
       sim::Rng rng = sim::Rng(seed, "lanes").Fork("epoch", static_cast<std::uint64_t>(epoch));
       learned = LearnOnce(rollout, &rng, step);
-      const bool takes_memory = epoch == 0 && play.taught_episodes >= 1.0;
-      if (takes_memory && picture_net()->learns_to_see()) {
-        actor()->SetHidden(at::cat(learned.hidden));
-      }
+      if (takes_memory && epoch == 0) actor()->SetHidden(at::cat(learned.hidden));
     }
     agreement_ = learned.agreement;
     return learned.loss;
@@ -171,11 +165,11 @@ class ImitationTraining final : public LaneTraining {
             const auto at = static_cast<std::size_t>(group - own.front());
             return Loss(rollout, groups()->LanesOf(group), net, &learned.hidden[at], &agreed[at]);
           });
-      learned.loss += Sum(losses) / groups()->groups();
+      learned.loss += Mean(losses) / config_.minibatches;
       LimitGradients(net(), config_.gradient_norm);
       step.optimiser->Step(step.rate);
     }
-    learned.agreement = Sum(groups()->Gather(agreed)) / groups()->groups();
+    learned.agreement = Mean(groups()->Gather(agreed));
     return learned;
   }
 

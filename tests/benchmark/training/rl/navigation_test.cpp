@@ -319,26 +319,36 @@ TEST_F(NavigationTest, LanesWithMapsGoOnFromTheirStateAcrossWaysOfDrawing) {
             static_cast<std::ptrdiff_t>(agent::kPolicyMapBytes));
 }
 
-TEST_F(NavigationTest, TheTeacherReachesTheGoalAndItsScoreIsSpl) {
-  NavigationScenes scenes(Data(), {}, 1);
+/// How an episode ended, and after how many steps; 0: not within 200.
+struct Ending {
+  LaneOutcome outcome;
+  int steps = 0;
+};
+
+/// Each lane's first episode, in which the teacher acts.
+std::array<Ending, 4> TaughtEndings(NavigationSpec spec, NavigationScenes* scenes) {
   sim::WorkerPool pool(2);
-  NavigationSpec spec = Spec(true);
   spec.task.max_steps = 500;
-  NavigationLanes lanes(spec, &scenes, &pool);
+  NavigationLanes lanes(spec, scenes, &pool);
   for (int lane = 0; lane < 4; ++lane) lanes.Begin(lane, 7);
-  std::vector<int> actions(4);
   std::vector<LaneOutcome> outcomes(4);
-  std::vector<LaneOutcome> ends(4);
-  for (int step = 0; step < 200; ++step) {
+  std::array<Ending, 4> endings;
+  for (int step = 1; step <= 200; ++step) {
     lanes.Step(Taught(&lanes), outcomes);
     for (int lane = 0; lane < 4; ++lane) {
       const auto i = static_cast<std::size_t>(lane);
       if (!outcomes[i].is_over()) continue;
-      if (!ends[i].is_over()) ends[i] = outcomes[i];
+      if (endings.at(i).steps == 0) endings.at(i) = {outcomes[i], step};
       lanes.Begin(lane, 8);
     }
   }
-  for (const LaneOutcome& end : ends) {
+  return endings;
+}
+
+TEST_F(NavigationTest, TheTeacherReachesTheGoalAndItsScoreIsSpl) {
+  NavigationScenes scenes(Data(), {}, 1);
+  for (const Ending& ending : TaughtEndings(Spec(true), &scenes)) {
+    const LaneOutcome& end = ending.outcome;
     EXPECT_TRUE(end.terminated);
     EXPECT_TRUE(end.success);
     EXPECT_GT(end.score, 0.7);
@@ -348,35 +358,18 @@ TEST_F(NavigationTest, TheTeacherReachesTheGoalAndItsScoreIsSpl) {
 
 TEST_F(NavigationTest, TheTeacherStopsWhereItIsTold) {
   NavigationScenes scenes(Data(), {}, 1);
-  sim::WorkerPool pool(2);
-  const auto steps_of = [&](double stops) {
+  const auto endings_at = [&](double stops) {
     NavigationSpec spec = Spec(true);
     spec.teacher_stops = stops;
-    spec.task.max_steps = 500;
-    NavigationLanes lanes(spec, &scenes, &pool);
-    for (int lane = 0; lane < 4; ++lane) lanes.Begin(lane, 7);
-    std::array<int, 4> steps{};
-    std::vector<LaneOutcome> outcomes(4);
-    for (int step = 1; step <= 200; ++step) {
-      lanes.Step(Taught(&lanes), outcomes);
-      for (int lane = 0; lane < 4; ++lane) {
-        const LaneOutcome& outcome = outcomes.at(static_cast<std::size_t>(lane));
-        if (!outcome.is_over()) continue;
-        int& own = steps.at(static_cast<std::size_t>(lane));
-        if (own == 0) {
-          EXPECT_TRUE(outcome.success);
-          own = step;
-        }
-        lanes.Begin(lane, 8);
-      }
-    }
-    return steps;
+    return TaughtEndings(spec, &scenes);
   };
-  const std::array<int, 4> near = steps_of(0.3);
-  const std::array<int, 4> far = steps_of(0.9);
+  const std::array<Ending, 4> near = endings_at(0.3);
+  const std::array<Ending, 4> far = endings_at(0.9);
   for (std::size_t i = 0; i < 4; ++i) {
-    EXPECT_GT(far.at(i), 0);
-    EXPECT_LT(far.at(i), near.at(i));  // the same way, of which it leaves off more
+    EXPECT_TRUE(near.at(i).outcome.success);
+    EXPECT_TRUE(far.at(i).outcome.success);
+    EXPECT_GT(far.at(i).steps, 0);
+    EXPECT_LT(far.at(i).steps, near.at(i).steps);  // the same way, of which it leaves off more
   }
 }
 
