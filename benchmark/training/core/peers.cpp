@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
+#include <csignal>
 #include <cstdint>
 #include <cstdlib>
 #include <exception>
@@ -87,6 +88,15 @@ std::shared_ptr<gloo::transport::Device> DeviceOf(const PeerPlace& place) {
   return c10d::ProcessGroupGloo::createDeviceForHostname(address);
 }
 
+/// Gloo writes to its sockets by writev, which kills the process by SIGPIPE where the other end is
+/// gone already: it must live on to say who is gone.
+void IgnoreBrokenPipes() {
+  struct sigaction now = {};
+  if (::sigaction(SIGPIPE, nullptr, &now) != 0 || now.sa_handler != SIG_DFL) return;
+  now.sa_handler = SIG_IGN;
+  ::sigaction(SIGPIPE, &now, nullptr);
+}
+
 }  // namespace
 
 /// Tells again and again, in a thread of its own, that this process lives.
@@ -129,6 +139,7 @@ class Heart {
 class Peers::Link {
  public:
   explicit Link(const PeerPlace& place) : place_(place), timeout_(seconds(place.timeout_s)) {
+    IgnoreBrokenPipes();
     Open();
     heart_ = std::make_unique<Heart>([this] {
       notes_->add(Key("beat", place_.rank), 1);

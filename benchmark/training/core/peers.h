@@ -21,7 +21,8 @@ class Peers {
  public:
   /// Alone: nothing is sent.
   Peers();
-  /// Meets the others. Throws Error, naming those that do not come, if that takes too long.
+  /// Meets the others. Throws Error, naming those that do not come, if that takes too long. From
+  /// now on this process does not die of SIGPIPE, unless it has a handler of its own.
   explicit Peers(const PeerPlace& place);
   ~Peers();
   Peers(const Peers&) = delete;

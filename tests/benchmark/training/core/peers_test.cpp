@@ -2,6 +2,8 @@
 // Trainings that several processes of this machine share.
 #include "benchmark/training/core/peers.h"
 
+#include <array>
+#include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -182,6 +184,20 @@ TEST_F(SharedTraining, TheFirstProcessMayDieToo) {
     TrainAsPeer(place, Rooms("first"), &killer);
   });
   EXPECT_THAT(ends[1], HasSubstr("process 0 of 2 is gone"));
+}
+
+TEST_F(SharedTraining, LivesOnAfterAWriteToOneThatIsGone) {
+  const Endings ends = Processes::Run(Processes::Places(2), [](const PeerPlace& place) {
+    const Peers peers(place);
+    std::array<int, 2> pipe = {};
+    if (::pipe(pipe.data()) != 0) throw sim::Error("no pipe");
+    ::close(pipe[0]);
+    const bool is_written = ::write(pipe[1], "x", 1) == 1;
+    const int error = errno;
+    ::close(pipe[1]);
+    if (is_written || error != EPIPE) throw sim::Error("the pipe is not broken");
+  });
+  EXPECT_THAT(ends, Well());
 }
 
 TEST_F(SharedTraining, SaysWhyAProcessHasEnded) {
