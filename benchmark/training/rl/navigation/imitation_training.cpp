@@ -108,7 +108,7 @@ class ImitationTraining final : public LaneTraining {
   using Config = ImitationConfig;
 
   ImitationTraining(const Config& config, const TrainContext& context)
-      : LaneTraining(config.navigation,
+      : LaneTraining(config.navigation.GoingOn(),
                      {config.lanes, config.group, config.rollout, config.minibatches}, context),
         config_(config) {
     TakeNet([config] {

@@ -11,6 +11,7 @@
 #include "agent/perception/quantise.h"
 #include "agent/policy/integer_policy.h"
 #include "agent/policy/learned_policy.h"
+#include "agent/policy/policy_file.h"
 #include "agent/policy/restore_policy.h"
 #include "benchmark/base/memory.h"
 #include "benchmark/base/program_version.h"
@@ -87,6 +88,28 @@ void NavigationPlan::RequireRollout(const RolloutSize& size) const {
   RequireMemory(kTwice * step * size.steps * size.lanes,
                 fmt::format("a rollout of {} steps in {} lanes", size.steps, size.lanes),
                 "take a shorter rollout or fewer lanes");
+}
+
+const NavigationPlan& NavigationPlan::GoingOn() const {
+  if (!policy_start) return *this;
+  const std::filesystem::path file = ShippedOr(*policy_start);
+  const agent::TensorFile weights = agent::ReadTensorFile(file);
+  agent::PolicyConfigOf(weights, file);
+  const std::string known = agent::TrainedSetting(weights, file);
+  const std::vector<std::pair<std::string, std::string>> settings = SettingsOf(setting);
+  const auto is_of_this = [&](const auto& one) {
+    return one.first == known;
+  };
+  if (known.empty() || known == "both" ||
+      std::any_of(settings.begin(), settings.end(), is_of_this)) {
+    return *this;
+  }
+  throw sim::FileError(
+      file, "",
+      fmt::format("is of a policy that was trained in the setting {}, and knows nothing else; this "
+                  "training is in the setting {}: name weights of this one as policy_start, or let "
+                  "'bulletnav stitch' make some",
+                  known, settings.front().first));
 }
 
 std::unique_ptr<PictureNet> NavigationPlan::MakeNet(std::uint64_t seed) const {

@@ -60,6 +60,9 @@ struct NavigationPlan {
   NavigationSpec Lanes(const LaneShare& share) const;  // without a teacher
   /// Throws sim::Error if a rollout of that size certainly does not fit into memory.
   void RequireRollout(const RolloutSize& size) const;
+  /// This, if the policy of policy_start can go on in this setting. Throws FileError for a file of
+  /// something else and for a policy that knows another setting alone.
+  const NavigationPlan& GoingOn() const;
   std::unique_ptr<PictureNet> MakeNet(std::uint64_t seed) const;
 };
 

@@ -35,7 +35,7 @@ class PpoNavigationTraining final : public PpoTraining {
       : PpoNavigationTraining(
             config,
             std::make_shared<NavigationWorld>(
-                config.navigation,
+                config.navigation.GoingOn(),
                 RolloutSize{Share(config.ppo, context.peers.get()).lanes, config.ppo.rollout},
                 context),
             context.peers) {}

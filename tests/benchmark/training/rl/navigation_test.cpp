@@ -902,6 +902,14 @@ TEST_F(NavigationTest, BadConfigsAreNamed) {
   EXPECT_THAT(complaint("distillation", "setting: rgb\npolicy_start: nowhere.safetensors\n"),
               HasSubstr("nowhere"));
   EXPECT_THAT(complaint("ppo", "policy_start: nowhere.safetensors\n"), HasSubstr("nowhere"));
+  const std::string weights = BULLETNAV_WEIGHTS;
+  for (const char* task : {"ppo", "imitation"}) {
+    EXPECT_THAT(complaint(task, "setting: rgb\npolicy_start: " + weights +
+                                    "/resnet_gru_il_rgbd.safetensors\n"),
+                HasSubstr("trained in the setting rgbd, and knows nothing else"));
+    EXPECT_THAT(complaint(task, "policy_start: " + weights + "/nts_rgbd.safetensors\n"),
+                HasSubstr("does not hold the weights of a policy"));
+  }
   EXPECT_THAT(complaint("ppo", "ppo: {lanes: 8, group: 4, minibatches: 3}\n"),
               HasSubstr("minibatches must divide"));
 }
