@@ -54,6 +54,18 @@ PolicyConfig PolicyConfigOf(const TensorFile& weights, const std::filesystem::pa
   return ConfigInWeights<PolicyConfig>(weights, kPolicyKey, file, "a policy; train it again");
 }
 
+void RequireTrainedSetting(const std::string& setting, const TensorFile& weights,
+                           const std::filesystem::path& file) {
+  const std::string trained = TrainedSetting(weights, file);
+  if ((trained == "rgb" || trained == "rgbd") && trained != setting) {
+    throw sim::FileError(
+        file, "",
+        fmt::format("is of a policy that was trained in the setting {}, and knows nothing else; "
+                    "this is the setting {}: take weights of this one",
+                    trained, setting));
+  }
+}
+
 void RequirePolicyRig(const Rig& rig, const TensorFile& weights,
                       const std::filesystem::path& file) {
   RequireRig(rig, ModelConfig{.depth = DepthFusion::kNone}, file);
@@ -63,14 +75,7 @@ void RequirePolicyRig(const Rig& rig, const TensorFile& weights,
                          "is of a policy that is shown a metric map, which takes depth; this body "
                          "has none: take the setting rgbd");
   }
-  const std::string setting = TrainedSetting(weights, file);
-  if ((setting == "rgb" && rig.has_depth) || (setting == "rgbd" && !rig.has_depth)) {
-    throw sim::FileError(
-        file, "",
-        fmt::format("is of a policy that was trained in the setting {}, and knows nothing else; "
-                    "this is the setting {}: take weights of this one",
-                    setting, rig.has_depth ? "rgbd" : "rgb"));
-  }
+  RequireTrainedSetting(rig.has_depth ? "rgbd" : "rgb", weights, file);
 }
 
 }  // namespace bulletnav::agent

@@ -23,6 +23,11 @@ std::string TrainedSetting(const TensorFile& weights, const std::filesystem::pat
 /// bad.
 PolicyConfig PolicyConfigOf(const TensorFile& weights, const std::filesystem::path& file);
 
+/// Throws FileError if the weights know one setting alone, and another one than `setting`, "rgb" or
+/// "rgbd".
+void RequireTrainedSetting(const std::string& setting, const TensorFile& weights,
+                           const std::filesystem::path& file);
+
 /// Throws FileError unless a rig is the body that the policy was trained in: the default one, which
 /// sees cylindrical panoramas of 128 x 512 with colour, and depth or none as in the setting of its
 /// training. Weights that do not tell their setting, and those with another encoder stitched

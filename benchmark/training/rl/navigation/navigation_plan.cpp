@@ -95,21 +95,10 @@ const NavigationPlan& NavigationPlan::GoingOn() const {
   const std::filesystem::path file = ShippedOr(*policy_start);
   const agent::TensorFile weights = agent::ReadTensorFile(file);
   agent::PolicyConfigOf(weights, file);
-  const std::string known = agent::TrainedSetting(weights, file);
-  const std::vector<std::pair<std::string, std::string>> settings = SettingsOf(setting);
-  const auto is_of_this = [&](const auto& one) {
-    return one.first == known;
-  };
-  if (known.empty() || known == "both" ||
-      std::any_of(settings.begin(), settings.end(), is_of_this)) {
-    return *this;
+  if (setting != LaneSetting::kBoth) {
+    agent::RequireTrainedSetting(std::string(sim::NameOf(setting)), weights, file);
   }
-  throw sim::FileError(
-      file, "",
-      fmt::format("is of a policy that was trained in the setting {}, and knows nothing else; this "
-                  "training is in the setting {}: name weights of this one as policy_start, or let "
-                  "'bulletnav stitch' make some",
-                  known, settings.front().first));
+  return *this;
 }
 
 std::unique_ptr<PictureNet> NavigationPlan::MakeNet(std::uint64_t seed) const {
